@@ -1,0 +1,1343 @@
+/* tribox.h - triangle / axis-aligned box overlap tests - v0.1.0 - MIT or Unlicense, see end of file
+ *
+ * Every number you pass is taken as the exact real number it is. A triangle is the convex hull of its three
+ * corners, a box is closed, and the answer is whether the two share a point. The answer is never rounded.
+ *
+ *   QUICK START
+ *     #include "tribox.h"
+ *     const float v0[3] = {.5f, .2f, .6f}, v1[3] = {.3f, .1f, .4f}, v2[3] = {.3f, .6f, .6f};
+ *     const float box_min[3] = {.4f, .4f, .5f}, box_max[3] = {.7f, .5f, .6f};
+ *     int yes = tribox_overlap(v0, v1, v2, box_min, box_max);
+ */
+#ifndef TRIBOX_H
+#define TRIBOX_H
+
+/* ---- 1. Version, options, compiler support ------------------------------------------------------------- */
+
+#define TRIBOX_VERSION_MAJOR 0
+#define TRIBOX_VERSION_MINOR 1
+#define TRIBOX_VERSION_PATCH 0
+#define TRIBOX_VERSION (TRIBOX_VERSION_MAJOR * 10000 + TRIBOX_VERSION_MINOR * 100 + TRIBOX_VERSION_PATCH)
+
+#include <float.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Host and device: one set of functions serves both. */
+#if defined(__CUDACC__) || defined(__HIPCC__)
+#define TRIBOX_IMPL_HD __host__ __device__
+#else
+#define TRIBOX_IMPL_HD
+#endif
+
+#if defined(_MSC_VER) && !defined(__cplusplus)
+#define TRIBOX_IMPL_INLINE static __inline
+#else
+#define TRIBOX_IMPL_INLINE static inline
+#endif
+
+#ifndef TRIBOX_FN
+#define TRIBOX_FN TRIBOX_IMPL_HD TRIBOX_IMPL_INLINE
+#endif
+#define TRIBOX_IMPL_FN TRIBOX_IMPL_HD TRIBOX_IMPL_INLINE
+
+/* The rare path: kept out of line, so that its stack and code stay out of the callers. */
+#if defined(__CUDACC__)
+#define TRIBOX_IMPL_COLD TRIBOX_IMPL_HD static __noinline__
+#elif defined(__GNUC__)
+#define TRIBOX_IMPL_COLD static __attribute__((noinline, cold, unused))
+#elif defined(_MSC_VER)
+#define TRIBOX_IMPL_COLD static __declspec(noinline)
+#else
+#define TRIBOX_IMPL_COLD static inline
+#endif
+
+/* Copies a few bytes of any alignment; compilers turn it into one move. */
+#if defined(__GNUC__)
+#define TRIBOX_IMPL_COPY(dst, src, bytes) ((void)__builtin_memcpy((dst), (src), (bytes)))
+#else
+#define TRIBOX_IMPL_COPY(dst, src, bytes) tribox_impl_copy((dst), (src), (bytes))
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- 2. Types ------------------------------------------------------------------------------------------ */
+
+enum {                      /* flags; 0 = closed, conservative */
+    TRIBOX_HALF_OPEN = 1,   /* the box is [min, max) on each axis: every point lies in exactly one grid voxel */
+    TRIBOX_OPEN      = 2,   /* the box is its interior: touching does not count */
+    TRIBOX_THIN      = 4    /* 6-separating test of [SS10] instead of the conservative one; always closed */
+};
+
+typedef struct tribox_tri {
+    double   v[3][3];       /* the corners */
+    double   size[3];       /* dp: the box's size */
+    unsigned flags;
+    int      empty;         /* 1: the triangle or every box is the empty set */
+} tribox_tri;
+
+typedef struct tribox_grid {
+    double   origin[3];     /* minimum corner of voxel (0,0,0) */
+    double   size[3];       /* of a voxel, > 0 */
+    int      lo[3];         /* the region: lo <= index < hi on each axis */
+    int      hi[3];
+    unsigned flags;
+} tribox_grid;
+
+typedef void (*tribox_span_fn)(void *user, int x0, int x1, int y, int z);
+
+typedef struct tribox_mesh {
+    const float    *positions;      /* x,y,z of vertex i at (const char *)positions + i*stride */
+    size_t          stride;         /* bytes between vertices; 0 means 3*sizeof(float) */
+    const uint32_t *indices;        /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
+    size_t          triangles;
+} tribox_mesh;
+
+/* ---- 3. API: one box ----------------------------------------------------------------------------------- */
+
+TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
+                             const float box_min[3], const float box_max[3]);
+TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const double v2[3],
+                                 const double box_min[3], const double box_max[3]);
+TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const float v2[3],
+                                  const float box_min[3], const float box_max[3], unsigned flags);
+TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
+                                      const double box_min[3], const double box_max[3], unsigned flags);
+TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3],
+                         const float box_min[3], const float box_max[3]);
+
+/* ---- 4. API: one triangle, many voxels ----------------------------------------------------------------- */
+
+TRIBOX_FN void tribox_tri_init(tribox_tri *tri, const float v0[3], const float v1[3], const float v2[3],
+                               const float size[3], unsigned flags);
+TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const double v1[3],
+                                   const double v2[3], const double size[3], unsigned flags);
+TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3]);
+TRIBOX_FN int tribox_tri_test_f64(const tribox_tri *tri, const double p[3]);
+
+/* ---- 5. API: grids ------------------------------------------------------------------------------------- */
+
+TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], const float v1[3],
+                                   const float v2[3], tribox_span_fn emit, void *user);
+TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
+                                       const double v2[3], tribox_span_fn emit, void *user);
+TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid);
+TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits);
+TRIBOX_FN int tribox_grid_get(const tribox_grid *grid, const uint64_t *bits, int x, int y, int z);
+TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n);
+TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3], int out_index[3]);
+
+/* ---- 6. Implementation: bits of floating-point numbers --------------------------------------------------
+ *
+ * Whatever decides is read from the bits, so that no compiler flag (-ffast-math folds x != x) and no
+ * processor mode (flush-to-zero reads subnormals as zero) can change it. */
+
+#if !defined(__GNUC__)
+TRIBOX_IMPL_FN void tribox_impl_copy(void *dst, const void *src, size_t bytes)
+{
+    size_t i;
+    for (i = 0; i < bytes; i++) {
+        ((unsigned char *)dst)[i] = ((const unsigned char *)src)[i];
+    }
+}
+#endif
+
+TRIBOX_IMPL_FN uint32_t tribox_impl_bits32(const float *x)
+{
+    uint32_t bits;
+    TRIBOX_IMPL_COPY(&bits, x, sizeof bits);
+    return bits;
+}
+
+TRIBOX_IMPL_FN uint64_t tribox_impl_bits64(const double *x)
+{
+    uint64_t bits;
+    TRIBOX_IMPL_COPY(&bits, x, sizeof bits);
+    return bits;
+}
+
+TRIBOX_IMPL_FN double tribox_impl_from_bits64(uint64_t bits)
+{
+    double x;
+    TRIBOX_IMPL_COPY(&x, &bits, sizeof x);
+    return x;
+}
+
+/* The float's value as a double, also where the processor would read a subnormal as zero. A float subnormal
+ * is mantissa * 2^-149, a normal double. */
+TRIBOX_IMPL_FN double tribox_impl_widen(const float *x)
+{
+    const uint32_t bits = tribox_impl_bits32(x);
+    const uint64_t sign = (uint64_t)(bits & 0x80000000u) << 32;
+    uint64_t mantissa = bits & 0x007fffffu;
+    uint64_t exponent = (bits >> 23) & 0xffu;
+    if (exponent == 0xffu) {
+        exponent = 0x7ffu;
+    } else if (exponent != 0) {
+        exponent += 1023 - 127;
+    } else if (mantissa != 0) {
+        exponent = 1023 - 126;
+        while (mantissa < 0x00800000u) {
+            mantissa <<= 1;
+            exponent--;
+        }
+        mantissa &= 0x007fffffu;
+    }
+    return tribox_impl_from_bits64(sign | (exponent << 52) | (mantissa << 29));
+}
+
+TRIBOX_IMPL_FN int tribox_impl_is_nan(double x)
+{
+    return (tribox_impl_bits64(&x) & 0x7fffffffffffffffu) > 0x7ff0000000000000u;
+}
+
+TRIBOX_IMPL_FN int tribox_impl_is_finite(double x)
+{
+    return (tribox_impl_bits64(&x) & 0x7fffffffffffffffu) < 0x7ff0000000000000u;
+}
+
+/* An integer that orders as the number does (NaN aside); both zeros give 0. */
+TRIBOX_IMPL_FN int64_t tribox_impl_key64(double x)
+{
+    const uint64_t bits = tribox_impl_bits64(&x);
+    const int64_t magnitude = (int64_t)(bits & 0x7fffffffffffffffu);
+    return (bits >> 63) != 0 ? -magnitude : magnitude;
+}
+
+TRIBOX_IMPL_FN int tribox_impl_less(double a, double b)
+{
+    return tribox_impl_key64(a) < tribox_impl_key64(b);
+}
+
+TRIBOX_IMPL_FN double tribox_impl_min(double a, double b)
+{
+    return tribox_impl_less(b, a) ? b : a;
+}
+
+TRIBOX_IMPL_FN double tribox_impl_max(double a, double b)
+{
+    return tribox_impl_less(a, b) ? b : a;
+}
+
+TRIBOX_IMPL_FN int tribox_impl_sign(double x)
+{
+    const int64_t key = tribox_impl_key64(x);
+    return (key > 0) - (key < 0);
+}
+
+/* ---- 7. Implementation: exact integers ------------------------------------------------------------------
+ *
+ * A coordinate is base + half*(step/2): a corner (half = 0), a face p + size (half = 2), a grid face
+ * origin + i*size (half = 2i), or the centre of a voxel (half = 2i + 1). All coordinates of one question are
+ * multiples of one power of two 2^e, so every sign asked below is the sign of an integer.
+ *
+ * Width: a finite double is a multiple of 2^-1074 below 2^1024. |half| <= 2^32, so a coordinate times 2^1075 is
+ * below 2^(1024 + 33 + 1075) = 2^2132, a difference below 2^2133, a degree-3 determinant below
+ * 6 * 2^6399 < 2^6402: 201 limbs of 32 bits. */
+#define TRIBOX_IMPL_LIMBS 208
+
+typedef struct tribox_impl_coord {
+    double  base;
+    double  step;
+    int64_t half;
+} tribox_impl_coord;
+
+typedef struct tribox_impl_big {    /* sign * sum of limb[i] * 2^(32 i); limb[n - 1] != 0; sign = 0 iff n = 0 */
+    int      sign;
+    int      n;
+    uint32_t limb[TRIBOX_IMPL_LIMBS];
+} tribox_impl_big;
+
+#define TRIBOX_IMPL_NO_EXPONENT 4096    /* above every exponent: of zero */
+
+/* x = mantissa * 2^exponent with an odd mantissa. Returns the exponent (NO_EXPONENT for 0). */
+TRIBOX_IMPL_FN int tribox_impl_split(double x, int64_t *out_mantissa)
+{
+    const uint64_t bits = tribox_impl_bits64(&x);
+    uint64_t mantissa = bits & 0x000fffffffffffffu;
+    int exponent = (int)((bits >> 52) & 0x7ffu);
+    if (exponent != 0) {
+        mantissa |= 0x0010000000000000u;
+    } else {
+        exponent = 1;
+    }
+    if (mantissa == 0) {
+        *out_mantissa = 0;
+        return TRIBOX_IMPL_NO_EXPONENT;
+    }
+    exponent -= 1075;
+    while ((mantissa & 0xffu) == 0) {
+        mantissa >>= 8;
+        exponent += 8;
+    }
+    while ((mantissa & 1u) == 0) {
+        mantissa >>= 1;
+        exponent++;
+    }
+    *out_mantissa = (bits >> 63) != 0 ? -(int64_t)mantissa : (int64_t)mantissa;
+    return exponent;
+}
+
+/* The least power of two that divides both base and step/2. */
+TRIBOX_IMPL_FN int tribox_impl_coord_exponent(const tribox_impl_coord *x)
+{
+    int64_t mantissa;
+    const int base = tribox_impl_split(x->base, &mantissa);
+    const int step = x->half != 0 ? tribox_impl_split(x->step, &mantissa) - 1 : TRIBOX_IMPL_NO_EXPONENT;
+    return base < step ? base : step;
+}
+
+/* mantissa * 2^shift, shift >= 0 */
+TRIBOX_IMPL_FN void tribox_impl_big_set(tribox_impl_big *r, int64_t mantissa, int shift)
+{
+    const uint64_t m = mantissa < 0 ? (uint64_t)0 - (uint64_t)mantissa : (uint64_t)mantissa;
+    const int bit = shift & 31;
+    const uint64_t low = (m & 0xffffffffu) << bit;
+    const uint64_t high = ((m >> 32) << bit) + (low >> 32);
+    int n = shift >> 5;
+    int i;
+    r->sign = (mantissa > 0) - (mantissa < 0);
+    if (r->sign == 0) {
+        r->n = 0;
+        return;
+    }
+    for (i = 0; i < n; i++) {
+        r->limb[i] = 0;
+    }
+    r->limb[n++] = (uint32_t)low;
+    r->limb[n++] = (uint32_t)high;
+    r->limb[n++] = (uint32_t)(high >> 32);
+    while (r->limb[n - 1] == 0) {
+        n--;
+    }
+    r->n = n;
+}
+
+TRIBOX_IMPL_FN int tribox_impl_big_compare_magnitude(const tribox_impl_big *a, const tribox_impl_big *b)
+{
+    int i;
+    if (a->n != b->n) {
+        return a->n < b->n ? -1 : 1;
+    }
+    for (i = a->n - 1; i >= 0; i--) {
+        if (a->limb[i] != b->limb[i]) {
+            return a->limb[i] < b->limb[i] ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+/* r += sign * b, sign -1 or +1; r and b are different objects */
+TRIBOX_IMPL_FN void tribox_impl_big_add(tribox_impl_big *r, const tribox_impl_big *b, int sign)
+{
+    const int b_sign = sign * b->sign;
+    uint64_t carry = 0;
+    int i;
+    if (b_sign == 0) {
+        return;
+    }
+    if (r->sign == 0 || r->sign == b_sign) {
+        const int n = r->n > b->n ? r->n : b->n;
+        for (i = 0; i < n; i++) {
+            carry += (uint64_t)(i < r->n ? r->limb[i] : 0) + (i < b->n ? b->limb[i] : 0);
+            r->limb[i] = (uint32_t)carry;
+            carry >>= 32;
+        }
+        r->n = n;
+        if (carry != 0) {
+            r->limb[r->n++] = (uint32_t)carry;
+        }
+        r->sign = b_sign;
+        return;
+    }
+    {   /* opposite signs: the smaller magnitude from the larger */
+        const int order = tribox_impl_big_compare_magnitude(r, b);
+        const tribox_impl_big *large = order < 0 ? b : r;
+        const tribox_impl_big *small = order < 0 ? r : b;
+        const int small_n = small->n;
+        int n = large->n;
+        for (i = 0; i < n; i++) {
+            const uint64_t take = (uint64_t)(i < small_n ? small->limb[i] : 0) + carry;
+            const uint64_t from = large->limb[i];
+            r->limb[i] = (uint32_t)(from - take);
+            carry = from < take;
+        }
+        while (n > 0 && r->limb[n - 1] == 0) {
+            n--;
+        }
+        r->n = n;
+        r->sign = n == 0 ? 0 : order < 0 ? b_sign : r->sign;
+    }
+}
+
+/* r = a * b; r is neither a nor b */
+TRIBOX_IMPL_FN void tribox_impl_big_mul(tribox_impl_big *r, const tribox_impl_big *a, const tribox_impl_big *b)
+{
+    int i;
+    int j;
+    r->sign = a->sign * b->sign;
+    r->n = 0;
+    if (r->sign == 0) {
+        return;
+    }
+    r->n = a->n + b->n;
+    for (i = 0; i < r->n; i++) {
+        r->limb[i] = 0;
+    }
+    for (i = 0; i < a->n; i++) {
+        uint64_t carry = 0;
+        for (j = 0; j < b->n; j++) {
+            carry += (uint64_t)a->limb[i] * b->limb[j] + r->limb[i + j];
+            r->limb[i + j] = (uint32_t)carry;
+            carry >>= 32;
+        }
+        r->limb[i + b->n] = (uint32_t)carry;
+    }
+    while (r->limb[r->n - 1] == 0) {
+        r->n--;
+    }
+}
+
+/* r += sign * x / 2^e */
+TRIBOX_IMPL_FN void tribox_impl_big_add_coord(tribox_impl_big *r, const tribox_impl_coord *x, int e, int sign)
+{
+    tribox_impl_big a;
+    int64_t mantissa;
+    int exponent = tribox_impl_split(x->base, &mantissa);
+    tribox_impl_big_set(&a, mantissa, exponent - e);
+    tribox_impl_big_add(r, &a, sign);
+    if (x->half != 0) {
+        tribox_impl_big half;
+        tribox_impl_big step;
+        exponent = tribox_impl_split(x->step, &mantissa) - 1;
+        tribox_impl_big_set(&step, mantissa, exponent - e);
+        tribox_impl_big_set(&half, x->half, 0);
+        tribox_impl_big_mul(&a, &step, &half);
+        tribox_impl_big_add(r, &a, sign);
+    }
+}
+
+/* r = (a - b) / 2^e */
+TRIBOX_IMPL_FN void tribox_impl_big_difference(tribox_impl_big *r, const tribox_impl_coord *a,
+                                               const tribox_impl_coord *b, int e)
+{
+    r->sign = 0;
+    r->n = 0;
+    tribox_impl_big_add_coord(r, a, e, 1);
+    tribox_impl_big_add_coord(r, b, e, -1);
+}
+
+/* The short path: x / 2^e as a 62-bit integer. Returns 0 where it needs more. */
+TRIBOX_IMPL_FN int tribox_impl_short(const tribox_impl_coord *x, int e, int64_t *out)
+{
+    const int64_t limit = (int64_t)1 << 61;
+    int64_t value;
+    int64_t step;
+    int shift = tribox_impl_split(x->base, &value) - e;
+    if (value != 0) {
+        if (shift > 60 || value > (limit >> shift) || value < -(limit >> shift)) {
+            return 0;
+        }
+        value *= (int64_t)1 << shift;
+    }
+    if (x->half != 0) {
+        const int64_t half = x->half < 0 ? -x->half : x->half;
+        shift = tribox_impl_split(x->step, &step) - 1 - e;
+        if (step != 0) {
+            if (shift > 60 || (step < 0 ? -step : step) > (limit >> shift) / half) {
+                return 0;
+            }
+            value += step * ((int64_t)1 << shift) * x->half;
+        }
+    }
+    *out = value;
+    return 1;
+}
+
+/* Points of one question: the corners, and the box's faces and centre planes per axis. */
+enum { TRIBOX_IMPL_LO = 3, TRIBOX_IMPL_MID = 4, TRIBOX_IMPL_HI = 5, TRIBOX_IMPL_ROWS = 6 };
+
+typedef struct tribox_impl_exact {
+    tribox_impl_coord x[TRIBOX_IMPL_ROWS][3];   /* rows 0..2: corners; LO, MID, HI */
+    int64_t           s[TRIBOX_IMPL_ROWS][3];   /* x / 2^e - (v0 / 2^e), if is_short: |s| < 2^28 */
+    int               e;
+    int               is_short;
+} tribox_impl_exact;
+
+TRIBOX_IMPL_FN tribox_impl_coord tribox_impl_at(double base, double step, int64_t half)
+{
+    tribox_impl_coord x;
+    x.base = base;
+    x.step = step;
+    x.half = half;
+    return x;
+}
+
+/* Finds the common unit of all rows, and whether the short path can carry them. */
+TRIBOX_IMPL_FN void tribox_impl_exact_finish(tribox_impl_exact *f)
+{
+    const int64_t limit = (int64_t)1 << 28;
+    int row;
+    int a;
+    f->e = TRIBOX_IMPL_NO_EXPONENT;
+    for (row = 0; row < TRIBOX_IMPL_ROWS; row++) {
+        for (a = 0; a < 3; a++) {
+            const int e = tribox_impl_coord_exponent(&f->x[row][a]);
+            f->e = e < f->e ? e : f->e;
+        }
+    }
+    f->is_short = 1;
+    for (a = 0; a < 3; a++) {
+        int64_t v0;
+        if (!tribox_impl_short(&f->x[0][a], f->e, &v0)) {
+            f->is_short = 0;
+            return;
+        }
+        f->s[0][a] = 0;
+        for (row = 1; row < TRIBOX_IMPL_ROWS; row++) {
+            int64_t s;
+            if (!tribox_impl_short(&f->x[row][a], f->e, &s) || s - v0 >= limit || s - v0 <= -limit) {
+                f->is_short = 0;
+                return;
+            }
+            f->s[row][a] = s - v0;
+        }
+    }
+}
+
+/* The sign of a - b. */
+TRIBOX_IMPL_COLD int tribox_impl_compare(const tribox_impl_coord *a, const tribox_impl_coord *b)
+{
+    const int ea = tribox_impl_coord_exponent(a);
+    const int eb = tribox_impl_coord_exponent(b);
+    const int e = ea < eb ? ea : eb;
+    int64_t sa;
+    int64_t sb;
+    if (tribox_impl_short(a, e, &sa) && tribox_impl_short(b, e, &sb)) {
+        return (sa > sb) - (sa < sb);
+    } else {
+        tribox_impl_big d;
+        tribox_impl_big_difference(&d, a, b, e);
+        return d.sign;
+    }
+}
+
+/* r += sign * (b - a).x * (q - a).y, the points a, b, q being rows */
+TRIBOX_IMPL_FN void tribox_impl_big_add_product(tribox_impl_big *r, const tribox_impl_exact *f,
+                                                const tribox_impl_coord *a_x, const tribox_impl_coord *b_x,
+                                                const tribox_impl_coord *a_y, const tribox_impl_coord *q_y, int sign)
+{
+    tribox_impl_big x;
+    tribox_impl_big y;
+    tribox_impl_big xy;
+    tribox_impl_big_difference(&x, b_x, a_x, f->e);
+    tribox_impl_big_difference(&y, q_y, a_y, f->e);
+    tribox_impl_big_mul(&xy, &x, &y);
+    tribox_impl_big_add(r, &xy, sign);
+}
+
+/* r = (b - a) x (q - a) in the plane of axes x, y; a, b are corners, q is (x of row qx, y of row qy) */
+TRIBOX_IMPL_FN void tribox_impl_big_orient2(tribox_impl_big *r, const tribox_impl_exact *f, int x, int y,
+                                            int a, int b, int qx, int qy)
+{
+    r->sign = 0;
+    r->n = 0;
+    tribox_impl_big_add_product(r, f, &f->x[a][x], &f->x[b][x], &f->x[a][y], &f->x[qy][y], 1);
+    tribox_impl_big_add_product(r, f, &f->x[a][y], &f->x[b][y], &f->x[a][x], &f->x[qx][x], -1);
+}
+
+TRIBOX_IMPL_COLD int tribox_impl_orient2_long(const tribox_impl_exact *f, int x, int y, int a, int b, int qx, int qy)
+{
+    tribox_impl_big r;
+    tribox_impl_big_orient2(&r, f, x, y, a, b, qx, qy);
+    return r.sign;
+}
+
+TRIBOX_IMPL_COLD int tribox_impl_orient3_long(const tribox_impl_exact *f, const int q[3])
+{
+    tribox_impl_big sum;
+    int a;
+    sum.sign = 0;
+    sum.n = 0;
+    for (a = 0; a < 3; a++) {
+        const int b = (a + 1) % 3;
+        const int c = (a + 2) % 3;
+        tribox_impl_big n;
+        tribox_impl_big d;
+        tribox_impl_big nd;
+        tribox_impl_big_orient2(&n, f, b, c, 0, 1, 2, 2);
+        tribox_impl_big_difference(&d, &f->x[q[a]][a], &f->x[0][a], f->e);
+        tribox_impl_big_mul(&nd, &n, &d);
+        tribox_impl_big_add(&sum, &nd, 1);
+    }
+    return sum.sign;
+}
+
+/* |s| < 2^28, differences < 2^29, products < 2^58, their difference < 2^59: no overflow */
+TRIBOX_IMPL_FN int64_t tribox_impl_orient2_short(const tribox_impl_exact *f, int x, int y,
+                                                 int a, int b, int qx, int qy)
+{
+    return (f->s[b][x] - f->s[a][x]) * (f->s[qy][y] - f->s[a][y]) -
+           (f->s[b][y] - f->s[a][y]) * (f->s[qx][x] - f->s[a][x]);
+}
+
+/* The sign of (b - a) x (q - a). */
+TRIBOX_IMPL_FN int tribox_impl_orient2(const tribox_impl_exact *f, int x, int y, int a, int b, int qx, int qy)
+{
+    if (f->is_short) {
+        const int64_t r = tribox_impl_orient2_short(f, x, y, a, b, qx, qy);
+        return (r > 0) - (r < 0);
+    }
+    return tribox_impl_orient2_long(f, x, y, a, b, qx, qy);
+}
+
+/* The sign of n.(q - v0), q_k being row q[k] of axis k. */
+TRIBOX_IMPL_FN int tribox_impl_orient3(const tribox_impl_exact *f, const int q[3])
+{
+    if (f->is_short) {
+        /* n < 2^59 = high * 2^32 + low; |q| < 2^28: both sums below 3 * 2^60 */
+        int64_t high = 0;
+        int64_t low = 0;
+        int a;
+        for (a = 0; a < 3; a++) {
+            const int64_t n = tribox_impl_orient2_short(f, (a + 1) % 3, (a + 2) % 3, 0, 1, 2, 2);
+            const int64_t n_low = (int64_t)((uint64_t)n & 0xffffffffu);
+            high += (n - n_low) / ((int64_t)1 << 32) * f->s[q[a]][a];
+            low += n_low * f->s[q[a]][a];
+        }
+        {
+            const int64_t rest = (int64_t)((uint64_t)low & 0xffffffffu);
+            high += (low - rest) / ((int64_t)1 << 32);
+            return high != 0 ? (high > 0) - (high < 0) : rest > 0;
+        }
+    }
+    return tribox_impl_orient3_long(f, q);
+}
+
+/* ---- 8. Implementation: the exact test ------------------------------------------------------------------ */
+
+/* The sign of component k of edge v[i+1] - v[i]. */
+TRIBOX_IMPL_FN int tribox_impl_edge_sign(const tribox_impl_exact *f, int i, int k)
+{
+    const int64_t from = tribox_impl_key64(f->x[i][k].base);
+    const int64_t to = tribox_impl_key64(f->x[(i + 1) % 3][k].base);
+    return (to > from) - (to < from);
+}
+
+/* The row of the face farthest along a normal component of this sign. */
+TRIBOX_IMPL_FN int tribox_impl_far_row(int sign)
+{
+    return sign > 0 ? TRIBOX_IMPL_HI : TRIBOX_IMPL_LO;
+}
+
+/* Does the face that a critical point uses on axis k belong to the box? A zero coefficient uses none. */
+TRIBOX_IMPL_FN int tribox_impl_uses_open(unsigned open_lo, unsigned open_hi, int k, int sign)
+{
+    return sign != 0 && (((sign > 0 ? open_hi : open_lo) >> k) & 1u) != 0;
+}
+
+/* Edge i in the plane across axis a, [SS10] with the sign of n_a given: max over the box of w.(q - v_i) >= 0. */
+TRIBOX_IMPL_FN int tribox_impl_exact_edge(const tribox_impl_exact *f, int a, int i, int n_sign,
+                                          unsigned open_lo, unsigned open_hi)
+{
+    const int b = (a + 1) % 3;
+    const int c = (a + 2) % 3;
+    const int w_sign = n_sign >= 0 ? 1 : -1;
+    const int w_b = -w_sign * tribox_impl_edge_sign(f, i, c);
+    const int w_c = w_sign * tribox_impl_edge_sign(f, i, b);
+    const int value = w_sign * tribox_impl_orient2(f, b, c, i, (i + 1) % 3, tribox_impl_far_row(w_b),
+                                                   tribox_impl_far_row(w_c));
+    if (value != 0) {
+        return value > 0;
+    }
+    return !tribox_impl_uses_open(open_lo, open_hi, b, w_b) && !tribox_impl_uses_open(open_lo, open_hi, c, w_c);
+}
+
+/* The plane, one side: side * n.(q - v0) >= 0 at the critical point along side * n. */
+TRIBOX_IMPL_FN int tribox_impl_exact_plane(const tribox_impl_exact *f, const int n_sign[3], int side,
+                                           unsigned open_lo, unsigned open_hi)
+{
+    int q[3];
+    int k;
+    int value;
+    int is_open = 0;
+    for (k = 0; k < 3; k++) {
+        q[k] = tribox_impl_far_row(side * n_sign[k]);
+        is_open |= tribox_impl_uses_open(open_lo, open_hi, k, side * n_sign[k]);
+    }
+    value = side * tribox_impl_orient3(f, q);
+    return value > 0 || (value == 0 && !is_open);
+}
+
+TRIBOX_IMPL_FN void tribox_impl_exact_normal(const tribox_impl_exact *f, int n_sign[3])
+{
+    int a;
+    for (a = 0; a < 3; a++) {
+        n_sign[a] = tribox_impl_orient2(f, (a + 1) % 3, (a + 2) % 3, 0, 1, 2, 2);
+    }
+}
+
+/* Plane and edges; the faces are known to hold. Bit k of open_lo, open_hi: that face is not in the box. */
+TRIBOX_IMPL_FN int tribox_impl_exact_axes(const tribox_impl_exact *f, unsigned open_lo, unsigned open_hi)
+{
+    int n_sign[3];
+    int a;
+    int i;
+    tribox_impl_exact_normal(f, n_sign);
+    for (a = 0; a < 3; a++) {
+        for (i = 0; i < 3; i++) {
+            if (!tribox_impl_exact_edge(f, a, i, n_sign[a], open_lo, open_hi)) {
+                return 0;
+            }
+        }
+    }
+    return tribox_impl_exact_plane(f, n_sign, 1, open_lo, open_hi) &&
+           tribox_impl_exact_plane(f, n_sign, -1, open_lo, open_hi);
+}
+
+/* [SS10] 6-separating: max |n_k| h_k in place of the sum, so the critical point is the farthest of the voxel's
+ * face centres. */
+TRIBOX_IMPL_FN int tribox_impl_exact_thin_edge(const tribox_impl_exact *f, int a, int i, int n_sign)
+{
+    const int b = (a + 1) % 3;
+    const int c = (a + 2) % 3;
+    const int j = (i + 1) % 3;
+    const int w_sign = n_sign >= 0 ? 1 : -1;
+    const int far_b = tribox_impl_far_row(-w_sign * tribox_impl_edge_sign(f, i, c));
+    const int far_c = tribox_impl_far_row(w_sign * tribox_impl_edge_sign(f, i, b));
+    return w_sign * tribox_impl_orient2(f, b, c, i, j, far_b, TRIBOX_IMPL_MID) >= 0 ||
+           w_sign * tribox_impl_orient2(f, b, c, i, j, TRIBOX_IMPL_MID, far_c) >= 0;
+}
+
+TRIBOX_IMPL_FN int tribox_impl_exact_thin_plane(const tribox_impl_exact *f, const int n_sign[3], int side)
+{
+    int k;
+    for (k = 0; k < 3; k++) {
+        int q[3] = { TRIBOX_IMPL_MID, TRIBOX_IMPL_MID, TRIBOX_IMPL_MID };
+        q[k] = tribox_impl_far_row(side * n_sign[k]);
+        if (side * tribox_impl_orient3(f, q) >= 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+TRIBOX_IMPL_FN int tribox_impl_exact_thin_axes(const tribox_impl_exact *f)
+{
+    int n_sign[3];
+    int a;
+    int i;
+    tribox_impl_exact_normal(f, n_sign);
+    for (a = 0; a < 3; a++) {
+        for (i = 0; i < 3; i++) {
+            if (!tribox_impl_exact_thin_edge(f, a, i, n_sign[a])) {
+                return 0;
+            }
+        }
+    }
+    return tribox_impl_exact_thin_plane(f, n_sign, 1) && tribox_impl_exact_thin_plane(f, n_sign, -1);
+}
+
+/* The exact answer for the triangle f->x[0..2] and the box rows LO..HI (MID for thin), every sign exact.
+ * Conservative: the box is clipped to the triangle's bounding box first, so rows may be infinite (read as
+ * +-2^1024, beyond every corner). A face is replaced, and then closed, only where it lies strictly outside. */
+TRIBOX_IMPL_COLD int tribox_impl_exact_overlap(tribox_impl_exact *f, unsigned flags)
+{
+    const int thin = (flags & TRIBOX_THIN) != 0;
+    const int lo_is_open = !thin && (flags & TRIBOX_OPEN) != 0;
+    const int hi_is_open = !thin && (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    unsigned open_lo = 0;
+    unsigned open_hi = 0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        const double t0 = f->x[0][k].base;
+        const double t1 = f->x[1][k].base;
+        const double t2 = f->x[2][k].base;
+        const tribox_impl_coord t_min = tribox_impl_at(tribox_impl_min(tribox_impl_min(t0, t1), t2), 0.0, 0);
+        const tribox_impl_coord t_max = tribox_impl_at(tribox_impl_max(tribox_impl_max(t0, t1), t2), 0.0, 0);
+        tribox_impl_coord *lo = &f->x[TRIBOX_IMPL_LO][k];
+        tribox_impl_coord *hi = &f->x[TRIBOX_IMPL_HI][k];
+        const int lo_to_max = tribox_impl_compare(lo, &t_max);
+        const int hi_to_min = tribox_impl_compare(hi, &t_min);
+        if (lo_to_max > 0 || (lo_to_max == 0 && lo_is_open) || hi_to_min < 0 || (hi_to_min == 0 && hi_is_open)) {
+            return 0;
+        }
+        if (thin) {
+            continue;
+        }
+        if (tribox_impl_compare(lo, &t_min) < 0) {
+            *lo = t_min;
+        } else if (lo_is_open) {
+            open_lo |= 1u << k;
+        }
+        if (tribox_impl_compare(hi, &t_max) > 0) {
+            *hi = t_max;
+        } else if (hi_is_open) {
+            open_hi |= 1u << k;
+        }
+        f->x[TRIBOX_IMPL_MID][k] = *lo;     /* unused */
+    }
+    tribox_impl_exact_finish(f);
+    return thin ? tribox_impl_exact_thin_axes(f) : tribox_impl_exact_axes(f, open_lo, open_hi);
+}
+
+TRIBOX_IMPL_FN void tribox_impl_exact_corners(tribox_impl_exact *f, const double v0[3], const double v1[3],
+                                              const double v2[3])
+{
+    int k;
+    for (k = 0; k < 3; k++) {
+        f->x[0][k] = tribox_impl_at(v0[k], 0.0, 0);
+        f->x[1][k] = tribox_impl_at(v1[k], 0.0, 0);
+        f->x[2][k] = tribox_impl_at(v2[k], 0.0, 0);
+    }
+}
+
+/* ---- 9. Implementation: one box ------------------------------------------------------------------------- */
+
+TRIBOX_IMPL_FN int tribox_impl_finite3(const double x[3])
+{
+    return tribox_impl_is_finite(x[0]) & tribox_impl_is_finite(x[1]) & tribox_impl_is_finite(x[2]);
+}
+
+/* The triangle is a set of points: no corner has a NaN or an infinity. */
+TRIBOX_IMPL_FN int tribox_impl_corners_finite(const double v0[3], const double v1[3], const double v2[3])
+{
+    return tribox_impl_finite3(v0) & tribox_impl_finite3(v1) & tribox_impl_finite3(v2);
+}
+
+/* The box is no set of points: NaN, min > max, or flat and not closed. */
+TRIBOX_IMPL_FN int tribox_impl_box_empty(const double lo[3], const double hi[3], unsigned flags)
+{
+    int k;
+    for (k = 0; k < 3; k++) {
+        const int64_t key_lo = tribox_impl_key64(lo[k]);
+        const int64_t key_hi = tribox_impl_key64(hi[k]);
+        if (tribox_impl_is_nan(lo[k]) || tribox_impl_is_nan(hi[k]) || key_lo > key_hi ||
+            (key_lo == key_hi && (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+TRIBOX_IMPL_COLD int tribox_impl_overlap_exact(const double v0[3], const double v1[3], const double v2[3],
+                                               const double lo[3], const double hi[3], unsigned flags)
+{
+    tribox_impl_exact f;
+    int k;
+    if (!tribox_impl_corners_finite(v0, v1, v2) || tribox_impl_box_empty(lo, hi, flags)) {
+        return 0;
+    }
+    tribox_impl_exact_corners(&f, v0, v1, v2);
+    for (k = 0; k < 3; k++) {
+        f.x[TRIBOX_IMPL_LO][k] = tribox_impl_at(lo[k], 0.0, 0);
+        f.x[TRIBOX_IMPL_HI][k] = tribox_impl_at(hi[k], 0.0, 0);
+    }
+    return tribox_impl_exact_overlap(&f, flags & ~(unsigned)TRIBOX_THIN);
+}
+
+TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
+                                      const double box_min[3], const double box_max[3], unsigned flags)
+{
+    return tribox_impl_overlap_exact(v0, v1, v2, box_min, box_max, (flags & TRIBOX_THIN) != 0 ? 0 : flags);
+}
+
+TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const double v2[3],
+                                 const double box_min[3], const double box_max[3])
+{
+    return tribox_overlap_rule_f64(v0, v1, v2, box_min, box_max, 0);
+}
+
+TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const float v2[3],
+                                  const float box_min[3], const float box_max[3], unsigned flags)
+{
+    double v[3][3];
+    double lo[3];
+    double hi[3];
+    int k;
+    for (k = 0; k < 3; k++) {
+        v[0][k] = tribox_impl_widen(v0 + k);
+        v[1][k] = tribox_impl_widen(v1 + k);
+        v[2][k] = tribox_impl_widen(v2 + k);
+        lo[k] = tribox_impl_widen(box_min + k);
+        hi[k] = tribox_impl_widen(box_max + k);
+    }
+    return tribox_impl_overlap_exact(v[0], v[1], v[2], lo, hi, (flags & TRIBOX_THIN) != 0 ? 0 : flags);
+}
+
+TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
+                             const float box_min[3], const float box_max[3])
+{
+    return tribox_overlap_rule(v0, v1, v2, box_min, box_max, 0);
+}
+
+TRIBOX_IMPL_FN float tribox_impl_minf(float a, float b)
+{
+    return a < b ? a : b;
+}
+
+TRIBOX_IMPL_FN float tribox_impl_maxf(float a, float b)
+{
+    return a > b ? a : b;
+}
+
+TRIBOX_IMPL_FN float tribox_impl_absf(float a)
+{
+    return a < 0.0f ? -a : a;
+}
+
+/* [AM01], section 2, in plain float: box at the origin, nine cross-product axes, three faces, the plane. */
+TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3],
+                         const float box_min[3], const float box_max[3])
+{
+    float v[3][3];
+    float e[3][3];
+    float h[3];
+    float n[3];
+    float d;
+    float r;
+    int a;
+    int i;
+    for (a = 0; a < 3; a++) {
+        const float centre = (box_min[a] + box_max[a]) * 0.5f;
+        h[a] = (box_max[a] - box_min[a]) * 0.5f;
+        v[0][a] = v0[a] - centre;
+        v[1][a] = v1[a] - centre;
+        v[2][a] = v2[a] - centre;
+        e[0][a] = v[1][a] - v[0][a];
+        e[1][a] = v[2][a] - v[1][a];
+        e[2][a] = v[0][a] - v[2][a];
+    }
+    for (i = 0; i < 3; i++) {
+        const int j = (i + 2) % 3;      /* edge i joins corners i and i+1: the one at i and the third differ */
+        for (a = 0; a < 3; a++) {
+            const int b = (a + 1) % 3;
+            const int c = (a + 2) % 3;
+            const float p0 = e[i][b] * v[i][c] - e[i][c] * v[i][b];
+            const float p1 = e[i][b] * v[j][c] - e[i][c] * v[j][b];
+            r = tribox_impl_absf(e[i][c]) * h[b] + tribox_impl_absf(e[i][b]) * h[c];
+            if (tribox_impl_minf(p0, p1) > r || tribox_impl_maxf(p0, p1) < -r) {
+                return 0;
+            }
+        }
+    }
+    for (a = 0; a < 3; a++) {
+        if (tribox_impl_minf(tribox_impl_minf(v[0][a], v[1][a]), v[2][a]) > h[a] ||
+            tribox_impl_maxf(tribox_impl_maxf(v[0][a], v[1][a]), v[2][a]) < -h[a]) {
+            return 0;
+        }
+    }
+    for (a = 0; a < 3; a++) {
+        n[a] = e[0][(a + 1) % 3] * e[1][(a + 2) % 3] - e[0][(a + 2) % 3] * e[1][(a + 1) % 3];
+    }
+    d = n[0] * v[0][0] + n[1] * v[0][1] + n[2] * v[0][2];
+    r = tribox_impl_absf(n[0]) * h[0] + tribox_impl_absf(n[1]) * h[1] + tribox_impl_absf(n[2]) * h[2];
+    return d <= r && d >= -r;
+}
+
+/* ---- 10. Implementation: one triangle, many voxels ------------------------------------------------------ */
+
+TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const double v1[3],
+                                   const double v2[3], const double size[3], unsigned flags)
+{
+    int k;
+    tri->flags = (flags & TRIBOX_THIN) != 0 ? (unsigned)TRIBOX_THIN : flags;
+    tri->empty = 0;
+    for (k = 0; k < 3; k++) {
+        const double dp = size[k];
+        tri->v[0][k] = v0[k];
+        tri->v[1][k] = v1[k];
+        tri->v[2][k] = v2[k];
+        tri->size[k] = dp;
+        tri->empty |= tribox_impl_is_nan(dp) || tribox_impl_sign(dp) < 0 ||
+                      (tribox_impl_sign(dp) == 0 && (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
+        if (!tribox_impl_is_finite(dp)) {
+            tri->flags &= ~(unsigned)TRIBOX_THIN;
+        }
+    }
+    tri->empty |= !tribox_impl_corners_finite(v0, v1, v2);
+}
+
+TRIBOX_FN void tribox_tri_init(tribox_tri *tri, const float v0[3], const float v1[3], const float v2[3],
+                               const float size[3], unsigned flags)
+{
+    double v[3][3];
+    double dp[3];
+    int k;
+    for (k = 0; k < 3; k++) {
+        v[0][k] = tribox_impl_widen(v0 + k);
+        v[1][k] = tribox_impl_widen(v1 + k);
+        v[2][k] = tribox_impl_widen(v2 + k);
+        dp[k] = tribox_impl_widen(size + k);
+    }
+    tribox_tri_init_f64(tri, v[0], v[1], v[2], dp, flags);
+}
+
+TRIBOX_FN int tribox_tri_test_f64(const tribox_tri *tri, const double p[3])
+{
+    tribox_impl_exact f;
+    int k;
+    if (tri->empty) {
+        return 0;
+    }
+    tribox_impl_exact_corners(&f, tri->v[0], tri->v[1], tri->v[2]);
+    for (k = 0; k < 3; k++) {
+        if (!tribox_impl_is_finite(p[k])) {
+            return 0;
+        }
+        f.x[TRIBOX_IMPL_LO][k] = tribox_impl_at(p[k], 0.0, 0);
+        f.x[TRIBOX_IMPL_MID][k] = tribox_impl_at(p[k], tri->size[k], 1);
+        /* an infinite step is read as 2^1024; four of them from any p lie beyond every corner */
+        f.x[TRIBOX_IMPL_HI][k] = tribox_impl_at(p[k], tri->size[k], tribox_impl_is_finite(tri->size[k]) ? 2 : 8);
+    }
+    return tribox_impl_exact_overlap(&f, tri->flags);
+}
+
+TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3])
+{
+    double q[3];
+    int k;
+    for (k = 0; k < 3; k++) {
+        q[k] = tribox_impl_widen(p + k);
+    }
+    return tribox_tri_test_f64(tri, q);
+}
+
+/* ---- 11. Implementation: grids -------------------------------------------------------------------------- */
+
+/* The grid's region holds voxels: finite origin and size, size > 0, lo < hi. */
+TRIBOX_IMPL_FN int tribox_impl_grid_valid(const tribox_grid *grid)
+{
+    int k;
+    for (k = 0; k < 3; k++) {
+        if (!tribox_impl_is_finite(grid->origin[k]) || !tribox_impl_is_finite(grid->size[k]) ||
+            tribox_impl_sign(grid->size[k]) <= 0 || grid->lo[k] >= grid->hi[k]) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The sign of grid plane i of axis k against x. */
+TRIBOX_IMPL_FN int tribox_impl_plane_compare(const tribox_grid *grid, int k, int64_t i, double x)
+{
+    const tribox_impl_coord plane = tribox_impl_at(grid->origin[k], grid->size[k], 2 * i);
+    const tribox_impl_coord point = tribox_impl_at(x, 0.0, 0);
+    return tribox_impl_compare(&plane, &point);
+}
+
+/* The least plane i in [lo, hi] with plane(i) > x (strict) or >= x; hi if none in [lo, hi - 1]. */
+TRIBOX_IMPL_FN int64_t tribox_impl_plane_search(const tribox_grid *grid, int k, int64_t lo, int64_t hi, double x,
+                                                int strict)
+{
+    while (lo < hi) {
+        const int64_t mid = lo + (hi - lo) / 2;
+        const int order = tribox_impl_plane_compare(grid, k, mid, x);
+        if (order > 0 || (order == 0 && !strict)) {
+            hi = mid;
+        } else {
+            lo = mid + 1;
+        }
+    }
+    return lo;
+}
+
+TRIBOX_IMPL_FN size_t tribox_impl_saturating_add(size_t a, size_t b)
+{
+    return a + b < a ? (size_t)-1 : a + b;
+}
+
+TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
+                                       const double v2[3], tribox_span_fn emit, void *user)
+{
+    const unsigned flags = (grid->flags & TRIBOX_THIN) != 0 ? (unsigned)TRIBOX_THIN : grid->flags;
+    tribox_impl_exact f;
+    int64_t first[3];
+    int64_t end[3];
+    int64_t index[3];
+    size_t count = 0;
+    int k;
+    if (!tribox_impl_grid_valid(grid) || !tribox_impl_corners_finite(v0, v1, v2)) {
+        return 0;
+    }
+    for (k = 0; k < 3; k++) {
+        const double t_min = tribox_impl_min(tribox_impl_min(v0[k], v1[k]), v2[k]);
+        const double t_max = tribox_impl_max(tribox_impl_max(v0[k], v1[k]), v2[k]);
+        const int lo_open = (flags & TRIBOX_OPEN) != 0;
+        const int hi_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+        first[k] = tribox_impl_plane_search(grid, k, (int64_t)grid->lo[k] + 1, (int64_t)grid->hi[k] + 1, t_min,
+                                            hi_open) - 1;
+        end[k] = tribox_impl_plane_search(grid, k, first[k], grid->hi[k], t_max, !lo_open);
+        if (first[k] >= end[k]) {
+            return 0;
+        }
+    }
+    for (index[2] = first[2]; index[2] < end[2]; index[2]++) {
+        for (index[1] = first[1]; index[1] < end[1]; index[1]++) {
+            int64_t run = 0;
+            for (index[0] = first[0]; index[0] <= end[0]; index[0]++) {
+                int hit = 0;
+                if (index[0] < end[0]) {
+                    tribox_impl_exact_corners(&f, v0, v1, v2);
+                    for (k = 0; k < 3; k++) {
+                        f.x[TRIBOX_IMPL_LO][k] = tribox_impl_at(grid->origin[k], grid->size[k], 2 * index[k]);
+                        f.x[TRIBOX_IMPL_MID][k] = tribox_impl_at(grid->origin[k], grid->size[k], 2 * index[k] + 1);
+                        f.x[TRIBOX_IMPL_HI][k] = tribox_impl_at(grid->origin[k], grid->size[k], 2 * index[k] + 2);
+                    }
+                    hit = tribox_impl_exact_overlap(&f, flags);
+                }
+                if (hit) {
+                    run++;
+                } else if (run > 0) {
+                    count = tribox_impl_saturating_add(count, (size_t)run);
+                    if (emit != NULL) {
+                        emit(user, (int)(index[0] - run), (int)(index[0] - 1), (int)index[1], (int)index[2]);
+                    }
+                    run = 0;
+                }
+            }
+        }
+    }
+    return count;
+}
+
+TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], const float v1[3],
+                                   const float v2[3], tribox_span_fn emit, void *user)
+{
+    double v[3][3];
+    int k;
+    for (k = 0; k < 3; k++) {
+        v[0][k] = tribox_impl_widen(v0 + k);
+        v[1][k] = tribox_impl_widen(v1 + k);
+        v[2][k] = tribox_impl_widen(v2 + k);
+    }
+    return tribox_grid_spans_f64(grid, v[0], v[1], v[2], emit, user);
+}
+
+TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid)
+{
+    const size_t most = (size_t)-1 / sizeof(uint64_t);
+    size_t words;
+    int k;
+    if (!tribox_impl_grid_valid(grid)) {
+        return 0;
+    }
+    words = (size_t)(((uint64_t)((int64_t)grid->hi[0] - grid->lo[0]) + 63) / 64);
+    for (k = 1; k < 3; k++) {
+        const uint64_t n = (uint64_t)((int64_t)grid->hi[k] - grid->lo[k]);
+        if (n > most / words) {
+            return 0;
+        }
+        words *= (size_t)n;
+    }
+    return words <= most ? words : 0;
+}
+
+/* Where spans go in a fill. */
+typedef struct tribox_impl_target {
+    uint64_t *bits;
+    int       lo[3];
+    size_t    row_words;
+    size_t    ny;
+} tribox_impl_target;
+
+TRIBOX_IMPL_FN void tribox_impl_set_span(void *user, int x0, int x1, int y, int z)
+{
+    const tribox_impl_target *t = (const tribox_impl_target *)user;
+    const size_t from = (size_t)((int64_t)x0 - t->lo[0]);
+    const size_t to = (size_t)((int64_t)x1 - t->lo[0]);
+    uint64_t *row = t->bits + ((size_t)((int64_t)z - t->lo[2]) * t->ny + (size_t)((int64_t)y - t->lo[1])) *
+                                  t->row_words;
+    const uint64_t head = ~(uint64_t)0 << (from & 63);
+    const uint64_t tail = ~(uint64_t)0 >> (63 - (to & 63));
+    size_t word = from >> 6;
+    const size_t last = to >> 6;
+    if (word == last) {
+        row[word] |= head & tail;
+        return;
+    }
+    row[word++] |= head;
+    while (word < last) {
+        row[word++] = ~(uint64_t)0;
+    }
+    row[last] |= tail;
+}
+
+/* Corner c of the mesh's triangle t. */
+TRIBOX_IMPL_FN const void *tribox_impl_corner(const tribox_mesh *mesh, size_t t, int c)
+{
+    const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
+    const size_t at = 3 * t + (size_t)c;
+    return (const char *)mesh->positions + (mesh->indices != NULL ? (size_t)mesh->indices[at] : at) * stride;
+}
+
+TRIBOX_IMPL_FN void tribox_impl_mesh_corner(const tribox_mesh *mesh, size_t t, int c, double out_v[3])
+{
+    float x[3];
+    int k;
+    TRIBOX_IMPL_COPY(x, tribox_impl_corner(mesh, t, c), sizeof x);
+    for (k = 0; k < 3; k++) {
+        out_v[k] = tribox_impl_widen(x + k);
+    }
+}
+
+TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
+{
+    tribox_impl_target target;
+    size_t t;
+    int k;
+    if (tribox_grid_words(grid) == 0) {
+        return;
+    }
+    target.bits = bits;
+    for (k = 0; k < 3; k++) {
+        target.lo[k] = grid->lo[k];
+    }
+    target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
+    target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
+    for (t = 0; t < mesh->triangles; t++) {
+        double v[3][3];
+        for (k = 0; k < 3; k++) {
+            tribox_impl_mesh_corner(mesh, t, k, v[k]);
+        }
+        tribox_grid_spans_f64(grid, v[0], v[1], v[2], tribox_impl_set_span, &target);
+    }
+}
+
+TRIBOX_FN int tribox_grid_get(const tribox_grid *grid, const uint64_t *bits, int x, int y, int z)
+{
+    size_t row;
+    size_t column;
+    if (tribox_grid_words(grid) == 0 || x < grid->lo[0] || x >= grid->hi[0] || y < grid->lo[1] ||
+        y >= grid->hi[1] || z < grid->lo[2] || z >= grid->hi[2]) {
+        return 0;
+    }
+    column = (size_t)((int64_t)x - grid->lo[0]);
+    row = (size_t)((int64_t)z - grid->lo[2]) * (size_t)((int64_t)grid->hi[1] - grid->lo[1]) +
+          (size_t)((int64_t)y - grid->lo[1]);
+    row *= (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
+    return (int)((bits[row + (column >> 6)] >> (column & 63)) & 1u);
+}
+
+TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3], int out_index[3])
+{
+    const int64_t least = -((int64_t)1 << 31);
+    const int64_t most = ((int64_t)1 << 31) - 1;
+    int inside = 1;
+    int k;
+    for (k = 0; k < 3; k++) {
+        if (!tribox_impl_is_finite(grid->origin[k]) || !tribox_impl_is_finite(grid->size[k]) ||
+            tribox_impl_sign(grid->size[k]) <= 0 || !tribox_impl_is_finite(point[k])) {
+            return 0;
+        }
+    }
+    for (k = 0; k < 3; k++) {
+        const int64_t i = tribox_impl_plane_search(grid, k, least + 1, most + 1, point[k], 1) - 1;
+        inside &= i >= grid->lo[k] && i < grid->hi[k] &&
+                  (i > least || tribox_impl_plane_compare(grid, k, i, point[k]) <= 0);
+        out_index[k] = (int)i;
+    }
+    return inside;
+}
+
+/* Bounds of the mesh's triangles, those with a NaN or infinite corner left out. Returns 0 if there is none. */
+TRIBOX_IMPL_FN int tribox_impl_mesh_bounds(const tribox_mesh *mesh, double out_min[3], double out_max[3])
+{
+    int any = 0;
+    size_t t;
+    for (t = 0; t < mesh->triangles; t++) {
+        double v[3][3];
+        int c;
+        int k;
+        for (c = 0; c < 3; c++) {
+            tribox_impl_mesh_corner(mesh, t, c, v[c]);
+        }
+        if (!tribox_impl_corners_finite(v[0], v[1], v[2])) {
+            continue;
+        }
+        for (c = 0; c < 3; c++) {
+            for (k = 0; k < 3; k++) {
+                out_min[k] = any && !(v[c][k] < out_min[k]) ? out_min[k] : v[c][k];
+                out_max[k] = any && !(v[c][k] > out_max[k]) ? out_max[k] : v[c][k];
+            }
+            any = 1;
+        }
+    }
+    return any;
+}
+
+/* The power of two at or below x, x positive and normal. */
+TRIBOX_IMPL_FN double tribox_impl_floor_pow2(double x)
+{
+    return tribox_impl_from_bits64(tribox_impl_bits64(&x) & 0x7ff0000000000000u);
+}
+
+/* The multiple of q at or below x; x itself where its own spacing is no finer. */
+TRIBOX_IMPL_FN double tribox_impl_floor_to(double x, double q)
+{
+    const double limit = 4503599627370496.0;    /* 2^52 */
+    const double units = x / q;
+    double whole;
+    if (!(units < limit && units > -limit)) {
+        return x;
+    }
+    whole = (double)(int64_t)units;
+    return (whole > units ? whole - 1.0 : whole) * q;
+}
+
+/* Voxel size and origin are kept to few bits (24 and 2^-12 of a voxel), which keeps later exact signs short. */
+TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
+{
+    double t_min[3];
+    double t_max[3];
+    double longest = 0.0;
+    double size;
+    int fits = 0;
+    int k;
+    grid->flags = 0;
+    for (k = 0; k < 3; k++) {
+        grid->origin[k] = 0.0;
+        grid->size[k] = 1.0;
+        grid->lo[k] = 0;
+        grid->hi[k] = 0;
+    }
+    if (n < 1 || !tribox_impl_mesh_bounds(mesh, t_min, t_max)) {
+        return 0;
+    }
+    for (k = 0; k < 3; k++) {
+        longest = t_max[k] - t_min[k] > longest ? t_max[k] - t_min[k] : longest;
+    }
+    if (!(longest > 0.0)) {
+        return 0;
+    }
+    size = longest / n * (1.0 + 1.0 / 512.0 / n);
+    while (!fits) {
+        double q;
+        q = tribox_impl_floor_pow2(size) * (1.0 / 8388608.0);       /* 2^-23: 24 bits of size */
+        size = tribox_impl_floor_to(size, q) + q;
+        q = tribox_impl_floor_pow2(size) * (1.0 / 4096.0);
+        fits = 1;
+        for (k = 0; k < 3; k++) {
+            const double extent = t_max[k] - t_min[k];
+            int cells = (int)(extent / size * (1.0 + 1.0 / 4096.0 / n)) + 1;
+            cells = cells < n ? cells : n;
+            cells = extent < longest ? cells : n;
+            grid->size[k] = size;
+            grid->hi[k] = cells;
+            grid->origin[k] = tribox_impl_floor_to((t_min[k] + t_max[k] - cells * size) * 0.5, q);
+            fits &= tribox_impl_plane_compare(grid, k, 0, t_min[k]) < 0 &&
+                    tribox_impl_plane_compare(grid, k, cells, t_max[k]) > 0;
+        }
+    }
+    return 1;
+}
+
+/* ---- 13. Undefine private macros ------------------------------------------------------------------------ */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* TRIBOX_H */
