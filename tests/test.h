@@ -1,0 +1,60 @@
+/* The smallest test frame that names what failed: CHECK counts and goes on, RUN counts test functions.
+ * A program ends with `return test_report("test_x");`, which prints "test_x: N passed, N failed". */
+#ifndef TEST_H
+#define TEST_H
+
+#include <stdio.h>
+
+/* Loop counts are divided by this, so that slow targets (emulators, sanitizers) can run the same tests. */
+#ifndef TEST_SCALE
+#define TEST_SCALE 1
+#endif
+#define TEST_LOOPS(n) ((n) / TEST_SCALE > 0 ? (n) / TEST_SCALE : 1)
+#define TEST_SHOWN 5    /* failed checks printed in full for one test function; the rest are only counted */
+
+static int test_passed;
+static int test_failed;
+static int test_failed_checks;
+
+static int test_check(int ok, const char *file, int line, const char *text)
+{
+    if (!ok) {
+        test_failed_checks++;
+        if (test_failed_checks <= TEST_SHOWN) {
+            printf("%s:%d: CHECK(%s) failed\n", file, line, text);
+        }
+    }
+    return ok;
+}
+
+/* Is there room for the details of one more failing case? */
+static int test_wants_details(void)
+{
+    return test_failed_checks < TEST_SHOWN;
+}
+
+static void test_run(void (*test)(void), const char *name)
+{
+    test_failed_checks = 0;
+    test();
+    if (test_failed_checks == 0) {
+        test_passed++;
+    } else {
+        test_failed++;
+        printf("FAILED %s: %d checks\n", name, test_failed_checks);
+    }
+    fflush(stdout);
+}
+
+static int test_report(const char *program)
+{
+    (void)test_check;
+    (void)test_wants_details;
+    printf("%s: %d passed, %d failed\n", program, test_passed, test_failed);
+    return test_failed != 0;
+}
+
+#define CHECK(cond) test_check((cond) != 0, __FILE__, __LINE__, #cond)
+#define RUN(test)   test_run(test, #test)
+
+#endif /* TEST_H */
