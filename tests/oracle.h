@@ -33,7 +33,7 @@ typedef struct wide {
     uint32_t limb[WIDE_LIMBS];
 } wide;
 
-static void wide_trim(wide *r)
+static inline void wide_trim(wide *r)
 {
     while (r->count > 0 && r->limb[r->count - 1] == 0) {
         r->count--;
@@ -43,7 +43,7 @@ static void wide_trim(wide *r)
     }
 }
 
-static void wide_copy(wide *r, const wide *a)
+static inline void wide_copy(wide *r, const wide *a)
 {
     r->sign = a->sign;
     r->count = a->count;
@@ -51,7 +51,7 @@ static void wide_copy(wide *r, const wide *a)
 }
 
 /* mantissa * 2^shift, with the given sign; shift >= 0 */
-static void wide_set(wide *r, int sign, uint64_t mantissa, int shift)
+static inline void wide_set(wide *r, int sign, uint64_t mantissa, int shift)
 {
     int      low = shift / 32;
     int      bit = shift % 32;
@@ -72,7 +72,7 @@ static void wide_set(wide *r, int sign, uint64_t mantissa, int shift)
     wide_trim(r);
 }
 
-static int wide_compare_magnitude(const wide *a, const wide *b)
+static inline int wide_compare_magnitude(const wide *a, const wide *b)
 {
     int i;
 
@@ -88,7 +88,7 @@ static int wide_compare_magnitude(const wide *a, const wide *b)
 }
 
 /* |r| = |a| + |b|; r may be a or b, here and below */
-static void wide_add_magnitude(wide *r, const wide *a, const wide *b)
+static inline void wide_add_magnitude(wide *r, const wide *a, const wide *b)
 {
     int      count = a->count > b->count ? a->count : b->count;
     uint64_t carry = 0;
@@ -107,7 +107,7 @@ static void wide_add_magnitude(wide *r, const wide *a, const wide *b)
 }
 
 /* |r| = |a| - |b|, |a| >= |b| */
-static void wide_subtract_magnitude(wide *r, const wide *a, const wide *b)
+static inline void wide_subtract_magnitude(wide *r, const wide *a, const wide *b)
 {
     int      count = a->count;
     uint64_t borrow = 0;
@@ -121,7 +121,7 @@ static void wide_subtract_magnitude(wide *r, const wide *a, const wide *b)
     r->count = count;
 }
 
-static void wide_add_signed(wide *r, const wide *a, const wide *b, int b_sign)
+static inline void wide_add_signed(wide *r, const wide *a, const wide *b, int b_sign)
 {
     int a_sign = a->sign;
 
@@ -144,18 +144,18 @@ static void wide_add_signed(wide *r, const wide *a, const wide *b, int b_sign)
     }
 }
 
-static void wide_add(wide *r, const wide *a, const wide *b)
+static inline void wide_add(wide *r, const wide *a, const wide *b)
 {
     wide_add_signed(r, a, b, b->sign);
 }
 
-static void wide_subtract(wide *r, const wide *a, const wide *b)
+static inline void wide_subtract(wide *r, const wide *a, const wide *b)
 {
     wide_add_signed(r, a, b, -b->sign);
 }
 
 /* r is neither a nor b */
-static void wide_multiply(wide *r, const wide *a, const wide *b)
+static inline void wide_multiply(wide *r, const wide *a, const wide *b)
 {
     int i;
     int j;
@@ -177,7 +177,7 @@ static void wide_multiply(wide *r, const wide *a, const wide *b)
     wide_trim(r);
 }
 
-static int wide_compare(const wide *a, const wide *b)
+static inline int wide_compare(const wide *a, const wide *b)
 {
     if (a->sign != b->sign) {
         return a->sign > b->sign ? 1 : -1;
@@ -195,7 +195,7 @@ typedef struct oracle_number {
     int      is_infinite;
 } oracle_number;
 
-static oracle_number oracle_read(double x)
+static inline oracle_number oracle_read(double x)
 {
     oracle_number r;
     uint64_t      bits;
@@ -226,7 +226,7 @@ static oracle_number oracle_read(double x)
     return r;
 }
 
-static int oracle_is_finite(double x)
+static inline int oracle_is_finite(double x)
 {
     uint64_t bits;
 
@@ -234,7 +234,7 @@ static int oracle_is_finite(double x)
     return (bits >> 52 & 2047) != 2047;
 }
 
-static void oracle_lower_unit(int *unit, double x)
+static inline void oracle_lower_unit(int *unit, double x)
 {
     oracle_number r = oracle_read(x);
 
@@ -243,7 +243,7 @@ static void oracle_lower_unit(int *unit, double x)
     }
 }
 
-static void oracle_integer(wide *out, double x, int unit)
+static inline void oracle_integer(wide *out, double x, int unit)
 {
     oracle_number r = oracle_read(x);
 
@@ -269,7 +269,7 @@ typedef struct oracle_case {
 } oracle_case;
 
 /* The truth for any flags, by the header's order: thin overrides, then open. */
-static int oracle_says(unsigned answers, unsigned flags)
+static inline int oracle_says(unsigned answers, unsigned flags)
 {
     unsigned rule = flags & 4u ? 4u : flags & 2u ? 2u : flags & 1u;
 
@@ -277,7 +277,7 @@ static int oracle_says(unsigned answers, unsigned flags)
 }
 
 /* Where a homogeneous point lies: 0 outside B, else bit 6 and a bit per face that it is strictly inside of. */
-static unsigned oracle_place(const oracle_case *c, const wide x[3], const wide *w)
+static inline unsigned oracle_place(const oracle_case *c, const wide x[3], const wide *w)
 {
     unsigned place = 64;
     int      a;
@@ -302,7 +302,7 @@ static unsigned oracle_place(const oracle_case *c, const wide x[3], const wide *
     return place;
 }
 
-static unsigned oracle_corners(const oracle_case *c)
+static inline unsigned oracle_corners(const oracle_case *c)
 {
     unsigned seen = 0;
     wide     one;
@@ -316,7 +316,7 @@ static unsigned oracle_corners(const oracle_case *c)
 }
 
 /* The point of edge pq on the plane x_a = f: p * |q_a - f| + q * |p_a - f| over |q_a - p_a|. */
-static unsigned oracle_edge_and_face(const oracle_case *c, const wide p[3], const wide q[3], int a, const wide *f)
+static inline unsigned oracle_edge_and_face(const oracle_case *c, const wide p[3], const wide q[3], int a, const wide *f)
 {
     int  sp = wide_compare(&p[a], f);
     int  sq = wide_compare(&q[a], f);
@@ -344,7 +344,7 @@ static unsigned oracle_edge_and_face(const oracle_case *c, const wide p[3], cons
 }
 
 /* Twice the signed area of p, q, r projected along axis a; r is given by its two coordinates. */
-static void oracle_area(wide *out, const wide p[3], const wide q[3], int a, const wide *rb, const wide *rc)
+static inline void oracle_area(wide *out, const wide p[3], const wide q[3], int a, const wide *rb, const wide *rc)
 {
     int  b = (a + 1) % 3;
     int  e = (a + 2) % 3;
@@ -362,7 +362,7 @@ static void oracle_area(wide *out, const wide p[3], const wide q[3], int a, cons
 }
 
 /* The line along axis a through (yb, yc) cut by T: barycentric weights are areas. T parallel to a: no single point. */
-static unsigned oracle_box_edge(const oracle_case *c, int a, const wide *yb, const wide *yc)
+static inline unsigned oracle_box_edge(const oracle_case *c, int a, const wide *yb, const wide *yc)
 {
     int  b = (a + 1) % 3;
     int  e = (a + 2) % 3;
@@ -398,7 +398,7 @@ static unsigned oracle_box_edge(const oracle_case *c, int a, const wide *yb, con
 }
 
 /* Is the box empty, or are all corners beyond one of its faces, and so all of T? */
-static int oracle_beyond_a_face(const oracle_case *c)
+static inline int oracle_beyond_a_face(const oracle_case *c)
 {
     int a;
 
@@ -418,7 +418,7 @@ static int oracle_beyond_a_face(const oracle_case *c)
 }
 
 /* Closed, half-open and open answers at once. */
-static unsigned oracle_rules(const oracle_case *c)
+static inline unsigned oracle_rules(const oracle_case *c)
 {
     const unsigned upper = 8 + 16 + 32;
     unsigned       seen;
@@ -456,7 +456,7 @@ typedef struct oracle_thin_case {
     wide        centre[3];
 } oracle_thin_case;
 
-static void oracle_double(oracle_thin_case *d, const oracle_case *c)
+static inline void oracle_double(oracle_thin_case *d, const oracle_case *c)
 {
     int a;
     int i;
@@ -473,7 +473,7 @@ static void oracle_double(oracle_thin_case *d, const oracle_case *c)
 }
 
 /* Does some vertex of the projected diamond lie on the inner side of each projected edge? n_a >= 0 turns left. */
-static int oracle_thin_edges(const oracle_thin_case *d, int a)
+static inline int oracle_thin_edges(const oracle_thin_case *d, int a)
 {
     const oracle_case *c = &d->c;
     int                b = (a + 1) % 3;
@@ -501,7 +501,7 @@ static int oracle_thin_edges(const oracle_thin_case *d, int a)
 }
 
 /* Do face centres of the voxel lie on both closed sides of T's plane? */
-static int oracle_thin_plane(const oracle_thin_case *d)
+static inline int oracle_thin_plane(const oracle_thin_case *d)
 {
     const oracle_case *c = &d->c;
     int                above = 0;
@@ -531,7 +531,7 @@ static int oracle_thin_plane(const oracle_thin_case *d)
     return above && below;
 }
 
-static int oracle_thin(const oracle_case *c)
+static inline int oracle_thin(const oracle_case *c)
 {
     oracle_thin_case d;
     int              a;
@@ -550,7 +550,7 @@ static int oracle_thin(const oracle_case *c)
 
 /* ---- the questions of the interface ---------------------------------------------------------------------------- */
 
-static int oracle_triangle_is_a_set(const triangle *t)
+static inline int oracle_triangle_is_a_set(const triangle *t)
 {
     int i;
 
@@ -563,7 +563,7 @@ static int oracle_triangle_is_a_set(const triangle *t)
 }
 
 /* An infinite upper (side 1) or lower (side 0) face stands just beyond the triangle: it cuts nothing away. */
-static void oracle_face_beyond(oracle_case *c, int side, int a)
+static inline void oracle_face_beyond(oracle_case *c, int side, int a)
 {
     wide one;
     int  i;
@@ -578,7 +578,7 @@ static void oracle_face_beyond(oracle_case *c, int side, int a)
     wide_add(&c->face[side][a], &c->face[side][a], &one);
 }
 
-static void oracle_set_triangle(oracle_case *c, const triangle *t, int unit)
+static inline void oracle_set_triangle(oracle_case *c, const triangle *t, int unit)
 {
     int i;
 
@@ -587,7 +587,7 @@ static void oracle_set_triangle(oracle_case *c, const triangle *t, int unit)
     }
 }
 
-static int oracle_unit(const triangle *t)
+static inline int oracle_unit(const triangle *t)
 {
     int unit = 2000;
     int i;
@@ -599,7 +599,7 @@ static int oracle_unit(const triangle *t)
 }
 
 /* The answer set for the box of real points min <= x <= max (the rules: <). No thin bit: that needs a voxel. */
-static unsigned oracle_box(const triangle *t, const double box_min[3], const double box_max[3])
+static inline unsigned oracle_box(const triangle *t, const double box_min[3], const double box_max[3])
 {
     oracle_case c;
     int         unit = oracle_unit(t);
@@ -643,7 +643,7 @@ static unsigned oracle_box(const triangle *t, const double box_min[3], const dou
 
 /* The answer set for [p + index*size, p + (index+1)*size], in real numbers. An infinite size (then index is 0) is
  * [p, +inf), under thin too, where the voxel then counts as conservative. */
-static unsigned oracle_voxel(const triangle *t, const double p[3], const double size[3], const int index[3])
+static inline unsigned oracle_voxel(const triangle *t, const double p[3], const double size[3], const int index[3])
 {
     oracle_case c;
     unsigned    answers;
@@ -692,7 +692,7 @@ static unsigned oracle_voxel(const triangle *t, const double p[3], const double 
 }
 
 /* Is the double sum exactly p + size? */
-static int oracle_sum_is(double p, double size, double sum)
+static inline int oracle_sum_is(double p, double size, double sum)
 {
     int  unit = 2000;
     wide a;

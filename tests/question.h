@@ -10,12 +10,12 @@
 
 static uint64_t random_state;
 
-static void random_seed(uint64_t seed)
+static inline void random_seed(uint64_t seed)
 {
     random_state = seed;
 }
 
-static uint64_t random_bits(void)
+static inline uint64_t random_bits(void)
 {
     uint64_t z = (random_state += 0x9E3779B97F4A7C15u);
 
@@ -25,20 +25,20 @@ static uint64_t random_bits(void)
 }
 
 /* 0 .. n-1 */
-static int random_below(int n)
+static inline int random_below(int n)
 {
     return (int)(random_bits() >> 33) % n;
 }
 
 /* [-1, 1) */
-static double random_signed(void)
+static inline double random_signed(void)
 {
     return (double)(int64_t)(random_bits() & 0xFFFFFFFFFFFFFu) / 2251799813685248.0 - 1.0;
 }
 
 /* ---- floats by their bits --------------------------------------------------------------------------------------- */
 
-static double power_of_two(int e)
+static inline double power_of_two(int e)
 {
     double r = 1.0;
 
@@ -52,7 +52,7 @@ static double power_of_two(int e)
 }
 
 /* The float `steps` places above x in the order of floats; -0 and +0 are one place apart. */
-static float nudge_float(float x, int steps)
+static inline float nudge_float(float x, int steps)
 {
     uint32_t bits;
     int32_t  key;
@@ -65,7 +65,7 @@ static float nudge_float(float x, int steps)
     return x;
 }
 
-static double nudge_double(double x, int steps)
+static inline double nudge_double(double x, int steps)
 {
     uint64_t bits;
     int64_t  key;
@@ -100,7 +100,7 @@ typedef struct question {
     int      size_is_float;
 } question;
 
-static int to_floats(float *out, const double *x, int count)
+static inline int to_floats(float *out, const double *x, int count)
 {
     int same = 1;
     int i;
@@ -114,7 +114,7 @@ static int to_floats(float *out, const double *x, int count)
     return same;
 }
 
-static void question_floats(question *q)
+static inline void question_floats(question *q)
 {
     float all[9];
     int   i;
@@ -129,7 +129,7 @@ static void question_floats(question *q)
 }
 
 /* From t, lo and hi; the voxel form is added where hi - lo is a double exactly. */
-static void question_from_box(question *q)
+static inline void question_from_box(question *q)
 {
     int a;
 
@@ -143,7 +143,7 @@ static void question_from_box(question *q)
 }
 
 /* From t, lo and size; the one-box form is added where lo + size is a double exactly. */
-static void question_from_voxel(question *q)
+static inline void question_from_voxel(question *q)
 {
     int a;
 
@@ -156,14 +156,14 @@ static void question_from_voxel(question *q)
     question_floats(q);
 }
 
-static unsigned question_truth(const question *q)
+static inline unsigned question_truth(const question *q)
 {
     static const int zero[3] = {0, 0, 0};
 
     return q->has_voxel ? oracle_voxel(&q->t, q->lo, q->size, zero) : oracle_box(&q->t, q->lo, q->hi);
 }
 
-static void question_print(const question *q, const char *entry, unsigned flags, int truth)
+static inline void question_print(const question *q, const char *entry, unsigned flags, int truth)
 {
     int i;
 
@@ -181,7 +181,7 @@ static void question_print(const question *q, const char *entry, unsigned flags,
     printf("\n");
 }
 
-static int question_judge(const question *q, const char *entry, unsigned flags, int answer, int truth)
+static inline int question_judge(const question *q, const char *entry, unsigned flags, int answer, int truth)
 {
     if (answer != truth && test_wants_details()) {
         question_print(q, entry, flags, truth);
@@ -190,7 +190,7 @@ static int question_judge(const question *q, const char *entry, unsigned flags, 
 }
 
 /* Every one-box entry against `truth`, the answer under the rule in flags. */
-static int ask_box(const question *q, unsigned flags, int truth)
+static inline int ask_box(const question *q, unsigned flags, int truth)
 {
     const double (*d)[3] = (const double (*)[3])q->t.v;
     const float  (*f)[3] = (const float (*)[3])q->ft;
@@ -219,7 +219,7 @@ static int ask_box(const question *q, unsigned flags, int truth)
 }
 
 /* Every pair of prepared entries: float and double init, float and double test. */
-static int ask_tri(const question *q, unsigned flags, int truth)
+static inline int ask_tri(const question *q, unsigned flags, int truth)
 {
     const double (*d)[3] = (const double (*)[3])q->t.v;
     const float  (*f)[3] = (const float (*)[3])q->ft;
@@ -250,7 +250,7 @@ static int ask_tri(const question *q, unsigned flags, int truth)
     return ok;
 }
 
-static int question_has_grid(const question *q)
+static inline int question_has_grid(const question *q)
 {
     int a;
     int ok = q->has_voxel;
@@ -262,7 +262,7 @@ static int question_has_grid(const question *q)
 }
 
 /* The voxel as the only one of a grid. */
-static int ask_grid(const question *q, unsigned flags, int truth)
+static inline int ask_grid(const question *q, unsigned flags, int truth)
 {
     const double (*d)[3] = (const double (*)[3])q->t.v;
     const float  (*f)[3] = (const float (*)[3])q->ft;
@@ -301,7 +301,7 @@ static int ask_grid(const question *q, unsigned flags, int truth)
 }
 
 /* All entries, under every rule. One-box entries read TRIBOX_THIN as closed. */
-static int ask_all(const question *q)
+static inline int ask_all(const question *q)
 {
     static const unsigned rules[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
     unsigned              truth = question_truth(q);
@@ -336,7 +336,7 @@ enum question_kind {
 };
 
 /* Integers times a step, the product rounded as a user's program would. */
-static double stepped(int kind, int i)
+static inline double stepped(int kind, int i)
 {
     switch (kind) {
     case TENTHS:     return i / 10.0;
@@ -346,7 +346,7 @@ static double stepped(int kind, int i)
     }
 }
 
-static void make_stepped(question *q, int kind)
+static inline void make_stepped(question *q, int kind)
 {
     int n = 3 + random_below(6);
     int a;
@@ -362,7 +362,7 @@ static void make_stepped(question *q, int kind)
     }
 }
 
-static void make_uniform(question *q)
+static inline void make_uniform(question *q)
 {
     int a;
     int i;
@@ -377,7 +377,7 @@ static void make_uniform(question *q)
     }
 }
 
-static void make_sliver(question *q)
+static inline void make_sliver(question *q)
 {
     double s = random_signed();
     int    a;
@@ -388,7 +388,7 @@ static void make_sliver(question *q)
     }
 }
 
-static void make_degenerate(question *q)
+static inline void make_degenerate(question *q)
 {
     int a;
 
@@ -416,7 +416,7 @@ static void make_degenerate(question *q)
     }
 }
 
-static void make_touching(question *q)
+static inline void make_touching(question *q)
 {
     int    kind = random_below(4);
     double w0 = kind == 0 ? 1.0 : kind == 1 ? 0.5 : kind == 2 ? 0.25 : (random_signed() + 1.0) * 0.5;
@@ -438,7 +438,7 @@ static void make_touching(question *q)
     }
 }
 
-static void make_mismatch(question *q)
+static inline void make_mismatch(question *q)
 {
     double scale = random_below(2) ? 1e6 : 1e-6;
     int    a;
@@ -454,7 +454,7 @@ static void make_mismatch(question *q)
 }
 
 /* Truth is kept by the scaling, so the exponents may be extreme: subnormals to 2^100 as floats, to 2^1000 as doubles. */
-static void make_stretched(question *q, int as_float)
+static inline void make_stretched(question *q, int as_float)
 {
     static const int float_base[4] = {-149, -126, -60, 100};
     static const int double_base[4] = {-1074, -1022, -500, 1000};
@@ -473,7 +473,7 @@ static void make_stretched(question *q, int as_float)
     }
 }
 
-static void make_aligned(question *q)
+static inline void make_aligned(question *q)
 {
     int flat = random_below(3);
     int i;
@@ -488,7 +488,7 @@ static void make_aligned(question *q)
     }
 }
 
-static void make_mixed(question *q, int as_float)
+static inline void make_mixed(question *q, int as_float)
 {
     int range = random_below(4) ? 20 : as_float ? 120 : random_below(4) ? 200 : 1000;
     int a;
@@ -507,13 +507,13 @@ static void make_mixed(question *q, int as_float)
     }
 }
 
-static double nudge(double x, int steps, int as_float)
+static inline double nudge(double x, int steps, int as_float)
 {
     return as_float ? (double)nudge_float((float)x, steps) : nudge_double(x, steps);
 }
 
 /* A few numbers of the question, each moved by up to three ulps. */
-static void question_walk(question *q, int as_float)
+static inline void question_walk(question *q, int as_float)
 {
     int moves = random_below(4);
 
@@ -530,7 +530,7 @@ static void question_walk(question *q, int as_float)
     }
 }
 
-static void question_round_to_floats(question *q)
+static inline void question_round_to_floats(question *q)
 {
     int a;
     int i;
@@ -546,7 +546,7 @@ static void question_round_to_floats(question *q)
 
 /* One hard question of a kind, all numbers floats if as_float; half of them as a box, half as a voxel whose upper face
  * may be no double. */
-static void question_make(question *q, int kind, int as_float)
+static inline void question_make(question *q, int kind, int as_float)
 {
     int a;
 

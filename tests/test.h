@@ -16,7 +16,7 @@ static int test_passed;
 static int test_failed;
 static int test_failed_checks;
 
-static int test_check(int ok, const char *file, int line, const char *text)
+static inline int test_check(int ok, const char *file, int line, const char *text)
 {
     if (!ok) {
         test_failed_checks++;
@@ -28,12 +28,12 @@ static int test_check(int ok, const char *file, int line, const char *text)
 }
 
 /* Is there room for the details of one more failing case? */
-static int test_wants_details(void)
+static inline int test_wants_details(void)
 {
     return test_failed_checks < TEST_SHOWN;
 }
 
-static void test_run(void (*test)(void), const char *name)
+static inline void test_run(void (*test)(void), const char *name)
 {
     test_failed_checks = 0;
     test();
@@ -46,10 +46,8 @@ static void test_run(void (*test)(void), const char *name)
     fflush(stdout);
 }
 
-static int test_report(const char *program)
+static inline int test_report(const char *program)
 {
-    (void)test_check;
-    (void)test_wants_details;
     printf("%s: %d passed, %d failed\n", program, test_passed, test_failed);
     return test_failed != 0;
 }
