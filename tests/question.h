@@ -51,6 +51,14 @@ static inline double power_of_two(int e)
     return r;
 }
 
+/* Rounded to float. Volatile: gcc 12 -O2 drops the pair of conversions on neighbouring array elements. */
+static inline double rounded_to_float(double x)
+{
+    volatile float f = (float)x;
+
+    return (double)f;
+}
+
 /* The float `steps` places above x in the order of floats; -0 and +0 are one place apart. */
 static inline float nudge_float(float x, int steps)
 {
@@ -326,6 +334,7 @@ enum question_kind {
     FAR_TENTHS,     /* 1e4 + multiples of 0.1 */
     UNIFORM,        /* random numbers, box near the triangle, not cubic */
     SLIVER,         /* third corner within ulps of the line of the others */
+    STEEP,          /* nearly parallel to an axis: a component of the normal is noise */
     DEGENERATE,     /* segments and points, exactly */
     TOUCHING,       /* a corner, edge or face of the box through a point of the triangle, rounded */
     MISMATCH,       /* triangle and box of sizes 1e6 apart */
@@ -385,6 +394,19 @@ static inline void make_sliver(question *q)
     make_uniform(q);
     for (a = 0; a < 3; a++) {
         q->t.v[2][a] = q->t.v[0][a] + s * (q->t.v[1][a] - q->t.v[0][a]);
+    }
+}
+
+static inline void make_steep(question *q)
+{
+    int    a = random_below(3);
+    double s = random_signed();
+    int    i;
+
+    make_uniform(q);
+    for (i = 1; i < 3; i++) {
+        int b = (a + i) % 3;
+        q->t.v[2][b] = q->t.v[0][b] + s * (q->t.v[1][b] - q->t.v[0][b]);
     }
 }
 
@@ -537,10 +559,10 @@ static inline void question_round_to_floats(question *q)
 
     for (a = 0; a < 3; a++) {
         for (i = 0; i < 3; i++) {
-            q->t.v[i][a] = (double)(float)q->t.v[i][a];
+            q->t.v[i][a] = rounded_to_float(q->t.v[i][a]);
         }
-        q->lo[a] = (double)(float)q->lo[a];
-        q->hi[a] = (double)(float)q->hi[a];
+        q->lo[a] = rounded_to_float(q->lo[a]);
+        q->hi[a] = rounded_to_float(q->hi[a]);
     }
 }
 
@@ -554,6 +576,7 @@ static inline void question_make(question *q, int kind, int as_float)
     switch (kind) {
     case UNIFORM:    make_uniform(q); break;
     case SLIVER:     make_sliver(q); break;
+    case STEEP:      make_steep(q); break;
     case DEGENERATE: make_degenerate(q); break;
     case TOUCHING:   make_touching(q); break;
     case MISMATCH:   make_mismatch(q); break;
@@ -575,7 +598,7 @@ static inline void question_make(question *q, int kind, int as_float)
     for (a = 0; a < 3; a++) {
         q->size[a] = q->hi[a] - q->lo[a];
         if (as_float) {
-            q->size[a] = (double)(float)q->size[a];
+            q->size[a] = rounded_to_float(q->size[a]);
         }
     }
     question_from_voxel(q);

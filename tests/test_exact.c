@@ -59,6 +59,13 @@ static void slivers_are_exact(void)
     every_entry_agrees_with_the_oracle(SLIVER, DOUBLES, 15000);
 }
 
+/* A component of the normal that is nearly zero: its sign decides which side of three edges is inside. */
+static void steep_triangles_are_exact(void)
+{
+    every_entry_agrees_with_the_oracle(STEEP, FLOATS, 15000);
+    every_entry_agrees_with_the_oracle(STEEP, DOUBLES, 15000);
+}
+
 /* Segments and points are triangles like any other. */
 static void degenerate_triangles_are_exact(void)
 {
@@ -149,6 +156,7 @@ int main(void)
     RUN(far_tenths_are_exact);
     RUN(random_questions_are_exact);
     RUN(slivers_are_exact);
+    RUN(steep_triangles_are_exact);
     RUN(degenerate_triangles_are_exact);
     RUN(contacts_within_ulps_are_exact);
     RUN(mismatched_scales_are_exact);
