@@ -384,7 +384,7 @@ int main(int argc, char **argv)
     sizes = options.quick ? quick : all;
     bench_header("meshes into a bit array");
     print_heading("Scans");
-    mesh_gen_scan(&scan, 1894, 230);
+    mesh_gen_scan(&scan, 2447, 178);
     view = mesh_view(&scan);
     bench_fitted(&options, "scan", &view, sizes);
     if (read_data(&options, "dragon", "bench/data/dragon.ply", &m)) {
@@ -394,11 +394,11 @@ int main(int argc, char **argv)
     }
     print_heading("Few triangles");
     sizes = options.quick ? quick : some;
-    mesh_gen_scan(&m, 140, 18);
+    mesh_gen_scan(&m, 180, 14);
     view = mesh_view(&m);
     bench_fitted(&options, "scan5k", &view, sizes);
     mesh_free(&m);
-    mesh_gen_scan(&m, 212, 26);
+    mesh_gen_scan(&m, 275, 20);
     view = mesh_view(&m);
     bench_fitted(&options, "scan11k", &view, sizes);
     mesh_free(&m);

@@ -43,8 +43,8 @@ static inline void mesh_gen_knot(double s, double t, double grain, float out_poi
     double bx = -ny * tz / length;
     double by = nx * tz / length;
     double bz = (tx * ny - ty * nx) / length;
-    double radius = 0.55 + 0.10 * sin(5 * u + 2 * v) + 0.05 * sin(23 * u) * sin(3 * v) +
-                    0.02 * sin(61 * u + 7 * v) * cos(5 * v - 31 * u) + grain;
+    double radius = 0.36 + 0.07 * sin(5 * u + 2 * v) + 0.03 * sin(23 * u) * sin(3 * v) +
+                    0.015 * sin(61 * u + 7 * v) * cos(5 * v - 31 * u) + grain;
     double across = radius * cos(v);
     double up = radius * sin(v);
     out_point[0] = (float)(sin(u) + 2 * sin(2 * u) + across * nx + up * bx);
