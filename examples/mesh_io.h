@@ -650,7 +650,7 @@ static inline int ply_add_strip_corner(mesh_reader *r, double index) {
 }
 
 static inline int ply_read_list(mesh_reader *r, const ply_header *h, const ply_property *property) {
-    ply_number number;
+    ply_number number = {0, 0};
     uint64_t count;
     uint64_t i;
     size_t place = mesh_place(r);
@@ -691,7 +691,7 @@ static inline int ply_read_row(mesh_reader *r, const ply_header *h, const ply_el
     size_t i;
     for (i = 0; i < element->properties; i++) {
         const ply_property *property = &h->properties[element->first + i];
-        ply_number number;
+        ply_number number = {0, 0};
         if (property->count_type != PLY_NO_TYPE ? !ply_read_list(r, h, property)
                                                  : !ply_read_number(r, h, property->type, &number)) {
             return 0;

@@ -1,0 +1,22 @@
+# Examples and the demo. Other sets of flags go to a folder of their own:
+#   make examples B=build/sanitize CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+
+EXAMPLES := 01_overlap voxelize check_voxels slabs sparse
+
+.PHONY: build-examples examples demo
+
+build-examples: $(EXAMPLES:%=$(B)/%) ## build the example programs
+
+$(B)/slabs: EXAMPLE_LIBS := -pthread
+$(EXAMPLES:%=$(B)/%): $(B)/%: examples/%.c $(wildcard examples/*.h) tribox.h
+	@mkdir -p $(B)
+	$(CC_C99) $< -o $@ $(EXAMPLE_LIBS) -lm
+
+examples: build-examples ## run the examples against their .out files, the file readers against good and bad files
+	sh tests/test_examples.sh $(B)
+
+demo: $(B)/voxelize ## voxelize the Utah teapot; writes build/teapot.png, .vox and .binvox
+	$(B)/voxelize teapot 192 -o $(B)/teapot.png -o $(B)/teapot.vox -o $(B)/teapot.binvox
+	@echo
+	@echo 'Open $(B)/teapot.png in any viewer. $(B)/teapot.vox opens in MagicaVoxel, $(B)/teapot.binvox in viewvox.'
+	@echo 'Your own mesh: $(B)/voxelize model.ply 256 -o model.vox   ($(B)/voxelize --help lists the options)'
