@@ -1,0 +1,88 @@
+/* Calls every function of the interface once, in the common subset of C99 and C++98. Returns the number of wrong
+ * answers. Include "tribox.h" first. */
+#ifndef EVERY_FUNCTION_H
+#define EVERY_FUNCTION_H
+
+static void every_function_emit(void *user, int x0, int x1, int y, int z)
+{
+    *(int *)user += x1 - x0 + 1 + 0 * (y + z);
+}
+
+static int every_function_one_box(void)
+{
+    const float  t[3][3] = {{0.25f, 0.25f, 0.5f}, {0.75f, 0.25f, 0.5f}, {0.25f, 0.75f, 1.0f}};
+    const double d[3][3] = {{0.25, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.25, 0.75, 1.0}};
+    const float  lo[3] = {0, 0, 1};
+    const float  hi[3] = {1, 1, 2};
+    const double dlo[3] = {0, 0, 1};
+    const double dhi[3] = {1, 1, 2};
+    int          wrong = 0;
+
+    wrong += tribox_overlap(t[0], t[1], t[2], lo, hi) != 1;
+    wrong += tribox_overlap_f64(d[0], d[1], d[2], dlo, dhi) != 1;
+    wrong += tribox_overlap_rule(t[0], t[1], t[2], lo, hi, TRIBOX_HALF_OPEN) != 1;
+    wrong += tribox_overlap_rule_f64(d[0], d[1], d[2], dlo, dhi, TRIBOX_OPEN) != 0;
+    wrong += tribox_sat(t[0], t[1], t[2], lo, hi) != 1;
+    return wrong;
+}
+
+static int every_function_tri(void)
+{
+    const float  t[3][3] = {{0.25f, 0.25f, 0.5f}, {0.75f, 0.25f, 0.5f}, {0.25f, 0.75f, 1.0f}};
+    const double d[3][3] = {{0.25, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.25, 0.75, 1.0}};
+    const float  size[3] = {1, 1, 1};
+    const double dsize[3] = {1, 1, 1};
+    const float  p[3] = {0, 0, 1};
+    const double dp[3] = {0, 0, 1};
+    tribox_tri   tri;
+    int          wrong = 0;
+
+    tribox_tri_init(&tri, t[0], t[1], t[2], size, 0);
+    wrong += tribox_tri_test(&tri, p) != 1;
+    wrong += tribox_tri_test_f64(&tri, dp) != 1;
+    tribox_tri_init_f64(&tri, d[0], d[1], d[2], dsize, TRIBOX_OPEN);
+    wrong += tribox_tri_test(&tri, p) != 0;
+    wrong += tribox_tri_test_f64(&tri, dp) != 0;
+    return wrong;
+}
+
+static int every_function_grid(void)
+{
+    const float  t[3][3] = {{0.25f, 0.25f, 0.5f}, {0.75f, 0.25f, 0.5f}, {0.25f, 0.75f, 1.0f}};
+    const double d[3][3] = {{0.25, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.25, 0.75, 1.0}};
+    tribox_grid  grid;
+    tribox_mesh  mesh;
+    uint64_t     bits[4] = {0, 0, 0, 0};
+    int          index[3];
+    int          counted = 0;
+    int          wrong = 0;
+    int          a;
+
+    for (a = 0; a < 3; a++) {
+        grid.origin[a] = 0;
+        grid.size[a] = 1;
+        grid.lo[a] = 0;
+        grid.hi[a] = a == 2 ? 4 : 1;
+    }
+    grid.flags = 0;
+    mesh.positions = t[0];
+    mesh.stride = 0;
+    mesh.indices = 0;
+    mesh.triangles = 1;
+    wrong += tribox_grid_spans(&grid, t[0], t[1], t[2], every_function_emit, &counted) != 2;
+    wrong += tribox_grid_spans_f64(&grid, d[0], d[1], d[2], every_function_emit, &counted) != 2;
+    wrong += counted != 4;
+    wrong += tribox_grid_words(&grid) != 4;
+    tribox_grid_fill(&grid, &mesh, bits);
+    wrong += tribox_grid_get(&grid, bits, 0, 0, 1) != 1;
+    wrong += tribox_grid_locate(&grid, d[2], index) != 1 || index[2] != 1;
+    wrong += tribox_grid_fit(&grid, &mesh, 4) != 1;
+    return wrong;
+}
+
+static int every_function(void)
+{
+    return every_function_one_box() + every_function_tri() + every_function_grid();
+}
+
+#endif /* EVERY_FUNCTION_H */
