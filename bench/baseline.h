@@ -1,7 +1,7 @@
 /* baseline.h - the opponents, written here from the papers and tuned in good faith.
  *
- * All of them compute in plain floating point and may be wrong close to touching. They are what programs use today, so
- * they are what tribox.h is timed against.
+ * All of them compute in plain floating point and may be wrong close to touching. They are what programs use
+ * today, so they are what tribox.h is timed against.
  *
  *   [AM01] Akenine-Moller, Fast 3D triangle-box overlap testing, JGT 6(1), 2001
  *   [SS10] Schwarz and Seidel, Fast parallel surface and solid voxelization on GPUs, ACM TOG 29(6), 2010
@@ -13,56 +13,57 @@
 
 /* A test that is called instead of inlined pays for passing its arguments; the opponents never do. */
 #if defined(__GNUC__) || defined(__clang__)
-#define BASELINE_INLINE inline __attribute__((always_inline))
+#define BASELINE_FN static inline __attribute__((always_inline))
 #elif defined(_MSC_VER)
-#define BASELINE_INLINE __forceinline
+#define BASELINE_FN static __forceinline
 #else
-#define BASELINE_INLINE inline
+#define BASELINE_FN static inline
 #endif
 
-/* ---- One box: [AM01] --------------------------------------------------------------------------------------- */
+/* ---- One box: [AM01] ----------------------------------------------------------------------------------- */
 
-#define SAT_REAL float
-#define SAT_ABS fabsf
+#define SAT_REAL       float
+#define SAT_ABS        fabsf
 #define SAT_NAME(name) baseline_sat_##name
 #include "baseline_sat.h"
 
-#define SAT_REAL double
-#define SAT_ABS fabs
+#define SAT_REAL       double
+#define SAT_ABS        fabs
 #define SAT_NAME(name) baseline_sat64_##name
 #include "baseline_sat.h"
 
-/* The shared cross products with the three coordinates in the lanes of a register: how far intrinsics would take it. */
+/* The shared cross products with the three coordinates in the lanes of a register: how far intrinsics would
+ * take it. */
 #if defined(__SSE2__)
 #define BASELINE_SSE 1
 #include <emmintrin.h>
 
-static BASELINE_INLINE __m128 baseline_load3(const float v[3])
+BASELINE_FN __m128 baseline_load3(const float v[3])
 {
     return _mm_movelh_ps(_mm_castpd_ps(_mm_load_sd((const double *)(const void *)v)), _mm_load_ss(v + 2));
 }
 
-static BASELINE_INLINE __m128 baseline_yzx(__m128 v)
+BASELINE_FN __m128 baseline_yzx(__m128 v)
 {
     return _mm_shuffle_ps(v, v, _MM_SHUFFLE(3, 0, 2, 1));
 }
 
 /* a x b, its lanes one place behind: (z, x, y). */
-static BASELINE_INLINE __m128 baseline_cross_zxy(__m128 a, __m128 b)
+BASELINE_FN __m128 baseline_cross_zxy(__m128 a, __m128 b)
 {
     return _mm_sub_ps(_mm_mul_ps(a, baseline_yzx(b)), _mm_mul_ps(baseline_yzx(a), b));
 }
 
 /* The gap along e x (unit vectors), lanes as in the cross product, given n/2 - (a x b). */
-static BASELINE_INLINE __m128 baseline_gap_sse(__m128 middle, __m128 e, __m128 half, __m128 half_yzx, __m128 sign)
+BASELINE_FN __m128 baseline_gap_sse(__m128 middle, __m128 e, __m128 half, __m128 half_yzx, __m128 sign)
 {
     __m128 size = _mm_andnot_ps(sign, e);
     __m128 radius = _mm_add_ps(_mm_mul_ps(half, baseline_yzx(size)), _mm_mul_ps(half_yzx, size));
     return _mm_sub_ps(_mm_andnot_ps(sign, middle), radius);
 }
 
-static BASELINE_INLINE int baseline_sat_sse(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                                   const float box_max[3])
+BASELINE_FN int baseline_sat_sse(const float v0[3], const float v1[3], const float v2[3],
+                                 const float box_min[3], const float box_max[3])
 {
     const __m128 sign = _mm_set1_ps(-0.0f);
     __m128 top = baseline_load3(box_max);

@@ -1,8 +1,8 @@
-/* baseline_grid.h - the voxelizers that tribox_grid_fill is timed against: the [SS10] loop and an [AM01] loop that skips
- * voxels already set. They write the same bit array.
+/* baseline_grid.h - the voxelizers that tribox_grid_fill is timed against: the [SS10] loop and an [AM01] loop
+ * that skips voxels already set. They write the same bit array.
  *
- * Both scale a triangle to voxels of size one with the region's corner at the origin, in float, and visit the voxels of
- * its index box.
+ * Both scale a triangle to voxels of size one with the region's corner at the origin, in float, and visit the
+ * voxels of its index box.
  */
 #ifndef BASELINE_GRID_H
 #define BASELINE_GRID_H
@@ -10,10 +10,10 @@
 #include "baseline.h"
 #include "tribox.h"
 
-/* ---- [SS10]: setup and test -------------------------------------------------------------------------------- */
+/* ---- [SS10]: setup and test ---------------------------------------------------------------------------- */
 
-/* The edge conditions are those of edges 0..2 in the planes xy, yz and zx: a*p + b*q + d >= 0 with (p,q) the voxel's
- * corner in that plane. The plane condition is (n.p + d1)(n.p + d2) <= 0. */
+/* The edge conditions are those of edges 0..2 in the planes xy, yz and zx: a*p + b*q + d >= 0 with (p,q) the
+ * voxel's corner in that plane. The plane condition is (n.p + d1)(n.p + d2) <= 0. */
 typedef struct baseline_ss10 {
     float low[3], high[3], dp[3];
     float n[3], d1, d2;
@@ -22,8 +22,8 @@ typedef struct baseline_ss10 {
 
 enum { BASELINE_XY = 0, BASELINE_YZ = 3, BASELINE_ZX = 6 };
 
-static BASELINE_INLINE void baseline_ss10_edges(baseline_ss10 *t, int plane, int u, int v, float normal,
-                                                const float *const corner[3])
+BASELINE_FN void baseline_ss10_edges(baseline_ss10 *t, int plane, int u, int v, float normal,
+                                     const float *const corner[3])
 {
     int i;
     for (i = 0; i < 3; i++) {
@@ -39,8 +39,8 @@ static BASELINE_INLINE void baseline_ss10_edges(baseline_ss10 *t, int plane, int
     }
 }
 
-static BASELINE_INLINE void baseline_ss10_setup(baseline_ss10 *t, const float v0[3], const float v1[3],
-                                                const float v2[3], const float dp[3])
+BASELINE_FN void baseline_ss10_setup(baseline_ss10 *t, const float v0[3], const float v1[3],
+                                     const float v2[3], const float dp[3])
 {
     const float *corner[3];
     float e0[3];
@@ -75,7 +75,7 @@ static BASELINE_INLINE void baseline_ss10_setup(baseline_ss10 *t, const float v0
 }
 
 /* The test as in the paper, for any p: bounding box, plane, three edges in each of three planes. */
-static BASELINE_INLINE int baseline_ss10_test(const baseline_ss10 *t, const float p[3])
+BASELINE_FN int baseline_ss10_test(const baseline_ss10 *t, const float p[3])
 {
     float np = t->n[0] * p[0] + t->n[1] * p[1] + t->n[2] * p[2];
     int i;
@@ -105,7 +105,7 @@ static BASELINE_INLINE int baseline_ss10_test(const baseline_ss10 *t, const floa
 }
 
 /* The least of three edge functions at (p,q). */
-static BASELINE_INLINE float baseline_ss10_least(const baseline_ss10 *t, int plane, float p, float q)
+BASELINE_FN float baseline_ss10_least(const baseline_ss10 *t, int plane, float p, float q)
 {
     float f0 = t->a[plane] * p + t->b[plane] * q + t->d[plane];
     float f1 = t->a[plane + 1] * p + t->b[plane + 1] * q + t->d[plane + 1];
@@ -114,7 +114,7 @@ static BASELINE_INLINE float baseline_ss10_least(const baseline_ss10 *t, int pla
 }
 
 /* The same test without a branch. */
-static BASELINE_INLINE int baseline_ss10_test_branchless(const baseline_ss10 *t, const float p[3])
+BASELINE_FN int baseline_ss10_test_branchless(const baseline_ss10 *t, const float p[3])
 {
     float np = t->n[0] * p[0] + t->n[1] * p[1] + t->n[2] * p[2];
     float least = baseline_sat_min(np + t->d1, -(np + t->d2));
@@ -128,7 +128,7 @@ static BASELINE_INLINE int baseline_ss10_test_branchless(const baseline_ss10 *t,
     return least >= 0;
 }
 
-/* ---- A triangle in a region -------------------------------------------------------------------------------- */
+/* ---- A triangle in a region ---------------------------------------------------------------------------- */
 
 typedef struct baseline_region {
     float origin[3], per_voxel[3]; /* to voxel units: (v - origin) * per_voxel */
@@ -156,14 +156,14 @@ static inline void baseline_region_init(baseline_region *r, const tribox_grid *g
     r->bits = bits;
 }
 
-static BASELINE_INLINE const float *baseline_corner(const tribox_mesh *mesh, size_t i)
+BASELINE_FN const float *baseline_corner(const tribox_mesh *mesh, size_t i)
 {
     return mesh->positions + 3 * (size_t)mesh->indices[i];
 }
 
 /* Triangle i in voxel units with its index box; 0 if that lies outside the region. */
-static BASELINE_INLINE int baseline_place(const baseline_region *r, const tribox_mesh *mesh, size_t i,
-                                          baseline_placed *t)
+BASELINE_FN int baseline_place(const baseline_region *r, const tribox_mesh *mesh, size_t i,
+                               baseline_placed *t)
 {
     const float *corner[3];
     int c;
@@ -190,12 +190,12 @@ static BASELINE_INLINE int baseline_place(const baseline_region *r, const tribox
     return 1;
 }
 
-static BASELINE_INLINE uint64_t *baseline_row(const baseline_region *r, int y, int z)
+BASELINE_FN uint64_t *baseline_row(const baseline_region *r, int y, int z)
 {
     return r->bits + ((size_t)z * (size_t)r->size[1] + (size_t)y) * r->row_words;
 }
 
-/* ---- The loops --------------------------------------------------------------------------------------------- */
+/* ---- The loops ----------------------------------------------------------------------------------------- */
 
 static const float baseline_unit[3] = {1.0f, 1.0f, 1.0f};
 
@@ -204,7 +204,7 @@ typedef struct baseline_ss10_terms {
     float high, low, xy[3], zx[3];
 } baseline_ss10_terms;
 
-static BASELINE_INLINE void baseline_ss10_hoist(baseline_ss10_terms *h, const baseline_ss10 *t, float y, float z)
+BASELINE_FN void baseline_ss10_hoist(baseline_ss10_terms *h, const baseline_ss10 *t, float y, float z)
 {
     float plane = t->n[1] * y + t->n[2] * z;
     int i;
@@ -217,7 +217,7 @@ static BASELINE_INLINE void baseline_ss10_hoist(baseline_ss10_terms *h, const ba
 }
 
 /* Voxels x..last of a row, whole words at a time, without a branch on an answer. */
-static BASELINE_INLINE void baseline_ss10_row(const baseline_ss10 *t, uint64_t *row, int x, int last, float y, float z)
+BASELINE_FN void baseline_ss10_row(const baseline_ss10 *t, uint64_t *row, int x, int last, float y, float z)
 {
     const float *xy = t->a + BASELINE_XY;
     const float *zx = t->b + BASELINE_ZX;
@@ -242,8 +242,8 @@ static BASELINE_INLINE void baseline_ss10_row(const baseline_ss10 *t, uint64_t *
 }
 
 /* The same with early exits, a voxel at a time. */
-static BASELINE_INLINE void baseline_ss10_row_early(const baseline_ss10 *t, uint64_t *row, int x, int last, float y,
-                                                    float z)
+BASELINE_FN void baseline_ss10_row_early(const baseline_ss10 *t, uint64_t *row, int x, int last, float y,
+                                         float z)
 {
     const float *xy = t->a + BASELINE_XY;
     const float *zx = t->b + BASELINE_ZX;
@@ -261,8 +261,8 @@ static BASELINE_INLINE void baseline_ss10_row_early(const baseline_ss10 *t, uint
     }
 }
 
-static BASELINE_INLINE void baseline_fill_ss10(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits,
-                                               int early)
+BASELINE_FN void baseline_fill_ss10(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits,
+                                    int early)
 {
     baseline_region r;
     size_t i;
@@ -292,7 +292,7 @@ static BASELINE_INLINE void baseline_fill_ss10(const tribox_grid *grid, const tr
 }
 
 /* [SS10] that tests only voxels not yet set, and sets up a triangle at the first of them. */
-static BASELINE_INLINE void baseline_fill_ss10_skip(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
+BASELINE_FN void baseline_fill_ss10_skip(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
 {
     baseline_region r;
     size_t i;
@@ -328,7 +328,7 @@ static BASELINE_INLINE void baseline_fill_ss10_skip(const tribox_grid *grid, con
 }
 
 /* [AM01] at every voxel of the index box that is not yet set. The faces cannot part them there. */
-static BASELINE_INLINE void baseline_fill_am(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits, int early)
+BASELINE_FN void baseline_fill_am(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits, int early)
 {
     baseline_region r;
     size_t i;

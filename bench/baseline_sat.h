@@ -1,30 +1,32 @@
-/* baseline_sat.h - the separating axis test of [AM01] in plain floating point: the bounding box first, min/max form.
+/* baseline_sat.h - the separating axis test of [AM01] in plain floating point: the bounding box first,
+ * min/max form.
  *
- * Included once per type by baseline.h, with SAT_REAL (float or double), SAT_ABS and SAT_NAME set. The forms differ only
- * in where they branch. Which is fastest depends on the compiler and on how predictable the answers are, so the bench
- * runs all and compares with the fastest.
+ * Included once per type by baseline.h, with SAT_REAL (float or double), SAT_ABS and SAT_NAME set. The forms
+ * differ only in where they branch. Which is fastest depends on the compiler and on how predictable the
+ * answers are, so the bench runs all and compares with the fastest.
  */
 
-static BASELINE_INLINE SAT_REAL SAT_NAME(min)(SAT_REAL a, SAT_REAL b)
+BASELINE_FN SAT_REAL SAT_NAME(min)(SAT_REAL a, SAT_REAL b)
 {
     return a < b ? a : b;
 }
 
-static BASELINE_INLINE SAT_REAL SAT_NAME(max)(SAT_REAL a, SAT_REAL b)
+BASELINE_FN SAT_REAL SAT_NAME(max)(SAT_REAL a, SAT_REAL b)
 {
     return a > b ? a : b;
 }
 
 /* Box and triangle apart along a coordinate axis. */
-static BASELINE_INLINE int SAT_NAME(face_parts)(SAT_REAL a, SAT_REAL b, SAT_REAL c, SAT_REAL low, SAT_REAL high)
+BASELINE_FN int SAT_NAME(face_parts)(SAT_REAL a, SAT_REAL b, SAT_REAL c, SAT_REAL low, SAT_REAL high)
 {
     return SAT_NAME(min)(SAT_NAME(min)(a, b), c) > high || SAT_NAME(max)(SAT_NAME(max)(a, b), c) < low;
 }
 
-/* The gap between box and triangle along the axis (0, -ec, eb), positive when it separates. (pb,pc) and (qb,qc) are two
- * corners, one of them on the edge e: the edge's ends project to one value. (hb,hc) is half the box. */
-static BASELINE_INLINE SAT_REAL SAT_NAME(edge_gap)(SAT_REAL eb, SAT_REAL ec, SAT_REAL pb, SAT_REAL pc, SAT_REAL qb, SAT_REAL qc,
-                                          SAT_REAL hb, SAT_REAL hc)
+/* The gap between box and triangle along the axis (0, -ec, eb), positive when it separates. (pb,pc) and
+ * (qb,qc) are two corners, one of them on the edge e: the edge's ends project to one value. (hb,hc) is half
+ * the box. */
+BASELINE_FN SAT_REAL SAT_NAME(edge_gap)(SAT_REAL eb, SAT_REAL ec, SAT_REAL pb, SAT_REAL pc, SAT_REAL qb,
+                                        SAT_REAL qc, SAT_REAL hb, SAT_REAL hc)
 {
     SAT_REAL p = eb * pc - ec * pb;
     SAT_REAL q = eb * qc - ec * qb;
@@ -33,8 +35,8 @@ static BASELINE_INLINE SAT_REAL SAT_NAME(edge_gap)(SAT_REAL eb, SAT_REAL ec, SAT
 }
 
 /* The largest gap along the three axes that one coordinate axis forms with the edges. */
-static BASELINE_INLINE SAT_REAL SAT_NAME(edge_gaps)(SAT_REAL ab, SAT_REAL ac, SAT_REAL bb, SAT_REAL bc, SAT_REAL cb, SAT_REAL cc,
-                                           SAT_REAL hb, SAT_REAL hc)
+BASELINE_FN SAT_REAL SAT_NAME(edge_gaps)(SAT_REAL ab, SAT_REAL ac, SAT_REAL bb, SAT_REAL bc, SAT_REAL cb,
+                                         SAT_REAL cc, SAT_REAL hb, SAT_REAL hc)
 {
     SAT_REAL g0 = SAT_NAME(edge_gap)(bb - ab, bc - ac, ab, ac, cb, cc, hb, hc);
     SAT_REAL g1 = SAT_NAME(edge_gap)(cb - bb, cc - bc, bb, bc, ab, ac, hb, hc);
@@ -47,8 +49,8 @@ typedef struct SAT_NAME(frame) {
     SAT_REAL a[3], b[3], c[3], half[3];
 } SAT_NAME(frame);
 
-static BASELINE_INLINE void SAT_NAME(centre)(SAT_NAME(frame) *f, const SAT_REAL v0[3], const SAT_REAL v1[3],
-                                    const SAT_REAL v2[3], const SAT_REAL box_min[3], const SAT_REAL box_max[3])
+BASELINE_FN void SAT_NAME(centre)(SAT_NAME(frame) *f, const SAT_REAL v0[3], const SAT_REAL v1[3],
+                                  const SAT_REAL v2[3], const SAT_REAL box_min[3], const SAT_REAL box_max[3])
 {
     int k;
     for (k = 0; k < 3; k++) {
@@ -61,7 +63,7 @@ static BASELINE_INLINE void SAT_NAME(centre)(SAT_NAME(frame) *f, const SAT_REAL 
 }
 
 /* The largest gap along the coordinate axes. */
-static BASELINE_INLINE SAT_REAL SAT_NAME(face_gap)(const SAT_NAME(frame) *f)
+BASELINE_FN SAT_REAL SAT_NAME(face_gap)(const SAT_NAME(frame) *f)
 {
     SAT_REAL gap = -f->half[0];
     int k;
@@ -74,7 +76,7 @@ static BASELINE_INLINE SAT_REAL SAT_NAME(face_gap)(const SAT_NAME(frame) *f)
 }
 
 /* The gap along the triangle's normal. */
-static BASELINE_INLINE SAT_REAL SAT_NAME(plane_gap)(const SAT_NAME(frame) *f)
+BASELINE_FN SAT_REAL SAT_NAME(plane_gap)(const SAT_NAME(frame) *f)
 {
     SAT_REAL ex = f->b[0] - f->a[0];
     SAT_REAL ey = f->b[1] - f->a[1];
@@ -91,14 +93,14 @@ static BASELINE_INLINE SAT_REAL SAT_NAME(plane_gap)(const SAT_NAME(frame) *f)
 }
 
 #define SAT_APART(k) SAT_NAME(face_parts)(v0[k], v1[k], v2[k], box_min[k], box_max[k])
-#define SAT_EDGE(e, f, p, q, b, c) \
-    (SAT_NAME(edge_gap)(t->f[b] - t->e[b], t->f[c] - t->e[c], t->p[b], t->p[c], t->q[b], t->q[c], t->half[b], \
-                        t->half[c]) > 0)
+#define SAT_EDGE(e, f, p, q, b, c)                                                                \
+    (SAT_NAME(edge_gap)(t->f[b] - t->e[b], t->f[c] - t->e[c], t->p[b], t->p[c], t->q[b], t->q[c], \
+                        t->half[b], t->half[c]) > 0)
 #define SAT_EDGES(b_, c_) \
     SAT_NAME(edge_gaps)(t.a[b_], t.a[c_], t.b[b_], t.b[c_], t.c[b_], t.c[c_], t.half[b_], t.half[c_])
 
 /* The plane and the edges, leaving at the first that separates. */
-static BASELINE_INLINE int SAT_NAME(centred_early)(const SAT_NAME(frame) *t)
+BASELINE_FN int SAT_NAME(centred_early)(const SAT_NAME(frame) *t)
 {
     if (SAT_NAME(plane_gap)(t) > 0) {
         return 0;
@@ -109,8 +111,8 @@ static BASELINE_INLINE int SAT_NAME(centred_early)(const SAT_NAME(frame) *t)
 }
 
 /* Leaves at the first separating axis. */
-static BASELINE_INLINE int SAT_NAME(early)(const SAT_REAL v0[3], const SAT_REAL v1[3], const SAT_REAL v2[3],
-                                           const SAT_REAL box_min[3], const SAT_REAL box_max[3])
+BASELINE_FN int SAT_NAME(early)(const SAT_REAL v0[3], const SAT_REAL v1[3], const SAT_REAL v2[3],
+                                const SAT_REAL box_min[3], const SAT_REAL box_max[3])
 {
     SAT_NAME(frame) t;
     if (SAT_APART(0) || SAT_APART(1) || SAT_APART(2)) {
@@ -121,8 +123,8 @@ static BASELINE_INLINE int SAT_NAME(early)(const SAT_REAL v0[3], const SAT_REAL 
 }
 
 /* Leaves after the faces; the other ten axes are one sum without a branch. */
-static BASELINE_INLINE int SAT_NAME(faces_first)(const SAT_REAL v0[3], const SAT_REAL v1[3], const SAT_REAL v2[3],
-                                        const SAT_REAL box_min[3], const SAT_REAL box_max[3])
+BASELINE_FN int SAT_NAME(faces_first)(const SAT_REAL v0[3], const SAT_REAL v1[3], const SAT_REAL v2[3],
+                                      const SAT_REAL box_min[3], const SAT_REAL box_max[3])
 {
     SAT_NAME(frame) t;
     SAT_REAL gap;
@@ -135,8 +137,8 @@ static BASELINE_INLINE int SAT_NAME(faces_first)(const SAT_REAL v0[3], const SAT
 }
 
 /* No branch at all. */
-static BASELINE_INLINE int SAT_NAME(branchless)(const SAT_REAL v0[3], const SAT_REAL v1[3], const SAT_REAL v2[3],
-                                       const SAT_REAL box_min[3], const SAT_REAL box_max[3])
+BASELINE_FN int SAT_NAME(branchless)(const SAT_REAL v0[3], const SAT_REAL v1[3], const SAT_REAL v2[3],
+                                     const SAT_REAL box_min[3], const SAT_REAL box_max[3])
 {
     SAT_NAME(frame) t;
     SAT_REAL gap;
@@ -148,11 +150,13 @@ static BASELINE_INLINE int SAT_NAME(branchless)(const SAT_REAL v0[3], const SAT_
 
 /* ---- The same axes from three cross products ---- */
 
-/* With a, b, c relative to the box's centre, the edge b - a puts the triangle on the axes (b - a) x (unit vectors) at
- * -(a x b) and n - (a x b), where n = a x b + b x c + c x a is the normal: centre n/2 - a x b, half length |n/2|. The
- * plane's distance is n.a. Half the multiplications of the forms above, and absolute values in place of min and max. */
-static BASELINE_INLINE SAT_REAL SAT_NAME(crossed_gaps)(SAT_REAL ab, SAT_REAL ac, SAT_REAL bb, SAT_REAL bc, SAT_REAL cb,
-                                              SAT_REAL cc, SAT_REAL hb, SAT_REAL hc, SAT_REAL *out_normal)
+/* With a, b, c relative to the box's centre, the edge b - a puts the triangle on the axes (b - a) x (unit
+ * vectors) at
+ * -(a x b) and n - (a x b), where n = a x b + b x c + c x a is the normal: centre n/2 - a x b, half length
+ * |n/2|. The plane's distance is n.a. Half the multiplications of the forms above, and absolute values in
+ * place of min and max. */
+BASELINE_FN SAT_REAL SAT_NAME(crossed_gaps)(SAT_REAL ab, SAT_REAL ac, SAT_REAL bb, SAT_REAL bc, SAT_REAL cb,
+                                            SAT_REAL cc, SAT_REAL hb, SAT_REAL hc, SAT_REAL *out_normal)
 {
     SAT_REAL a_b = ab * bc - ac * bb;
     SAT_REAL b_c = bb * cc - bc * cb;
@@ -168,10 +172,11 @@ static BASELINE_INLINE SAT_REAL SAT_NAME(crossed_gaps)(SAT_REAL ab, SAT_REAL ac,
 }
 
 #define SAT_CROSSED(b_, c_, n) \
-    SAT_NAME(crossed_gaps)(t->a[b_], t->a[c_], t->b[b_], t->b[c_], t->c[b_], t->c[c_], t->half[b_], t->half[c_], n)
+    SAT_NAME(crossed_gaps)     \
+    (t->a[b_], t->a[c_], t->b[b_], t->b[c_], t->c[b_], t->c[c_], t->half[b_], t->half[c_], n)
 
 /* The largest gap along the normal and the nine edge axes. */
-static BASELINE_INLINE SAT_REAL SAT_NAME(crossed_gap)(const SAT_NAME(frame) *t)
+BASELINE_FN SAT_REAL SAT_NAME(crossed_gap)(const SAT_NAME(frame) *t)
 {
     SAT_REAL n[3];
     SAT_REAL edges = SAT_NAME(max)(SAT_NAME(max)(SAT_CROSSED(1, 2, &n[0]), SAT_CROSSED(2, 0, &n[1])),
@@ -182,8 +187,8 @@ static BASELINE_INLINE SAT_REAL SAT_NAME(crossed_gap)(const SAT_NAME(frame) *t)
 }
 
 /* Leaves after the faces. */
-static BASELINE_INLINE int SAT_NAME(crossed)(const SAT_REAL v0[3], const SAT_REAL v1[3], const SAT_REAL v2[3],
-                                    const SAT_REAL box_min[3], const SAT_REAL box_max[3])
+BASELINE_FN int SAT_NAME(crossed)(const SAT_REAL v0[3], const SAT_REAL v1[3], const SAT_REAL v2[3],
+                                  const SAT_REAL box_min[3], const SAT_REAL box_max[3])
 {
     SAT_NAME(frame) t;
     if (SAT_APART(0) | SAT_APART(1) | SAT_APART(2)) {
@@ -194,8 +199,8 @@ static BASELINE_INLINE int SAT_NAME(crossed)(const SAT_REAL v0[3], const SAT_REA
 }
 
 /* No branch at all. */
-static BASELINE_INLINE int SAT_NAME(crossed_branchless)(const SAT_REAL v0[3], const SAT_REAL v1[3], const SAT_REAL v2[3],
-                                               const SAT_REAL box_min[3], const SAT_REAL box_max[3])
+BASELINE_FN int SAT_NAME(crossed_branchless)(const SAT_REAL v0[3], const SAT_REAL v1[3], const SAT_REAL v2[3],
+                                             const SAT_REAL box_min[3], const SAT_REAL box_max[3])
 {
     SAT_NAME(frame) t;
     SAT_NAME(centre)(&t, v0, v1, v2, box_min, box_max);

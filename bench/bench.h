@@ -1,7 +1,7 @@
 /* bench.h - what every bench shares: a clock, seeded numbers, interleaved runs, and how results are printed.
  *
- * Contenders take turns within every run, so a drifting clock frequency meets all of them alike. A ratio is formed
- * per run, between neighbours in time, and its median is reported beside the ratio of the best times.
+ * Contenders take turns within every run, so a drifting clock frequency meets all of them alike. A ratio is
+ * formed per run, between neighbours in time, and its median is reported beside the ratio of the best times.
  * Include this file before any system header: it asks for the POSIX clock.
  */
 #ifndef BENCH_H
@@ -38,7 +38,7 @@
 #define BENCH_NOINLINE
 #endif
 
-/* ---- Options ----------------------------------------------------------------------------------------------- */
+/* ---- Options ------------------------------------------------------------------------------------------- */
 
 typedef struct bench_options {
     int runs;         /* interleaved runs; 0 lets the bench choose */
@@ -78,7 +78,8 @@ static inline int bench_parse(int argc, char **argv, bench_options *options)
         i++;
     }
     if (i < argc) {
-        fprintf(stderr, "%s: do not understand '%s'\n"
+        fprintf(stderr,
+                "%s: do not understand '%s'\n"
                 "usage: %s [--quick] [--runs N] [--only ROW] [--csv FILE] [--mesh NAME] [--n VOXELS]\n",
                 argv[0], argv[i], argv[0]);
         return 0;
@@ -86,7 +87,7 @@ static inline int bench_parse(int argc, char **argv, bench_options *options)
     return 1;
 }
 
-/* ---- Clock and numbers ------------------------------------------------------------------------------------- */
+/* ---- Clock and numbers --------------------------------------------------------------------------------- */
 
 /* Seconds from a fixed, arbitrary start. */
 static inline double bench_now(void)
@@ -135,7 +136,7 @@ static inline void *bench_alloc(size_t bytes)
     return memory;
 }
 
-/* ---- Where this was measured ------------------------------------------------------------------------------- */
+/* ---- Where this was measured --------------------------------------------------------------------------- */
 
 static inline const char *bench_isa(void)
 {
@@ -199,14 +200,19 @@ static inline void bench_header(const char *title)
            BENCH_COMMIT);
 }
 
-/* ---- Rows -------------------------------------------------------------------------------------------------- */
+/* ---- Rows ---------------------------------------------------------------------------------------------- */
 
 enum { BENCH_MAX_RUNS = 256 };
 
-enum { BENCH_REFERENCE, BENCH_RIVAL, BENCH_OURS, BENCH_NOTE }; /* NOTE: timed and printed, never compared with */
+enum {
+    BENCH_REFERENCE,
+    BENCH_RIVAL,
+    BENCH_OURS,
+    BENCH_NOTE
+}; /* NOTE: timed and printed, never compared with */
 
-/* One contender: run() does the whole job once and returns the sum of its answers. When given, prepare() comes before it
- * and count() replaces its sum at the end; neither is timed. */
+/* One contender: run() does the whole job once and returns the sum of its answers. When given, prepare()
+ * comes before it and count() replaces its sum at the end; neither is timed. */
 typedef struct bench_row {
     const char *name;
     int role;
@@ -247,8 +253,9 @@ static inline double bench_median(const double *values, int count)
     return count % 2 ? sorted[count / 2] : 0.5 * (sorted[count / 2 - 1] + sorted[count / 2]);
 }
 
-/* Times every row once per run, in turn. A first round warms caches and predictors and is thrown away; it also tells how
- * many of the wanted runs fit into the budget, of which three are made in any case. Returns the runs made. */
+/* Times every row once per run, in turn. A first round warms caches and predictors and is thrown away; it
+ * also tells how many of the wanted runs fit into the budget, of which three are made in any case. Returns
+ * the runs made. */
 static inline int bench_measure(bench_row *rows, int count, int runs, double budget, void *context)
 {
     double spent = bench_now();
@@ -310,8 +317,8 @@ static inline double bench_ratio(const bench_row *a, const bench_row *b, int run
     return bench_median(ratios, runs);
 }
 
-static inline void bench_csv(const bench_options *options, const char *title, const bench_row *row, double unit,
-                             double ratio_best, double ratio_median)
+static inline void bench_csv(const bench_options *options, const char *title, const bench_row *row,
+                             double unit, double ratio_best, double ratio_median)
 {
     FILE *file;
     if (options->csv == NULL) {
@@ -350,10 +357,10 @@ static inline int bench_runs(const bench_options *options, int runs)
     return options->runs > 0 ? options->runs : options->quick ? (runs + 4) / 5 : runs;
 }
 
-/* Measures and prints one table: nanoseconds per operation, and each row in units of the fastest rival. Returns how many
- * rows --only left. */
-static inline int bench_table(const bench_options *options, const char *title, bench_row *rows, int count, int runs,
-                              double operations, void *context)
+/* Measures and prints one table: nanoseconds per operation, and each row in units of the fastest rival.
+ * Returns how many rows --only left. */
+static inline int bench_table(const bench_options *options, const char *title, bench_row *rows, int count,
+                              int runs, double operations, void *context)
 {
     const bench_row *rival;
     double unit = 1e9 / operations;

@@ -3,7 +3,7 @@
 
 BENCH_O2     ?= -O2
 BENCH_NATIVE ?= -O3 -march=native
-BENCHES      := overlap tri grid
+BENCHES      := overlap tri grid $(if $(shell grep -l tribox_mesh_query tribox.h),companions)
 BENCH_COMMIT := $(shell git describe --always --dirty --exclude '*' 2>/dev/null || echo unknown)
 BENCH_CC      = $(CC) -std=c99 -Ibench -Iexamples -I. $(WARN_C) -DBENCH_COMMIT='"$(BENCH_COMMIT)"'
 BENCH_DEPS   := tribox.h $(wildcard bench/*.h)

@@ -1,7 +1,7 @@
 /* bench_grid.c - tribox_grid_fill against the voxelizers of baseline_grid.h.
  *
- * A row is one mesh in one region. Times exclude clearing the bits, whose pages are touched before. A row of other
- * voxels in the rival is what its float arithmetic gets wrong close to touching.
+ * A row is one mesh in one region. Times exclude clearing the bits, whose pages are touched before. A row of
+ * other voxels in the rival is what its float arithmetic gets wrong close to touching.
  *
  *   build/native/bench_grid --mesh scan --n 512 --only fill --runs 20      one row alone, for a profiler
  */
@@ -11,7 +11,7 @@
 
 #include <pthread.h>
 
-/* ---- One mesh in one region -------------------------------------------------------------------------------- */
+/* ---- One mesh in one region ---------------------------------------------------------------------------- */
 
 typedef struct job {
     tribox_grid grid;
@@ -97,7 +97,7 @@ static BENCH_NOINLINE uint64_t run_fill(void *context)
     return 0;
 }
 
-/* ---- Two threads ------------------------------------------------------------------------------------------- */
+/* ---- Two threads --------------------------------------------------------------------------------------- */
 
 static void fill_slab(const job *j, int lo, int hi)
 {
@@ -153,7 +153,7 @@ static void find_middle(job *j)
     }
 }
 
-/* ---- Tables ------------------------------------------------------------------------------------------------ */
+/* ---- Tables -------------------------------------------------------------------------------------------- */
 
 static void job_start(job *j, const tribox_grid *grid, const tribox_mesh *view)
 {
@@ -166,7 +166,8 @@ static void job_start(job *j, const tribox_grid *grid, const tribox_mesh *view)
 
 static int wanted(const bench_options *options, const char *name, int n)
 {
-    return (options->mesh == NULL || strcmp(options->mesh, name) == 0) && (options->n == 0 || options->n == n);
+    return (options->mesh == NULL || strcmp(options->mesh, name) == 0) &&
+           (options->n == 0 || options->n == n);
 }
 
 static const bench_row *find_row(const bench_row *rows, int count, uint64_t (*run)(void *context))
@@ -183,9 +184,9 @@ static const bench_row *find_row(const bench_row *rows, int count, uint64_t (*ru
 static void print_heading(const char *title)
 {
     printf("\n%s (medians; times in ms)\n"
-           "%-16s %5s %9s %6s | %7s %8s %8s %8s %8s %8s %8s | %7s %8s | %s\n", title, "mesh", "n", "voxels", "MiB",
-           "loads", "SS10", "early", "skip", "AM", "early", "fill", "ns/tri", "ns/voxel",
-           "rival / fill: best median, other voxels");
+           "%-16s %5s %9s %6s | %7s %8s %8s %8s %8s %8s %8s | %7s %8s | %s\n",
+           title, "mesh", "n", "voxels", "MiB", "loads", "SS10", "early", "skip", "AM", "early", "fill",
+           "ns/tri", "ns/voxel", "rival / fill: best median, other voxels");
 }
 
 static void print_time(const bench_row *row)
@@ -197,7 +198,8 @@ static void print_time(const bench_row *row)
     }
 }
 
-/* Measures one mesh in one region, prints a line, and returns our nanoseconds per voxel set (0: not measured). */
+/* Measures one mesh in one region, prints a line, and returns our nanoseconds per voxel set (0: not
+ * measured). */
 static double bench_job(const bench_options *options, const char *name, int n, const tribox_grid *grid,
                         const tribox_mesh *view)
 {
@@ -227,7 +229,11 @@ static double bench_job(const bench_options *options, const char *name, int n, c
     runs = bench_measure(rows, count, bench_runs(options, 15), options->quick ? 1.0 : 4.0, &j);
     rival = bench_rival(rows, count);
     ours = find_row(rows, count, run_fill);
-    printf("%-16s %5d %9llu %6.1f |", name, n, (unsigned long long)(ours != NULL ? ours : rival != NULL ? rival : rows)->sum,
+    printf("%-16s %5d %9llu %6.1f |", name, n,
+           (unsigned long long)(ours != NULL    ? ours
+                                : rival != NULL ? rival
+                                                : rows)
+               ->sum,
            (double)j.words * 8 / 1048576);
     print_time(find_row(rows, count, run_loads));
     print_time(find_row(rows, count, run_ss10));
@@ -256,7 +262,8 @@ static double bench_job(const bench_options *options, const char *name, int n, c
 }
 
 /* The mesh framed by tribox_grid_fit at each resolution. */
-static void bench_fitted(const bench_options *options, const char *name, const tribox_mesh *view, const int *sizes)
+static void bench_fitted(const bench_options *options, const char *name, const tribox_mesh *view,
+                         const int *sizes)
 {
     for (; *sizes > 0; sizes++) {
         tribox_grid grid;
@@ -290,7 +297,8 @@ static void bench_threads(const bench_options *options, const char *name, int n,
            1e3 * rows[0].median, 1e3 * rows[1].median, bench_ratio(&rows[0], &rows[1], runs),
            rows[0].best / rows[1].best, rows[0].sum == rows[1].sum ? "same voxels" : "DIFFERENT VOXELS");
     bench_csv(options, "threads", &rows[0], 1e3, 1, 1);
-    bench_csv(options, "threads", &rows[1], 1e3, rows[1].best / rows[0].best, bench_ratio(&rows[1], &rows[0], runs));
+    bench_csv(options, "threads", &rows[1], 1e3, rows[1].best / rows[0].best,
+              bench_ratio(&rows[1], &rows[0], runs));
     free(j.bits);
 }
 
@@ -325,7 +333,8 @@ static void bench_lattice(const bench_options *options, const char *name, mesh *
         tribox_mesh view = mesh_view(m);
         tribox_grid grid;
         lattice_grid(&grid, m, sizes[i]);
-        on_lattice[i] = wanted(options, name, sizes[i]) ? bench_job(options, name, sizes[i], &grid, &view) : 0;
+        on_lattice[i] =
+            wanted(options, name, sizes[i]) ? bench_job(options, name, sizes[i], &grid, &view) : 0;
     }
     mesh_gen_tilt(m);
     for (i = 0; sizes[i] > 0; i++) {
@@ -335,7 +344,8 @@ static void bench_lattice(const bench_options *options, const char *name, mesh *
         lattice_grid(&grid, m, sizes[i]);
         general = wanted(options, tilted, sizes[i]) ? bench_job(options, tilted, sizes[i], &grid, &view) : 0;
         if (general > 0 && on_lattice[i] > 0) {
-            printf("%-16s %5d: %.2f x the time per voxel of the tilted one\n", name, sizes[i], on_lattice[i] / general);
+            printf("%-16s %5d: %.2f x the time per voxel of the tilted one\n", name, sizes[i],
+                   on_lattice[i] / general);
         }
     }
     mesh_free(m);

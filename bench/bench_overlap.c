@@ -1,7 +1,8 @@
 /* bench_overlap.c - tribox_overlap against the float SAT, on random pairs and on integer coordinates.
  *
- * Pairs come shuffled from arrays too long for a branch predictor to learn. Random: one third overlap, one third are
- * parted by a face, one third by another axis only. Integer: corners and faces in 0..8, where touching is common.
+ * Pairs come shuffled from arrays too long for a branch predictor to learn. Random: one third overlap, one
+ * third are parted by a face, one third by another axis only. Integer: corners and faces in 0..8, where
+ * touching is common.
  */
 #include "bench.h"
 #include "baseline.h"
@@ -17,7 +18,7 @@ typedef struct pair64 {
     double v0[3], v1[3], v2[3], box_min[3], box_max[3];
 } pair64;
 
-/* ---- Inputs ------------------------------------------------------------------------------------------------ */
+/* ---- Inputs -------------------------------------------------------------------------------------------- */
 
 enum { OVERLAP, PARTED_BY_FACE, PARTED_BY_OTHER, CLASSES };
 
@@ -120,25 +121,26 @@ static void print_shares(const char *name, const pair *pairs)
            100.0 * count[PARTED_BY_OTHER] / PAIRS);
 }
 
-/* ---- Contenders -------------------------------------------------------------------------------------------- */
+/* ---- Contenders ---------------------------------------------------------------------------------------- */
 
-#define CONTENDER(name, type, expression)                       \
-    static BENCH_NOINLINE uint64_t name(void *context)          \
-    {                                                           \
-        const type *p = (const type *)context;                  \
-        const type *end = p + PAIRS;                            \
-        uint64_t sum = 0;                                       \
-        for (; p < end; p++) {                                  \
-            sum += (uint64_t)(expression);                      \
-        }                                                       \
-        return sum;                                             \
+#define CONTENDER(name, type, expression)              \
+    static BENCH_NOINLINE uint64_t name(void *context) \
+    {                                                  \
+        const type *p = (const type *)context;         \
+        const type *end = p + PAIRS;                   \
+        uint64_t sum = 0;                              \
+        for (; p < end; p++) {                         \
+            sum += (uint64_t)(expression);             \
+        }                                              \
+        return sum;                                    \
     }
 
 /* Touches every value that a test reads, and counts something a compiler cannot foresee. */
-#define LOADS(p)                                                                                           \
+#define LOADS(p)                                                                                             \
     ((p)->v0[0] + (p)->v0[1] + (p)->v0[2] + (p)->v1[0] + (p)->v1[1] + (p)->v1[2] + (p)->v2[0] + (p)->v2[1] + \
-     (p)->v2[2] + (p)->box_min[0] + (p)->box_min[1] + (p)->box_min[2] + (p)->box_max[0] + (p)->box_max[1] +   \
-     (p)->box_max[2] > 0)
+         (p)->v2[2] + (p)->box_min[0] + (p)->box_min[1] + (p)->box_min[2] + (p)->box_max[0] +                \
+         (p)->box_max[1] + (p)->box_max[2] >                                                                 \
+     0)
 #define ARGUMENTS(p) (p)->v0, (p)->v1, (p)->v2, (p)->box_min, (p)->box_max
 
 CONTENDER(run_loads, pair, LOADS(p))

@@ -1,5 +1,5 @@
-/* bench_tri.c - tribox_tri_test at every voxel of a triangle's index box, against the textbook test of [SS10] called at
- * each voxel's corner; and the two setups.
+/* bench_tri.c - tribox_tri_test at every voxel of a triangle's index box, against the textbook test of [SS10]
+ * called at each voxel's corner; and the two setups.
  */
 #include "bench.h"
 #include "baseline_grid.h"
@@ -49,32 +49,32 @@ static void make_job(job *j, uint64_t seed)
     }
 }
 
-/* ---- Tests ------------------------------------------------------------------------------------------------- */
+/* ---- Tests --------------------------------------------------------------------------------------------- */
 
-#define CONTENDER(name, type, member, expression)                           \
-    static BENCH_NOINLINE uint64_t name(void *context)                      \
-    {                                                                       \
-        const job *j = (const job *)context;                                \
-        uint64_t sum = 0;                                                   \
-        int i;                                                              \
-        for (i = 0; i < TRIANGLES; i++) {                                   \
-            const type *t = &j->member[i];                                  \
-            int x;                                                          \
-            int y;                                                          \
-            int z;                                                          \
-            for (z = j->lo[i][2]; z < j->hi[i][2]; z++) {                   \
-                for (y = j->lo[i][1]; y < j->hi[i][1]; y++) {               \
-                    for (x = j->lo[i][0]; x < j->hi[i][0]; x++) {           \
-                        float p[3];                                         \
-                        p[0] = (float)x * j->size[0];                       \
-                        p[1] = (float)y * j->size[1];                       \
-                        p[2] = (float)z * j->size[2];                       \
-                        sum += (uint64_t)(expression);                      \
-                    }                                                       \
-                }                                                           \
-            }                                                               \
-        }                                                                   \
-        return sum;                                                         \
+#define CONTENDER(name, type, member, expression)                 \
+    static BENCH_NOINLINE uint64_t name(void *context)            \
+    {                                                             \
+        const job *j = (const job *)context;                      \
+        uint64_t sum = 0;                                         \
+        int i;                                                    \
+        for (i = 0; i < TRIANGLES; i++) {                         \
+            const type *t = &j->member[i];                        \
+            int x;                                                \
+            int y;                                                \
+            int z;                                                \
+            for (z = j->lo[i][2]; z < j->hi[i][2]; z++) {         \
+                for (y = j->lo[i][1]; y < j->hi[i][1]; y++) {     \
+                    for (x = j->lo[i][0]; x < j->hi[i][0]; x++) { \
+                        float p[3];                               \
+                        p[0] = (float)x * j->size[0];             \
+                        p[1] = (float)y * j->size[1];             \
+                        p[2] = (float)z * j->size[2];             \
+                        sum += (uint64_t)(expression);            \
+                    }                                             \
+                }                                                 \
+            }                                                     \
+        }                                                         \
+        return sum;                                               \
     }
 
 CONTENDER(run_loads, baseline_ss10, ss10, p[0] + p[1] + p[2] > t->low[0])
@@ -82,7 +82,7 @@ CONTENDER(run_ss10, baseline_ss10, ss10, baseline_ss10_test(t, p))
 CONTENDER(run_ss10_branchless, baseline_ss10, ss10, baseline_ss10_test_branchless(t, p))
 CONTENDER(run_test, tribox_tri, tri, tribox_tri_test(t, p))
 
-/* ---- Setups ------------------------------------------------------------------------------------------------ */
+/* ---- Setups -------------------------------------------------------------------------------------------- */
 
 static BENCH_NOINLINE uint64_t run_ss10_setup(void *context)
 {

@@ -1,5 +1,5 @@
-/* mesh_gen.h - the meshes that benches make for themselves: a bumpy scan, terraces on grid planes, and an octahedron
- * whose edges run through grid corners.
+/* mesh_gen.h - the meshes that benches make for themselves: a bumpy scan, terraces on grid planes, and an
+ * octahedron whose edges run through grid corners.
  */
 #ifndef MESH_GEN_H
 #define MESH_GEN_H
@@ -25,9 +25,10 @@ static inline void mesh_gen_triangle(mesh *m, size_t i, size_t a, size_t b, size
     m->indices[3 * i + 2] = (uint32_t)c;
 }
 
-/* ---- Scan -------------------------------------------------------------------------------------------------- */
+/* ---- Scan ---------------------------------------------------------------------------------------------- */
 
-/* A point of a tube along a trefoil knot, s and t in turns, its surface raised by broad bumps, folds and fine grain. */
+/* A point of a tube along a trefoil knot, s and t in turns, its surface raised by broad bumps, folds and fine
+ * grain. */
 static inline void mesh_gen_knot(double s, double t, double grain, float out_point[3])
 {
     const double turn = 6.283185307179586;
@@ -38,7 +39,8 @@ static inline void mesh_gen_knot(double s, double t, double grain, float out_poi
     double tz = -3 * cos(3 * u);
     double flat = sqrt(tx * tx + ty * ty);
     double length = sqrt(flat * flat + tz * tz);
-    double nx = ty / flat; /* the normal across the tube that lies level, and the one that completes the frame */
+    double nx =
+        ty / flat; /* the normal across the tube that lies level, and the one that completes the frame */
     double ny = -tx / flat;
     double bx = -ny * tz / length;
     double by = nx * tz / length;
@@ -52,8 +54,8 @@ static inline void mesh_gen_knot(double s, double t, double grain, float out_poi
     out_point[2] = (float)(-sin(3 * u) + up * bz);
 }
 
-/* A closed surface of 2*along*around small irregular triangles, neighbours stored near each other as scanners do. Each
- * vertex strays by up to 0.3 of its cell along the surface and a little across. */
+/* A closed surface of 2*along*around small irregular triangles, neighbours stored near each other as scanners
+ * do. Each vertex strays by up to 0.3 of its cell along the surface and a little across. */
 static inline void mesh_gen_scan(mesh *m, int along, int around)
 {
     uint64_t seed = 7;
@@ -80,7 +82,7 @@ static inline void mesh_gen_scan(mesh *m, int along, int around)
     }
 }
 
-/* ---- On grid planes and through grid corners --------------------------------------------------------------- */
+/* ---- On grid planes and through grid corners ----------------------------------------------------------- */
 
 enum { MESH_GEN_EXTENT = 128 }; /* the lattice meshes lie in [0, 128]^3 */
 
@@ -110,8 +112,8 @@ static inline void mesh_gen_quad(mesh *m, size_t quad, const int cell[3], int ax
     mesh_gen_triangle(m, 2 * quad + 1, 4 * quad, 4 * quad + 2, 4 * quad + 3);
 }
 
-/* A ball of terraces, as parts cut on a lattice of n^3 cells are: every face on a grid plane, every diagonal at 45
- * degrees through grid corners. With m NULL only counts. Returns the quads. */
+/* A ball of terraces, as parts cut on a lattice of n^3 cells are: every face on a grid plane, every diagonal
+ * at 45 degrees through grid corners. With m NULL only counts. Returns the quads. */
 static inline size_t mesh_gen_terrace_quads(mesh *m, int n)
 {
     size_t quads = 0;
@@ -122,7 +124,8 @@ static inline size_t mesh_gen_terrace_quads(mesh *m, int n)
                 int here = mesh_gen_in_ball(cell[0], cell[1], cell[2], n);
                 int axis;
                 for (axis = 0; axis < 3; axis++) {
-                    int beyond = mesh_gen_in_ball(cell[0] + (axis == 0), cell[1] + (axis == 1), cell[2] + (axis == 2), n);
+                    int beyond = mesh_gen_in_ball(cell[0] + (axis == 0), cell[1] + (axis == 1),
+                                                  cell[2] + (axis == 2), n);
                     if (here != beyond) {
                         if (m != NULL) {
                             mesh_gen_quad(m, quads, cell, axis, (float)MESH_GEN_EXTENT / (float)n);
@@ -143,8 +146,8 @@ static inline void mesh_gen_terraces(mesh *m, int n)
     mesh_gen_terrace_quads(m, n);
 }
 
-/* An octahedron, each face cut into n^2 triangles with corners on the lattice: every edge at 45 degrees through grid
- * corners in projection, every face's plane through grid corners too. */
+/* An octahedron, each face cut into n^2 triangles with corners on the lattice: every edge at 45 degrees
+ * through grid corners in projection, every face's plane through grid corners too. */
 static inline void mesh_gen_octahedron(mesh *m, int n)
 {
     float half = 0.5f * (float)MESH_GEN_EXTENT;
@@ -186,7 +189,8 @@ static inline void mesh_gen_tilt(mesh *m)
         float *v = m->positions + 3 * i;
         double p[3];
         for (k = 0; k < 3; k++) {
-            p[k] = (turn[k][0] * (double)v[0] + turn[k][1] * (double)v[1] + turn[k][2] * (double)v[2]) / 193.0;
+            p[k] =
+                (turn[k][0] * (double)v[0] + turn[k][1] * (double)v[1] + turn[k][2] * (double)v[2]) / 193.0;
         }
         for (k = 0; k < 3; k++) {
             v[k] = (float)(p[k] + 0.3713);
