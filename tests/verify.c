@@ -376,7 +376,7 @@ static void make_walk(run *r, question *ask, int f64)
     shape_triangle(d, x, reach);
     if (style == 1 || style == 2) { /* corners on grid points, up to rounding */
         for (i = 0; i < 3; ++i) {
-            x[12 + i] = dice_once_in(d, 2) ? steps[dice_below(d, 5)] : (double)(float)steps[dice_below(d, 5)];
+            x[12 + i] = dice_once_in(d, 2) ? steps[dice_below(d, 5)] : nearest_float(steps[dice_below(d, 5)]);
             x[9 + i] = style == 1 ? 0.0 : number_fit(dice_signed(d) * 1e3, f64);
         }
         for (i = 0; i < 9; ++i) {

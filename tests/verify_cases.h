@@ -117,6 +117,13 @@ static double key_number(int64_t key, int f64)
     }
 }
 
+/* The nearest float, as a double. Through memory: gcc 12 drops neighbouring (double)(float) pairs when it vectorises. */
+static double nearest_float(double d)
+{
+    volatile float f = (float)d;
+    return (double)f;
+}
+
 /* d rounded to the format; what is too large for it becomes its largest number */
 static double number_fit(double d, int f64)
 {
@@ -124,7 +131,7 @@ static double number_fit(double d, int f64)
     if (f64) {
         return d;
     }
-    return d > most ? most : d < -most ? -most : (double)(float)d;
+    return d > most ? most : d < -most ? -most : nearest_float(d);
 }
 
 /* the number `ulps` places further up in its format; stays finite */
@@ -144,7 +151,7 @@ static int is_float(double d)
     if (!is_finite(d)) {
         return 1;
     }
-    return d <= 0x1.fffffep127 && d >= -0x1.fffffep127 && (double)(float)d == d;
+    return d <= 0x1.fffffep127 && d >= -0x1.fffffep127 && nearest_float(d) == d;
 }
 
 /* ---- shapes ----------------------------------------------------------------------------------- */

@@ -1,0 +1,211 @@
+/* gen_golden: writes golden_overlap.h: the hash of all answers to the golden inputs and the first few inputs with their
+ * answers. The answers are those of the exact judges of verify_exact.h, and both must agree; tribox.h has no say.
+ * Needs GMP. `make golden` runs it.
+ */
+#include "verify_exact.h"
+
+#include <stdio.h>
+
+#define GOLDEN_FN static
+#include "golden_cases.h"
+
+#define TABLE 300
+
+static exact judge;
+static int disagreements;
+
+static unsigned decide(const question *ask)
+{
+    unsigned rules = exact_axes(&judge, ask);
+    if (exact_clip(&judge, ask) != rules) {
+        ++disagreements;
+    }
+    return rules;
+}
+
+static double number(uint64_t bits, int f64)
+{
+    double d;
+    if (f64) {
+        memcpy(&d, &bits, sizeof d);
+    } else {
+        uint32_t word = (uint32_t)bits;
+        float f;
+        memcpy(&f, &word, sizeof f);
+        d = (double)f;
+    }
+    return d;
+}
+
+static void fill_question(question *ask, int kind, const uint64_t *v, const uint64_t *a, const uint64_t *b, int f64)
+{
+    int i;
+    memset(ask, 0, sizeof *ask);
+    ask->kind = kind;
+    for (i = 0; i < 9; ++i) {
+        ask->x[i] = number(v[i], f64);
+    }
+    for (i = 0; i < 3; ++i) {
+        ask->x[9 + i] = number(a[i], f64);
+        ask->x[12 + i] = number(b[i], f64);
+    }
+}
+
+static uint32_t golden_ask_single(const golden_single *c)
+{
+    question ask;
+    uint32_t box, tri, word;
+    fill_question(&ask, ASK_BOX, c->v, c->lo, c->hi, c->f64);
+    box = decide(&ask) & 7u;
+    fill_question(&ask, ASK_TRI, c->v, c->lo, c->size, c->f64);
+    tri = decide(&ask);
+    word = box | (box & 1u) << 3 | tri << 4;
+    return c->f64 ? word : word | word << 8 | tri << 16;
+}
+
+typedef struct voxels {
+    unsigned char rules[GOLDEN_EDGE][GOLDEN_EDGE][GOLDEN_EDGE]; /* z y x */
+} voxels;
+
+static void ask_voxels(const golden_grid *g, int triangle, voxels *out)
+{
+    question ask;
+    int x, y, z, i;
+    fill_question(&ask, ASK_GRID, g->v + 9 * triangle, g->origin, g->size, g->f64);
+    for (i = 0; i < 3; ++i) {
+        ask.x[9 + i] = number(g->origin[i], 1);
+        ask.x[12 + i] = number(g->size[i], 1);
+    }
+    for (z = 0; z < GOLDEN_EDGE; ++z) {
+        for (y = 0; y < GOLDEN_EDGE; ++y) {
+            for (x = 0; x < GOLDEN_EDGE; ++x) {
+                ask.index[0] = g->lo[0] + x;
+                ask.index[1] = g->lo[1] + y;
+                ask.index[2] = g->lo[2] + z;
+                for (i = 0; i < 3; ++i) {
+                    ask.last[i] = ask.index[i];
+                }
+                out->rules[z][y][x] = (unsigned char)decide(&ask);
+            }
+        }
+    }
+}
+
+/* the voxels of the grid last asked for: all rules come from one evaluation */
+static const voxels *voxels_of(const golden_grid *g, int triangle)
+{
+    static golden_grid last;
+    static voxels out[2];
+    if (memcmp(&last, g, sizeof last) != 0) {
+        last = *g;
+        ask_voxels(g, 0, &out[0]);
+        if (!g->f64) {
+            ask_voxels(g, 1, &out[1]);
+        }
+    }
+    return &out[triangle];
+}
+
+static uint64_t golden_ask_grid(const golden_grid *g, unsigned flags)
+{
+    const voxels *set = voxels_of(g, 0);
+    const unsigned rule = rule_of(flags);
+    uint64_t hash = GOLDEN_BASIS;
+    uint64_t count = 0;
+    int x, y, z;
+    for (z = 0; z < GOLDEN_EDGE; ++z) {
+        for (y = 0; y < GOLDEN_EDGE; ++y) {
+            for (x = 0; x < GOLDEN_EDGE; ++x) {
+                int from = x;
+                while (x < GOLDEN_EDGE && (set->rules[z][y][x] >> rule & 1) != 0) {
+                    ++x;
+                }
+                if (x > from) {
+                    hash = golden_mix_span(hash, g->lo[0] + from, g->lo[0] + x - 1, g->lo[1] + y, g->lo[2] + z);
+                    count += (uint64_t)(x - from);
+                }
+            }
+        }
+    }
+    return golden_mix(hash, count);
+}
+
+static uint64_t golden_ask_fill(const golden_grid *g, unsigned flags)
+{
+    const voxels *a = voxels_of(g, 0);
+    const voxels *b = voxels_of(g, 1);
+    const unsigned rule = rule_of(flags);
+    uint64_t hash = GOLDEN_BASIS;
+    int x, y, z;
+    for (z = 0; z < GOLDEN_EDGE; ++z) {
+        for (y = 0; y < GOLDEN_EDGE; ++y) {
+            uint64_t word = 0;
+            for (x = 0; x < GOLDEN_EDGE; ++x) {
+                word |= (uint64_t)((a->rules[z][y][x] | b->rules[z][y][x]) >> rule & 1) << x;
+            }
+            hash = golden_mix(hash, word);
+        }
+    }
+    return hash;
+}
+
+static uint64_t golden_ask_locate(const golden_grid *g)
+{
+    int at[3];
+    mpz_t index;
+    int k, inside = 1;
+    mpz_init(index);
+    for (k = 0; k < 3; ++k) {
+        inside &= exact_index(&judge, number(g->point[k], 1), number(g->origin[k], 1), number(g->size[k], 1), index);
+        at[k] = mpz_fits_sint_p(index) ? (int)mpz_get_si(index) : INT32_MIN;
+        inside &= at[k] >= g->lo[k] && at[k] < g->lo[k] + GOLDEN_EDGE;
+    }
+    mpz_clear(index);
+    return inside ? golden_mix_span(GOLDEN_BASIS, at[0], at[1], at[2], 0) : GOLDEN_BASIS;
+}
+
+static void print_words(const uint64_t *words, int n)
+{
+    int i;
+    for (i = 0; i < n; ++i) {
+        printf("%s0x%llxu%s", i % 5 == 0 ? "\n     " : " ", (unsigned long long)words[i], i + 1 < n ? "," : "");
+    }
+}
+
+int main(void)
+{
+    uint64_t hash = GOLDEN_BASIS;
+    uint32_t i;
+    exact_init(&judge);
+    for (i = 0; i < GOLDEN_CHUNKS; ++i) {
+        hash = golden_mix(hash, golden_chunk(i));
+    }
+    if (disagreements != 0) {
+        fprintf(stderr, "gen_golden: the judges disagree on %d answers\n", disagreements);
+        return 1;
+    }
+    printf("/* Written by gen_golden.c (`make golden`): do not edit. The first golden inputs as bit patterns (v0 v1 v2,\n"
+           " * box_min or p, box_max, size), the exact answers to them, and the hash of all answers, to %d triangles\n"
+           " * and boxes and %d grids. golden_answers.h says what the bits of an answer mean. */\n"
+           "#ifndef GOLDEN_OVERLAP_H\n#define GOLDEN_OVERLAP_H\n\n",
+           GOLDEN_CHUNKS * GOLDEN_SINGLES, GOLDEN_CHUNKS);
+    printf("#define GOLDEN_HASH (((uint64_t)0x%08lxu << 32) | 0x%08lxu)\n", (unsigned long)(hash >> 32),
+           (unsigned long)(hash & 0xffffffffu));
+    printf("#define GOLDEN_TABLE %d\n\n", TABLE);
+    printf("static const struct {\n    int f64;\n    uint32_t answer;\n    uint64_t bits[18];\n"
+           "} golden_table[GOLDEN_TABLE] = {\n");
+    for (i = 0; i < TABLE; ++i) {
+        golden_single c;
+        uint64_t words[18];
+        golden_make_single(i, &c);
+        memcpy(words, c.v, sizeof c.v);
+        memcpy(words + 9, c.lo, sizeof c.lo);
+        memcpy(words + 12, c.hi, sizeof c.hi);
+        memcpy(words + 15, c.size, sizeof c.size);
+        printf("    {%d, 0x%xu, {", c.f64, (unsigned)golden_ask_single(&c));
+        print_words(words, 18);
+        printf("}},\n");
+    }
+    printf("};\n\n#endif\n");
+    return 0;
+}

@@ -1,0 +1,185 @@
+/* golden: the header's answers to the golden inputs, as one hash that must be the same everywhere.
+ *
+ *   golden [nearest | up | down | zero | flush]...
+ *
+ * Each argument asks again under that rounding mode, or with subnormals flushed to zero on the way in and out. The
+ * expected hash in golden_overlap.h was computed by exact judges (gen_golden.c), not by this header. Also compiles as
+ * C++; with GOLDEN_FREESTANDING it needs no library and exports golden_hash(), for WebAssembly.
+ */
+#ifdef GOLDEN_FREESTANDING
+#include <stddef.h>
+#include <stdint.h>
+#else
+#include <fenv.h>
+#include <stdio.h>
+#include <string.h>
+#endif
+
+#include "golden_answers.h"
+#include "golden_overlap.h"
+
+static uint64_t golden_all(void)
+{
+    uint64_t hash = GOLDEN_BASIS;
+    uint32_t chunk;
+    for (chunk = 0; chunk < GOLDEN_CHUNKS; ++chunk) {
+        hash = golden_mix(hash, golden_chunk(chunk));
+    }
+    return hash;
+}
+
+/* 0, or 1 + the first committed input whose answer differs */
+static int golden_first_wrong(void)
+{
+    int i;
+    for (i = 0; i < GOLDEN_TABLE; ++i) {
+        golden_single c;
+        int k;
+        c.f64 = golden_table[i].f64;
+        for (k = 0; k < 9; ++k) {
+            c.v[k] = golden_table[i].bits[k];
+        }
+        for (k = 0; k < 3; ++k) {
+            c.lo[k] = golden_table[i].bits[9 + k];
+            c.hi[k] = golden_table[i].bits[12 + k];
+            c.size[k] = golden_table[i].bits[15 + k];
+        }
+        if (golden_ask_single(&c) != golden_table[i].answer) {
+            return 1 + i;
+        }
+    }
+    return 0;
+}
+
+#ifdef GOLDEN_FREESTANDING
+
+/* What compilers may call on their own. */
+void *memcpy(void *to, const void *from, size_t bytes);
+void *memset(void *to, int value, size_t bytes);
+uint32_t golden_hash_high(void);
+uint32_t golden_hash_low(void);
+uint32_t golden_expected_high(void);
+uint32_t golden_expected_low(void);
+uint32_t golden_wrong(void);
+
+void *memcpy(void *to, const void *from, size_t bytes)
+{
+    volatile unsigned char *t = (volatile unsigned char *)to;
+    const unsigned char *f = (const unsigned char *)from;
+    while (bytes-- > 0) {
+        *t++ = *f++;
+    }
+    return to;
+}
+
+void *memset(void *to, int value, size_t bytes)
+{
+    volatile unsigned char *t = (volatile unsigned char *)to;
+    while (bytes-- > 0) {
+        *t++ = (unsigned char)value;
+    }
+    return to;
+}
+
+uint32_t golden_hash_high(void)
+{
+    return (uint32_t)(golden_all() >> 32);
+}
+
+uint32_t golden_hash_low(void)
+{
+    return (uint32_t)golden_all();
+}
+
+uint32_t golden_expected_high(void)
+{
+    return (uint32_t)(GOLDEN_HASH >> 32);
+}
+
+uint32_t golden_expected_low(void)
+{
+    return (uint32_t)GOLDEN_HASH;
+}
+
+uint32_t golden_wrong(void)
+{
+    return (uint32_t)golden_first_wrong();
+}
+
+#else
+
+/* 1 if the processor now flushes subnormals, 0 if this program knows no way to make it */
+static int golden_flush(void)
+{
+#if (defined(__x86_64__) || defined(__SSE2__)) && defined(__GNUC__)
+    unsigned control = 0;
+    __asm__ volatile("stmxcsr %0" : "=m"(control));
+    control |= 0x8040u;
+    __asm__ volatile("ldmxcsr %0" : : "m"(control));
+    return 1;
+#elif defined(__aarch64__) && defined(__GNUC__)
+    uint64_t control;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(control));
+    control |= (uint64_t)1 << 24;
+    __asm__ volatile("msr fpcr, %0" : : "r"(control));
+    return 1;
+#else
+    return 0;
+#endif
+}
+
+/* sets the mode; 1 if it is known here */
+static int golden_mode(const char *name)
+{
+    if (strcmp(name, "flush") == 0) {
+        return golden_flush();
+    }
+    if (strcmp(name, "nearest") == 0) {
+        return fesetround(FE_TONEAREST) == 0;
+    }
+#ifdef FE_UPWARD
+    if (strcmp(name, "up") == 0) {
+        return fesetround(FE_UPWARD) == 0;
+    }
+#endif
+#ifdef FE_DOWNWARD
+    if (strcmp(name, "down") == 0) {
+        return fesetround(FE_DOWNWARD) == 0;
+    }
+#endif
+#ifdef FE_TOWARDZERO
+    if (strcmp(name, "zero") == 0) {
+        return fesetround(FE_TOWARDZERO) == 0;
+    }
+#endif
+    return 0;
+}
+
+static int golden_report(const char *mode)
+{
+    const uint64_t hash = golden_all();
+    const int wrong = golden_first_wrong();
+    const int ok = hash == GOLDEN_HASH && wrong == 0;
+    printf("golden %-8s %08lx%08lx %s\n", mode, (unsigned long)(hash >> 32), (unsigned long)(hash & 0xffffffffu),
+           ok ? "ok" : "DIFFERS");
+    if (wrong != 0) {
+        printf("    first wrong answer: golden_table[%d]\n", wrong - 1);
+    }
+    return ok;
+}
+
+int main(int argc, char **argv)
+{
+    int i, ok;
+    ok = golden_report("default");
+    for (i = 1; i < argc; ++i) {
+        if (!golden_mode(argv[i])) {
+            printf("golden %-8s not known here\n", argv[i]);
+            continue;
+        }
+        ok &= golden_report(argv[i]);
+    }
+    return ok ? 0 : 1;
+}
+
+#endif

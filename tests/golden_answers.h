@@ -1,0 +1,201 @@
+/* The header's answers to the golden inputs: golden.c and golden.cu include this. Numbers travel as bit patterns;
+ * nothing here computes with them. */
+#ifndef GOLDEN_ANSWERS_H
+#define GOLDEN_ANSWERS_H
+
+#include "../tribox.h"
+
+#ifndef GOLDEN_FN
+#ifdef __CUDACC__
+#define GOLDEN_FN static __host__ __device__
+#else
+#define GOLDEN_FN static
+#endif
+#endif
+
+#include "golden_cases.h"
+
+GOLDEN_FN void golden_copy(void *to, const void *from, size_t bytes)
+{
+    unsigned char *t = (unsigned char *)to;
+    const unsigned char *f = (const unsigned char *)from;
+    size_t i;
+    for (i = 0; i < bytes; ++i) {
+        t[i] = f[i];
+    }
+}
+
+GOLDEN_FN void golden_doubles(double *out, const uint64_t *bits, int n)
+{
+    golden_copy(out, bits, sizeof *out * (size_t)n);
+}
+
+GOLDEN_FN void golden_floats(float *out, const uint64_t *bits, int n)
+{
+    int i;
+    for (i = 0; i < n; ++i) {
+        const uint32_t word = (uint32_t)bits[i];
+        golden_copy(out + i, &word, sizeof word);
+    }
+}
+
+/* the double of the same value as the float, by its bits */
+GOLDEN_FN uint64_t golden_widen(uint64_t bits)
+{
+    const uint64_t sign = bits >> 31 << 63;
+    const uint64_t exponent = bits >> 23 & 0xff;
+    const int64_t mantissa = (int64_t)(bits & 0x7fffff);
+    if (exponent == 0xff) {
+        return sign | (uint64_t)0x7ff << 52 | (uint64_t)mantissa << 29;
+    }
+    if (exponent == 0) {
+        return sign | golden_encode(mantissa, -149, 1);
+    }
+    return sign | golden_encode(mantissa | 0x800000, (int)exponent - 150, 1);
+}
+
+GOLDEN_FN void golden_widened(double *out, const uint64_t *bits, int n)
+{
+    int i;
+    for (i = 0; i < n; ++i) {
+        const uint64_t word = golden_widen(bits[i]);
+        golden_copy(out + i, &word, sizeof word);
+    }
+}
+
+/* Answer bits: 0..3 one box, closed, half-open, open, closed again by the plain entry; 4..7 prepared, closed, half-open,
+ * open, thin. Float questions ask the double entries too, in bits 8..15, and prepared ones every pairing of formats. */
+GOLDEN_FN uint32_t golden_doubles_say(const double v[9], const double lo[3], const double hi[3],
+                                      const double size[3])
+{
+    uint32_t word = 0;
+    unsigned rule;
+    for (rule = 0; rule < 3; ++rule) {
+        word |= (uint32_t)tribox_overlap_rule_f64(v, v + 3, v + 6, lo, hi, (1u << rule) >> 1) << rule;
+    }
+    word |= (uint32_t)tribox_overlap_f64(v, v + 3, v + 6, lo, hi) << 3;
+    for (rule = 0; rule < 4; ++rule) {
+        tribox_tri tri;
+        tribox_tri_init_f64(&tri, v, v + 3, v + 6, size, (1u << rule) >> 1);
+        word |= (uint32_t)tribox_tri_test_f64(&tri, lo) << (4 + rule);
+    }
+    return word;
+}
+
+GOLDEN_FN uint32_t golden_floats_say(const float v[9], const float lo[3], const float hi[3], const float size[3],
+                                     const double wide_lo[3])
+{
+    uint32_t word = 0;
+    unsigned rule;
+    for (rule = 0; rule < 3; ++rule) {
+        word |= (uint32_t)tribox_overlap_rule(v, v + 3, v + 6, lo, hi, (1u << rule) >> 1) << rule;
+    }
+    word |= (uint32_t)tribox_overlap(v, v + 3, v + 6, lo, hi) << 3;
+    for (rule = 0; rule < 4; ++rule) {
+        tribox_tri tri;
+        tribox_tri_init(&tri, v, v + 3, v + 6, size, (1u << rule) >> 1);
+        word |= (uint32_t)tribox_tri_test(&tri, lo) << (4 + rule);
+        word |= (uint32_t)tribox_tri_test_f64(&tri, wide_lo) << (16 + rule);
+    }
+    return word;
+}
+
+GOLDEN_FN uint32_t golden_ask_single(const golden_single *c)
+{
+    double v[9], lo[3], hi[3], size[3];
+    float fv[9], flo[3], fhi[3], fsize[3];
+    if (c->f64) {
+        golden_doubles(v, c->v, 9);
+        golden_doubles(lo, c->lo, 3);
+        golden_doubles(hi, c->hi, 3);
+        golden_doubles(size, c->size, 3);
+        return golden_doubles_say(v, lo, hi, size);
+    }
+    golden_widened(v, c->v, 9);
+    golden_widened(lo, c->lo, 3);
+    golden_widened(hi, c->hi, 3);
+    golden_widened(size, c->size, 3);
+    golden_floats(fv, c->v, 9);
+    golden_floats(flo, c->lo, 3);
+    golden_floats(fhi, c->hi, 3);
+    golden_floats(fsize, c->size, 3);
+    return golden_floats_say(fv, flo, fhi, fsize, lo) | golden_doubles_say(v, lo, hi, size) << 8;
+}
+
+GOLDEN_FN void golden_region(const golden_grid *g, unsigned flags, tribox_grid *grid)
+{
+    int k;
+    golden_doubles(grid->origin, g->origin, 3);
+    golden_doubles(grid->size, g->size, 3);
+    for (k = 0; k < 3; ++k) {
+        grid->lo[k] = g->lo[k];
+        grid->hi[k] = g->lo[k] + GOLDEN_EDGE;
+    }
+    grid->flags = flags;
+}
+
+GOLDEN_FN void golden_emit(void *user, int x0, int x1, int y, int z)
+{
+    uint64_t *hash = (uint64_t *)user;
+    *hash = golden_mix_span(*hash, x0, x1, y, z);
+}
+
+GOLDEN_FN uint64_t golden_ask_grid(const golden_grid *g, unsigned flags)
+{
+    tribox_grid grid;
+    uint64_t hash = GOLDEN_BASIS;
+    size_t count;
+    golden_region(g, flags, &grid);
+    if (g->f64) {
+        double v[9];
+        golden_doubles(v, g->v, 9);
+        count = tribox_grid_spans_f64(&grid, v, v + 3, v + 6, golden_emit, &hash);
+    } else {
+        float v[9];
+        golden_floats(v, g->v, 9);
+        count = tribox_grid_spans(&grid, v, v + 3, v + 6, golden_emit, &hash);
+    }
+    return golden_mix(hash, count);
+}
+
+GOLDEN_FN uint64_t golden_ask_fill(const golden_grid *g, unsigned flags)
+{
+    tribox_grid grid;
+    tribox_mesh mesh;
+    float v[18];
+    uint64_t bits[GOLDEN_EDGE * GOLDEN_EDGE];
+    uint64_t hash = GOLDEN_BASIS;
+    int i;
+    golden_region(g, flags, &grid);
+    golden_floats(v, g->v, 18);
+    mesh.positions = v;
+    mesh.stride = 0;
+    mesh.indices = NULL;
+    mesh.triangles = 2;
+    for (i = 0; i < GOLDEN_EDGE * GOLDEN_EDGE; ++i) {
+        bits[i] = 0;
+    }
+    if (tribox_grid_words(&grid) != GOLDEN_EDGE * GOLDEN_EDGE) {
+        return 0;
+    }
+    tribox_grid_fill(&grid, &mesh, bits);
+    for (i = 0; i < GOLDEN_EDGE * GOLDEN_EDGE; ++i) {
+        hash = golden_mix(hash, bits[i]);
+    }
+    return hash;
+}
+
+GOLDEN_FN uint64_t golden_ask_locate(const golden_grid *g)
+{
+    tribox_grid grid;
+    double point[3];
+    int at[3];
+    golden_region(g, 0, &grid);
+    golden_doubles(point, g->point, 3);
+    if (!tribox_grid_locate(&grid, point, at)) {
+        return GOLDEN_BASIS;
+    }
+    return golden_mix_span(GOLDEN_BASIS, at[0], at[1], at[2], 0);
+}
+
+#endif

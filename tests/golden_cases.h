@@ -1,0 +1,410 @@
+/* The golden inputs: deterministic, made as bit patterns by integer arithmetic alone, so that every compiler,
+ * machine and mode makes the same ones; and one hash over all answers to them.
+ *
+ * Whoever includes this says first who answers: golden.c and golden.cu let tribox.h answer, gen_golden.c the exact
+ * judge of verify_exact.h. They define GOLDEN_FN (the linkage of functions) and, after the include, the functions
+ *
+ *   golden_ask_single, golden_ask_grid, golden_ask_fill, golden_ask_locate
+ *
+ * C99 that is also C++98 and CUDA; calls no library.
+ */
+#ifndef GOLDEN_CASES_H
+#define GOLDEN_CASES_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define GOLDEN_CHUNKS 2048 /* a chunk is hashed alone, so that chunks may run in any order */
+#define GOLDEN_SINGLES 32  /* triangles and boxes in a chunk; beside them one grid and one point */
+#define GOLDEN_EDGE 8      /* the region of a golden grid is 8 x 8 x 8 */
+
+/* A triangle and a box; bit patterns, those of floats in the low half of a word. */
+typedef struct golden_single {
+    int f64;
+    uint64_t v[9];
+    uint64_t lo[3]; /* box_min, and p */
+    uint64_t hi[3];
+    uint64_t size[3];
+} golden_single;
+
+typedef struct golden_grid {
+    int f64;        /* the triangle's format; the grid's numbers are doubles */
+    uint64_t v[18]; /* two triangles; the spans are those of the first, the fill (floats only) that of both */
+    uint64_t origin[3];
+    uint64_t size[3];
+    uint64_t point[3];
+    int lo[3];
+} golden_grid;
+
+/* The answers, as words to be hashed. */
+static uint32_t golden_ask_single(const golden_single *c);
+static uint64_t golden_ask_grid(const golden_grid *g, unsigned flags);
+static uint64_t golden_ask_fill(const golden_grid *g, unsigned flags);
+static uint64_t golden_ask_locate(const golden_grid *g);
+
+/* ---- hash: FNV-1a, 64 bits -------------------------------------------------------------------- */
+
+#define GOLDEN_BASIS (((uint64_t)0xcbf29ce4u << 32) | 0x84222325u)
+
+GOLDEN_FN uint64_t golden_mix(uint64_t hash, uint64_t word)
+{
+    const uint64_t prime = ((uint64_t)0x100u << 32) | 0x1b3u;
+    int i;
+    for (i = 0; i < 8; ++i) {
+        hash = (hash ^ (word & 0xffu)) * prime;
+        word >>= 8;
+    }
+    return hash;
+}
+
+/* one span, or any four ints */
+GOLDEN_FN uint64_t golden_mix_span(uint64_t hash, int x0, int x1, int y, int z)
+{
+    hash = golden_mix(hash, ((uint64_t)(uint32_t)x0 << 32) | (uint32_t)x1);
+    return golden_mix(hash, ((uint64_t)(uint32_t)y << 32) | (uint32_t)z);
+}
+
+/* ---- dice ------------------------------------------------------------------------------------- */
+
+GOLDEN_FN uint64_t golden_next(uint64_t *state)
+{
+    uint64_t z = *state += ((uint64_t)0x9e3779b9u << 32) | 0x7f4a7c15u;
+    z = (z ^ (z >> 30)) * (((uint64_t)0xbf58476du << 32) | 0x1ce4e5b9u);
+    z = (z ^ (z >> 27)) * (((uint64_t)0x94d049bbu << 32) | 0x133111ebu);
+    return z ^ (z >> 31);
+}
+
+GOLDEN_FN int golden_between(uint64_t *state, int lo, int hi)
+{
+    return lo + (int)(golden_next(state) % (uint64_t)(hi - lo + 1));
+}
+
+/* ---- numbers ---------------------------------------------------------------------------------- */
+
+/* The bits of m * 2^e, rounded to nearest even, subnormals included; what is too large becomes the largest number. */
+GOLDEN_FN uint64_t golden_encode(int64_t m, int e, int f64)
+{
+    const int digits = f64 ? 53 : 24;
+    const int least = f64 ? -1074 : -149;
+    const int most = f64 ? 971 : 104; /* exponent of the last bit of the largest number */
+    const uint64_t sign = m < 0 ? (uint64_t)1 << (f64 ? 63 : 31) : 0;
+    const uint64_t largest = (uint64_t)(most - least + 1) << (digits - 1) | (((uint64_t)1 << (digits - 1)) - 1);
+    uint64_t a = m < 0 ? 0 - (uint64_t)m : (uint64_t)m;
+    int drop = 0;
+    if (a == 0) {
+        return 0;
+    }
+    while (a >> (digits - 1) == 0 && e > least) {
+        a <<= 1;
+        e -= 1;
+    }
+    while (a >> drop >> digits != 0) {
+        drop += 1;
+    }
+    if (least - e > drop) {
+        drop = least - e;
+    }
+    if (drop > 63) {
+        return sign;
+    }
+    if (drop > 0) {
+        const uint64_t half = (uint64_t)1 << (drop - 1);
+        const uint64_t rest = a & (2 * half - 1);
+        a >>= drop;
+        a += rest > half || (rest == half && (a & 1) != 0) ? 1 : 0;
+        e += drop;
+    }
+    if (e > most || (e == most && a >> digits != 0)) {
+        return sign | largest;
+    }
+    if (a >> (digits - 1) == 0) { /* subnormal: e is the least exponent */
+        return sign | a;
+    }
+    return sign | (((uint64_t)(e - least) << (digits - 1)) + a);
+}
+
+/* a few places up or down; never past the largest number, and not across zero */
+GOLDEN_FN uint64_t golden_nudge(uint64_t bits, int by, int f64)
+{
+    const uint64_t sign = (uint64_t)1 << (f64 ? 63 : 31);
+    const uint64_t infinity = f64 ? (uint64_t)0x7ff << 52 : (uint64_t)0xff << 23;
+    const uint64_t magnitude = bits & (sign - 1);
+    if (magnitude < 4 || magnitude >= infinity - 4) {
+        return bits;
+    }
+    return bits + (uint64_t)(int64_t)by;
+}
+
+GOLDEN_FN uint64_t golden_special(uint64_t *state, int f64)
+{
+    const int shift = f64 ? 52 : 23;
+    const uint64_t sign = (uint64_t)golden_between(state, 0, 1) << (f64 ? 63 : 31);
+    const uint64_t infinity = (uint64_t)(f64 ? 0x7ff : 0xff) << shift;
+    switch (golden_between(state, 0, 7)) {
+    case 0:
+        return sign;
+    case 1:
+        return sign | infinity;
+    case 2:
+        return sign | infinity | (uint64_t)1 << (shift - 1); /* quiet NaN */
+    case 3:
+        return sign | (infinity - 1);
+    case 4:
+        return sign | 1;
+    case 5:
+        return sign | (uint64_t)1 << shift; /* least normal */
+    case 6:
+        return sign | (((uint64_t)1 << shift) - 1);
+    default:
+        return sign | (uint64_t)(f64 ? 0x3ff : 0x7f) << shift;
+    }
+}
+
+/* ---- shapes, in integers ---------------------------------------------------------------------- */
+
+GOLDEN_FN int golden_sign(int64_t x)
+{
+    return (x > 0) - (x < 0);
+}
+
+/* corners up to `reach`; some triangles aligned, some degenerate */
+GOLDEN_FN void golden_triangle(uint64_t *state, int reach, int64_t v[9])
+{
+    int i;
+    int a = golden_between(state, 0, 2);
+    int kind = golden_between(state, 0, 9);
+    for (i = 0; i < 9; ++i) {
+        v[i] = 8 * (int64_t)golden_between(state, -reach, reach);
+    }
+    if (kind == 0) { /* in an axis plane */
+        v[3 + a] = v[a];
+        v[6 + a] = v[a];
+    } else if (kind == 1) { /* an edge along an axis */
+        v[3 + (a + 1) % 3] = v[(a + 1) % 3];
+        v[3 + (a + 2) % 3] = v[(a + 2) % 3];
+    } else if (kind == 2) { /* a segment with a third corner on it */
+        int w = golden_between(state, 0, 4);
+        for (i = 0; i < 3; ++i) {
+            v[6 + i] = v[i] + (v[3 + i] - v[i]) / 4 * w;
+        }
+    } else if (kind == 3) { /* a segment with two equal corners, or a point */
+        int point = golden_between(state, 0, 2) == 0;
+        for (i = 0; i < 3; ++i) {
+            v[3 * a + i] = v[3 * ((a + 1) % 3) + i];
+            if (point) {
+                v[3 * ((a + 2) % 3) + i] = v[3 * ((a + 1) % 3) + i];
+            }
+        }
+    } else if (kind == 4) { /* a sliver: one unit off a line */
+        for (i = 0; i < 3; ++i) {
+            v[6 + i] = v[i] + (v[3 + i] - v[i]) / 2 + golden_between(state, -1, 1);
+        }
+    }
+}
+
+/* a point of the triangle with weights in eighths, exact because corners are multiples of 8 (slivers: nearly) */
+GOLDEN_FN void golden_point(uint64_t *state, const int64_t v[9], int64_t point[3])
+{
+    int k;
+    int a = golden_between(state, 0, 8);
+    int b = golden_between(state, 0, 8 - a);
+    for (k = 0; k < 3; ++k) {
+        point[k] = (v[k] * a + v[3 + k] * b + v[6 + k] * (8 - a - b)) / 8;
+    }
+}
+
+/* a box with a corner, an edge or a face at a point of the triangle, outside it as seen along the contact's axis */
+GOLDEN_FN void golden_box(uint64_t *state, const int64_t v[9], int reach, int64_t lo[3], int64_t hi[3])
+{
+    int64_t point[3];
+    int s[3];
+    int k;
+    int kind = golden_between(state, 0, 3);
+    int side = 2 * golden_between(state, 0, 1) - 1;
+    golden_point(state, v, point);
+    for (k = 0; k < 3; ++k) {
+        int b = (k + 1) % 3;
+        int c = (k + 2) % 3;
+        int64_t n = (v[3 + b] - v[b]) * (v[6 + c] - v[c]) - (v[3 + c] - v[c]) * (v[6 + b] - v[b]);
+        s[k] = kind == 0 ? side * golden_sign(n) : golden_between(state, -1, 1);
+    }
+    if (kind == 1) { /* the box's edge along axis a against edge i */
+        int a = golden_between(state, 0, 2);
+        int i = golden_between(state, 0, 2);
+        int j = (i + 1) % 3;
+        int b = (a + 1) % 3;
+        int c = (a + 2) % 3;
+        int w = golden_between(state, 0, 8);
+        for (k = 0; k < 3; ++k) {
+            point[k] = (v[3 * i + k] * w + v[3 * j + k] * (8 - w)) / 8;
+        }
+        s[a] = 0;
+        s[b] = side * golden_sign(v[3 * j + c] - v[3 * i + c]);
+        s[c] = side * golden_sign(v[3 * i + b] - v[3 * j + b]);
+    }
+    for (k = 0; k < 3; ++k) {
+        int64_t down = golden_between(state, 0, 8 * reach);
+        int64_t up = golden_between(state, 0, 8 * reach);
+        lo[k] = point[k] - (s[k] > 0 ? 0 : down);
+        hi[k] = point[k] + (s[k] < 0 ? 0 : up);
+    }
+}
+
+/* ---- questions -------------------------------------------------------------------------------- */
+
+GOLDEN_FN uint64_t golden_any(uint64_t *state, int f64)
+{
+    uint64_t u = golden_next(state);
+    return f64 ? u : u >> 32;
+}
+
+/* in [-1, 1] */
+GOLDEN_FN uint64_t golden_common(uint64_t *state, int f64)
+{
+    return golden_encode((int64_t)(golden_next(state) >> 10) - ((int64_t)1 << 53), -53, f64);
+}
+
+GOLDEN_FN uint64_t golden_loose(uint64_t *state, int kind, int f64)
+{
+    return kind == 0 ? golden_any(state, f64) : golden_common(state, f64);
+}
+
+GOLDEN_FN void golden_make_loose(uint64_t *state, int kind, golden_single *c)
+{
+    int i;
+    for (i = 0; i < 9; ++i) {
+        c->v[i] = golden_loose(state, kind, c->f64);
+    }
+    for (i = 0; i < 3; ++i) {
+        c->lo[i] = golden_loose(state, kind, c->f64);
+        c->hi[i] = golden_loose(state, kind, c->f64);
+        c->size[i] = golden_loose(state, kind, c->f64);
+        if (kind != 0) { /* a box around the origin */
+            const uint64_t sign = (uint64_t)1 << (c->f64 ? 63 : 31);
+            c->lo[i] |= sign;
+            c->hi[i] &= ~sign;
+            c->size[i] &= ~sign;
+        }
+    }
+}
+
+GOLDEN_FN void golden_make_single(uint64_t index, golden_single *c)
+{
+    uint64_t state = index * 977 + 1;
+    uint64_t *numbers[4];
+    int64_t v[9], lo[3], hi[3];
+    int i, e = 0, decimal, reach;
+    int kind = golden_between(&state, 0, 15);
+    int nudges = golden_between(&state, -3, 3);
+    c->f64 = (int)(index & 1);
+    numbers[0] = c->v;
+    numbers[1] = c->lo;
+    numbers[2] = c->hi;
+    numbers[3] = c->size;
+    if (kind < 2) {
+        golden_make_loose(&state, kind, c);
+        return;
+    }
+    reach = kind < 6 ? golden_between(&state, 1, 8) : 1 << golden_between(&state, 3, 17);
+    golden_triangle(&state, reach, v);
+    if (kind == 6) {
+        reach = 1 << golden_between(&state, 0, 22); /* box and triangle of very different sizes */
+    }
+    golden_box(&state, v, reach, lo, hi);
+    decimal = kind == 2 || kind == 3;
+    if (decimal) { /* multiples of the number nearest to 0.1, rounded */
+        int64_t tenth = c->f64 ? (int64_t)7205759403792794 : 13421773;
+        for (i = 0; i < 9; ++i) {
+            v[i] = v[i] / 8 * tenth;
+        }
+        for (i = 0; i < 3; ++i) {
+            lo[i] = lo[i] / 8 * tenth;
+            hi[i] = hi[i] / 8 * tenth;
+        }
+        e = c->f64 ? -56 : -27;
+    } else if (kind == 7) { /* the least numbers: subnormals */
+        e = (c->f64 ? -1074 : -149) + golden_between(&state, -8, 30);
+    } else if (kind == 8) { /* the largest */
+        e = (c->f64 ? 1024 : 128) - golden_between(&state, 20, 30);
+    } else if (kind > 10) {
+        e = golden_between(&state, -40, 20);
+    }
+    for (i = 0; i < 9; ++i) {
+        c->v[i] = golden_encode(v[i], e, c->f64);
+    }
+    for (i = 0; i < 3; ++i) {
+        c->lo[i] = golden_encode(lo[i], e, c->f64);
+        c->hi[i] = golden_encode(hi[i], e, c->f64);
+        c->size[i] = golden_encode(hi[i] - lo[i], e, c->f64);
+    }
+    for (; nudges > 0; --nudges) {
+        uint64_t *group = numbers[golden_between(&state, 0, 3)];
+        i = golden_between(&state, 0, group == c->v ? 8 : 2);
+        group[i] = golden_nudge(group[i], golden_between(&state, -2, 2), c->f64);
+    }
+    if (kind == 9) {
+        uint64_t *group = numbers[golden_between(&state, 0, 3)];
+        group[golden_between(&state, 0, 2)] = golden_special(&state, c->f64);
+    }
+}
+
+/* A grid of unit, decimal or odd steps around some index, and triangles with corners on or near its points. */
+GOLDEN_FN void golden_make_grid(uint64_t index, golden_grid *g)
+{
+    uint64_t state = index * 1009 + 5;
+    int kind = golden_between(&state, 0, 7);
+    int e = kind == 0 ? 0 : kind == 1 ? -56 : golden_between(&state, -60, 10);
+    int k, i, base[3];
+    int64_t step[3];
+    g->f64 = (int)(index & 1);
+    for (k = 0; k < 3; ++k) {
+        step[k] = kind == 0 ? 1 : kind == 1 ? (int64_t)7205759403792794 : golden_between(&state, 1, 1 << 20);
+        base[k] = kind == 1 ? golden_between(&state, -4, 4) : golden_between(&state, -1000000, 1000000);
+        if (kind > 5) {
+            base[k] = golden_between(&state, -8, 0);
+        }
+        g->origin[k] = golden_encode(-step[k] * base[k], e, 1);
+        g->size[k] = golden_encode(step[k], e, 1);
+        g->lo[k] = base[k] - golden_between(&state, 0, 3);
+    }
+    for (i = 0; i < 18; ++i) { /* corners within the region or around it, in whole, half, quarter or eighth steps */
+        int fraction = golden_between(&state, 0, 3);
+        int64_t eighths = (int64_t)golden_between(&state, -24, 72) >> fraction << fraction;
+        int fits = kind != 1; /* a decimal step leaves no room for eighths */
+        int64_t at = fits ? step[i % 3] * eighths : step[i % 3] * (eighths / 8);
+        g->v[i] = golden_encode(at, fits ? e - 3 : e, g->f64);
+        if (golden_between(&state, 0, 15) == 0) {
+            g->v[i] = golden_nudge(g->v[i], golden_between(&state, -2, 2), g->f64);
+        }
+    }
+    for (k = 0; k < 3; ++k) {
+        int64_t at = step[k] * golden_between(&state, -3, 8);
+        g->point[k] = golden_nudge(golden_encode(at, e, 1), golden_between(&state, -1, 1), 1);
+    }
+}
+
+/* ---- the hash --------------------------------------------------------------------------------- */
+
+GOLDEN_FN uint64_t golden_chunk(uint32_t chunk)
+{
+    uint64_t hash = GOLDEN_BASIS;
+    golden_single c;
+    golden_grid g;
+    unsigned rule;
+    uint32_t i;
+    for (i = 0; i < GOLDEN_SINGLES; ++i) {
+        golden_make_single((uint64_t)chunk * GOLDEN_SINGLES + i, &c);
+        hash = golden_mix(hash, golden_ask_single(&c));
+    }
+    golden_make_grid(chunk, &g);
+    for (rule = 0; rule < 4; ++rule) {
+        unsigned flags = (1u << rule) >> 1; /* closed, half-open, open, thin */
+        hash = golden_mix(hash, golden_ask_grid(&g, flags));
+        if (!g.f64) {
+            hash = golden_mix(hash, golden_ask_fill(&g, flags));
+        }
+    }
+    return golden_mix(hash, golden_ask_locate(&g));
+}
+
+#endif
