@@ -4,7 +4,7 @@
 BENCH_O2     ?= -O2
 BENCH_NATIVE ?= -O3 -march=native
 BENCHES      := overlap tri grid $(if $(shell grep -l tribox_mesh_query tribox.h),companions)
-BENCH_COMMIT := $(shell git describe --always --dirty --exclude '*' 2>/dev/null || echo unknown)
+BENCH_COMMIT  = $(eval BENCH_COMMIT := $(shell git describe --always --dirty --exclude '*' 2>/dev/null || echo unknown))$(BENCH_COMMIT)
 BENCH_CC      = $(CC) -std=c99 -Ibench -Iexamples -I. $(WARN_C) -DBENCH_COMMIT='"$(BENCH_COMMIT)"'
 BENCH_DEPS   := tribox.h $(wildcard bench/*.h)
 BENCH_ARGS    = $(if $(CSV),--csv $(CSV))
@@ -31,7 +31,7 @@ $(B)/native/bench_%: bench/bench_%.c $(BENCH_DEPS) $(B)/bench.stamp
 bench: bench-build ## time everything against the float tests of today, at -O2 and -O3 -march=native
 	@for b in $(BENCH_BINS); do echo; $$b $(BENCH_ARGS) || exit 1; done
 
-bench-quick: bench-build ## the same with fewer runs
+bench-quick: bench-build ## bench with fewer runs and sizes: under a minute
 	@for b in $(BENCH_BINS); do echo; $$b --quick $(BENCH_ARGS) || exit 1; done
 
 BENCH_DATA := bench/data
