@@ -44,12 +44,16 @@
 /* The rare path: kept out of line, so that its stack and code stay out of the callers. */
 #if defined(__CUDACC__)
 #define TRIBOX_IMPL_COLD TRIBOX_IMPL_HD static __noinline__
+#define TRIBOX_IMPL_NOINLINE TRIBOX_IMPL_COLD
 #elif defined(__GNUC__)
 #define TRIBOX_IMPL_COLD static __attribute__((noinline, cold, unused))
+#define TRIBOX_IMPL_NOINLINE static __attribute__((noinline, unused))
 #elif defined(_MSC_VER)
 #define TRIBOX_IMPL_COLD static __declspec(noinline)
+#define TRIBOX_IMPL_NOINLINE TRIBOX_IMPL_COLD
 #else
 #define TRIBOX_IMPL_COLD static inline
+#define TRIBOX_IMPL_NOINLINE TRIBOX_IMPL_COLD
 #endif
 
 /* Copies a few bytes of any alignment; compilers turn it into one move. */
@@ -57,6 +61,37 @@
 #define TRIBOX_IMPL_COPY(dst, src, bytes) ((void)__builtin_memcpy((dst), (src), (bytes)))
 #else
 #define TRIBOX_IMPL_COPY(dst, src, bytes) tribox_impl_copy((dst), (src), (bytes))
+#endif
+
+/* Vectors of four floats, by the vector extensions of gcc and clang: no header, and the same source on every
+ * ISA. 0 leaves the scalar body alone. Both give the same answers. */
+#ifndef TRIBOX_SIMD
+#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__TINYC__) && (defined(__SSE2__) || defined(__aarch64__))
+#define TRIBOX_SIMD 1
+#else
+#define TRIBOX_SIMD 0
+#endif
+#endif
+#if TRIBOX_SIMD != 0 && TRIBOX_SIMD != 1
+#error "TRIBOX_SIMD must be 0 (scalar) or 1 (vector extensions of gcc and clang)"
+#endif
+
+/* -funsafe-math-optimizations lets a compiler turn w*(q - v) into w*q - w*v, and it defines no macro. After
+ * this line it must take the memory or register named as it stands. */
+#if defined(__CUDA_ARCH__)
+#define TRIBOX_IMPL_KEEP(object) ((void)0)          /* nvcc does not reassociate */
+#define TRIBOX_IMPL_KEEP4(vector) ((void)0)
+#elif defined(__GNUC__)
+#define TRIBOX_IMPL_KEEP(object) __asm__("" : "+m"(object))
+#if defined(__aarch64__)
+#define TRIBOX_IMPL_KEEP4(vector) __asm__("" : "+w"(vector))
+#define TRIBOX_IMPL_KEEP_HERE(scalar) __asm__ volatile("" : "+w"(scalar))
+#else
+#define TRIBOX_IMPL_KEEP4(vector) __asm__("" : "+x"(vector))
+#define TRIBOX_IMPL_KEEP_HERE(scalar) __asm__ volatile("" : "+x"(scalar))
+#endif
+#else
+#define TRIBOX_IMPL_KEEP(object) tribox_impl_keep(&(object))
 #endif
 
 #ifdef __cplusplus
@@ -141,6 +176,15 @@ TRIBOX_IMPL_FN void tribox_impl_copy(void *dst, const void *src, size_t bytes)
     for (i = 0; i < bytes; i++) {
         ((unsigned char *)dst)[i] = ((const unsigned char *)src)[i];
     }
+}
+#endif
+
+#if !defined(__GNUC__) && !defined(__CUDA_ARCH__)
+/* An object whose address was volatile may have changed: what was computed into it stays computed. */
+TRIBOX_IMPL_FN void tribox_impl_keep(void *object)
+{
+    void *volatile seen = object;
+    (void)seen;
 }
 #endif
 
@@ -679,22 +723,26 @@ TRIBOX_IMPL_FN void tribox_impl_exact_normal(const tribox_impl_exact *f, int n_s
     }
 }
 
-/* Plane and edges; the faces are known to hold. Bit k of open_lo, open_hi: that face is not in the box. */
-TRIBOX_IMPL_FN int tribox_impl_exact_axes(const tribox_impl_exact *f, unsigned open_lo, unsigned open_hi)
+/* Plane and edges; the faces are known to hold. Bits 0..2 of `asked`: the edges in the plane across that axis,
+ * bit 3: the triangle's plane. Bit k of open_lo, open_hi: that face is not in the box. */
+#define TRIBOX_IMPL_ALL_AXES 15u
+
+TRIBOX_IMPL_FN int tribox_impl_exact_axes(const tribox_impl_exact *f, unsigned asked, unsigned open_lo,
+                                          unsigned open_hi)
 {
     int n_sign[3];
     int a;
     int i;
     tribox_impl_exact_normal(f, n_sign);
     for (a = 0; a < 3; a++) {
-        for (i = 0; i < 3; i++) {
+        for (i = 0; i < 3 && ((asked >> a) & 1u) != 0; i++) {
             if (!tribox_impl_exact_edge(f, a, i, n_sign[a], open_lo, open_hi)) {
                 return 0;
             }
         }
     }
-    return tribox_impl_exact_plane(f, n_sign, 1, open_lo, open_hi) &&
-           tribox_impl_exact_plane(f, n_sign, -1, open_lo, open_hi);
+    return (asked & 8u) == 0 || (tribox_impl_exact_plane(f, n_sign, 1, open_lo, open_hi) &&
+                                 tribox_impl_exact_plane(f, n_sign, -1, open_lo, open_hi));
 }
 
 /* [SS10] 6-separating: max |n_k| h_k in place of the sum, so the critical point is the farthest of the voxel's
@@ -780,7 +828,7 @@ TRIBOX_IMPL_COLD int tribox_impl_exact_overlap(tribox_impl_exact *f, unsigned fl
         f->x[TRIBOX_IMPL_MID][k] = *lo;     /* unused */
     }
     tribox_impl_exact_finish(f);
-    return thin ? tribox_impl_exact_thin_axes(f) : tribox_impl_exact_axes(f, open_lo, open_hi);
+    return thin ? tribox_impl_exact_thin_axes(f) : tribox_impl_exact_axes(f, TRIBOX_IMPL_ALL_AXES, open_lo, open_hi);
 }
 
 TRIBOX_IMPL_FN void tribox_impl_exact_corners(tribox_impl_exact *f, const double v0[3], const double v1[3],
@@ -794,7 +842,44 @@ TRIBOX_IMPL_FN void tribox_impl_exact_corners(tribox_impl_exact *f, const double
     }
 }
 
-/* ---- 9. Implementation: one box ------------------------------------------------------------------------- */
+/* ---- 9. Implementation: one box -------------------------------------------------------------------------
+ *
+ * The filter. T meets B iff T meets B clipped to T's bounding box, so every difference of two coordinates of
+ * axis k is at most X_k, the triangle's extent. Let m be the clipped box's centre and h its half size, w_i =
+ * v_i - m, and c_i = w_i x w_i+1, whose component a is the value of edge i's line of plane a at m. Then
+ *
+ *   n = c_0 + c_1 + c_2. Across edge i the triangle covers [0, n], the box c_i -+ r_i, r_i = |e_b| h_c + |e_c| h_b.
+ *   They meet iff      r_i + |n/2| - |n/2 - c_i| >= 0          (two-sided, so no sign of n is needed)
+ *   and the plane iff  |n|.h - |c_1.w_0| >= 0                  (n.(m - v0) = -c_1.w_0)
+ *
+ * Bound. u bounds the relative error of +, -, x and FMA in every rounding mode: 2^-23 for float, 2^-52 for
+ * double. Errors in units of u X_k: differences at v0: 1; m: (1 + 1 + 2)/2 = 2; h: (1 + 1 + 1)/2 = 1.5;
+ * w_0: 2, w_1 and w_2: 1 + 2 + 1 = 4; e: 3. In units of u X_b X_c, with |w| <= X, |c_i| <= 2 X X, |h| <= X/2:
+ *   c_i: two products of 4 + 4 + 1, and 2 for their difference: 20
+ *   n/2: (20 + 20 + 20 + 4 + 1)/2 = 33, |n/2| <= 1/2
+ *   r_i: two products of 3/2 + 1.5 + 1/2, and 1: 8
+ *   sum: 8 + 33 + (33 + 20 + 2.5), and 3.5 + 1 for the last two additions: 101 <= 128 = EDGE_ULPS
+ * In units of u X_x X_y X_z:
+ *   c_1.w_0: three products of 20 + 2*2 + 2, and 12 for the two sums: 90
+ *   |n|.h: twice three products of 33/2 + 1.5/2 + 1/4, and 2: 107; their difference 4: 201 <= 256 = PLANE_ULPS
+ * What is left of 128 and 256 covers second-order terms, the rounding of the bound itself and reassociation.
+ *
+ * Underflow, and subnormals read as zero, change a number by at most 2^-126 (2^-1022). Extents are 0 or within
+ * [2^-30, 2^41) ([2^-300, 2^301)), so a bound of degree d is at least 2^-16 * 2^-30d (2^-45 * 2^-300d), to which
+ * such errors, times the other extents, add less than 2^-19 of it; and nothing overflows. Where X_k = 0, every
+ * value with a factor of axis k is exactly 0, and so is its bound: "value >= bound" is right, since that axis
+ * then follows from the faces, which lie strictly outside or are closed there under every rule. */
+#define TRIBOX_IMPL_ULPS 256
+#define TRIBOX_IMPL_U32 1.1920928955078125e-07f             /* 2^-23 */
+#define TRIBOX_IMPL_U64 2.220446049250313080847263336e-16   /* 2^-52 */
+
+enum { TRIBOX_IMPL_MISS = 0, TRIBOX_IMPL_HIT = 1, TRIBOX_IMPL_UNSURE = 2 };
+
+/* The touching rule of a one-box question; THIN means closed there. */
+TRIBOX_IMPL_FN unsigned tribox_impl_rule(unsigned flags)
+{
+    return (flags & TRIBOX_THIN) != 0 ? 0u : flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN);
+}
 
 TRIBOX_IMPL_FN int tribox_impl_finite3(const double x[3])
 {
@@ -807,70 +892,190 @@ TRIBOX_IMPL_FN int tribox_impl_corners_finite(const double v0[3], const double v
     return tribox_impl_finite3(v0) & tribox_impl_finite3(v1) & tribox_impl_finite3(v2);
 }
 
-/* The box is no set of points: NaN, min > max, or flat and not closed. */
-TRIBOX_IMPL_FN int tribox_impl_box_empty(const double lo[3], const double hi[3], unsigned flags)
+TRIBOX_IMPL_FN double tribox_impl_abs(double x)
 {
-    int k;
-    for (k = 0; k < 3; k++) {
-        const int64_t key_lo = tribox_impl_key64(lo[k]);
-        const int64_t key_hi = tribox_impl_key64(hi[k]);
-        if (tribox_impl_is_nan(lo[k]) || tribox_impl_is_nan(hi[k]) || key_lo > key_hi ||
-            (key_lo == key_hi && (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0)) {
-            return 1;
-        }
-    }
-    return 0;
+    return x < 0.0 ? -x : x;
 }
 
-TRIBOX_IMPL_COLD int tribox_impl_overlap_exact(const double v0[3], const double v1[3], const double v2[3],
-                                               const double lo[3], const double hi[3], unsigned flags)
+/* The box, clipped to the triangle's bounding box. Bit k of open_lo, open_hi: that face is not in the box. */
+typedef struct tribox_impl_clip {
+    double   lo[3];
+    double   hi[3];
+    double   extent[3];     /* of the triangle */
+    unsigned open_lo;
+    unsigned open_hi;
+} tribox_impl_clip;
+
+/* Decides emptiness and the faces, on integer keys. Returns 0 if there is nothing left of the box. A face is
+ * replaced by the triangle's extent, and then closed, only where it lies strictly outside. */
+TRIBOX_IMPL_FN int tribox_impl_clip_box(tribox_impl_clip *clip, const double v0[3], const double v1[3],
+                                        const double v2[3], const double box_min[3], const double box_max[3],
+                                        unsigned flags)
+{
+    const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
+    const int hi_is_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    int k;
+    clip->open_lo = 0;
+    clip->open_hi = 0;
+    for (k = 0; k < 3; k++) {
+        const double t_min = tribox_impl_min(tribox_impl_min(v0[k], v1[k]), v2[k]);
+        const double t_max = tribox_impl_max(tribox_impl_max(v0[k], v1[k]), v2[k]);
+        const int64_t lo = tribox_impl_key64(box_min[k]);
+        const int64_t hi = tribox_impl_key64(box_max[k]);
+        const int64_t key_min = tribox_impl_key64(t_min);
+        const int64_t key_max = tribox_impl_key64(t_max);
+        if (tribox_impl_is_nan(box_min[k]) || tribox_impl_is_nan(box_max[k]) || lo + hi_is_open > hi ||
+            lo + lo_is_open > key_max || hi - hi_is_open < key_min) {
+            return 0;
+        }
+        clip->lo[k] = lo < key_min ? t_min : box_min[k];
+        clip->hi[k] = hi > key_max ? t_max : box_max[k];
+        clip->open_lo |= (unsigned)(lo_is_open && lo >= key_min) << k;
+        clip->open_hi |= (unsigned)(hi_is_open && hi <= key_max) << k;
+        clip->extent[k] = t_max - t_min;
+    }
+    return 1;
+}
+
+/* The values of the filter: the worst edge of each plane, then the plane. Their bounds hold if in_range. */
+typedef struct tribox_impl_values {
+    double value[4];
+    double bound[4];
+    int    in_range;
+    int    on_lattice;      /* all values are exact */
+} tribox_impl_values;
+
+/* An extent that the bounds hold for: 0 or in [2^-300, 2^301). Read from its bits. */
+TRIBOX_IMPL_FN int tribox_impl_extent_in_range(double extent)
+{
+    const uint64_t bits = tribox_impl_bits64(&extent) & 0x7fffffffffffffffu;
+    return bits == 0 || bits - ((uint64_t)(1023 - 300) << 52) < ((uint64_t)601 << 52);
+}
+
+/* The power of two that maps an extent in (0, 2^301) to [2^14, 2^15). */
+TRIBOX_IMPL_FN double tribox_impl_lattice_scale(double extent)
+{
+    const uint64_t exponent = (tribox_impl_bits64(&extent) >> 52) & 0x7ffu;
+    return tribox_impl_from_bits64((uint64_t)(2046 + 14 - exponent) << 52);
+}
+
+/* Is x an integer? |x| < 2^31 */
+TRIBOX_IMPL_FN int tribox_impl_is_integer(double x)
+{
+    return (double)(int32_t)x == x;
+}
+
+/* Differences that are integers below 2^15 in some unit make every value exact: the largest, c_1.w_0, is below
+ * 3 * 2^33 * 2^16 in units of half that unit, cubed, which is less than 2^53. */
+TRIBOX_IMPL_FN void tribox_impl_filter(tribox_impl_values *out, const double v0[3], const double v1[3],
+                                       const double v2[3], const tribox_impl_clip *clip)
+{
+    const double ulps = TRIBOX_IMPL_ULPS * TRIBOX_IMPL_U64;
+    const double *x = clip->extent;
+    double d[4][3];         /* from v0: v1, v2, and the clipped box's corners */
+    double w[3][3];
+    double h[3];
+    double e[3][3];         /* absolute edges */
+    double half_n[3];
+    double c_1[3];
+    double scale;
+    int i;
+    int k;
+    for (k = 0; k < 3; k++) {
+        d[0][k] = v1[k] - v0[k];
+        d[1][k] = v2[k] - v0[k];
+        d[2][k] = clip->lo[k] - v0[k];
+        d[3][k] = clip->hi[k] - v0[k];
+    }
+    TRIBOX_IMPL_KEEP(d);
+    for (k = 0; k < 3; k++) {
+        const double m = (d[2][k] + d[3][k]) * 0.5;
+        h[k] = (d[3][k] - d[2][k]) * 0.5;
+        w[0][k] = -m;
+        w[1][k] = d[0][k] - m;
+        w[2][k] = d[1][k] - m;
+        e[0][k] = tribox_impl_abs(d[0][k]);
+        e[1][k] = tribox_impl_abs(d[1][k] - d[0][k]);
+        e[2][k] = tribox_impl_abs(d[1][k]);
+    }
+    for (k = 0; k < 3; k++) {
+        const int b = k < 2 ? k + 1 : 0;
+        const int c = k > 0 ? k - 1 : 2;
+        const double c0 = w[0][b] * w[1][c] - w[0][c] * w[1][b];
+        const double c1 = w[1][b] * w[2][c] - w[1][c] * w[2][b];
+        const double c2 = w[2][b] * w[0][c] - w[2][c] * w[0][b];
+        const double n = (c0 + c1 + c2) * 0.5;
+        const double g0 = e[0][b] * h[c] + e[0][c] * h[b] - tribox_impl_abs(n - c0);
+        const double g1 = e[1][b] * h[c] + e[1][c] * h[b] - tribox_impl_abs(n - c1);
+        const double g2 = e[2][b] * h[c] + e[2][c] * h[b] - tribox_impl_abs(n - c2);
+        const double g = g0 < g1 ? g0 : g1;
+        c_1[k] = c1;
+        half_n[k] = tribox_impl_abs(n);
+        out->value[k] = (g < g2 ? g : g2) + half_n[k];
+        out->bound[k] = ulps * x[b] * x[c];
+    }
+    out->value[3] = (half_n[0] * h[0] + half_n[1] * h[1] + half_n[2] * h[2]) * 2.0 -
+                    tribox_impl_abs(c_1[0] * w[0][0] + c_1[1] * w[0][1] + c_1[2] * w[0][2]);
+    out->bound[3] = ulps * x[0] * x[1] * x[2];
+    out->in_range = tribox_impl_extent_in_range(x[0]) & tribox_impl_extent_in_range(x[1]) &
+                    tribox_impl_extent_in_range(x[2]);
+    out->on_lattice = out->in_range;
+    if (out->on_lattice) {
+        const double longest = x[0] > x[1] ? x[0] : x[1];
+        scale = tribox_impl_lattice_scale(longest > x[2] ? longest : x[2]);
+        for (i = 0; i < 4; i++) {
+            for (k = 0; k < 3; k++) {
+                out->on_lattice &= tribox_impl_is_integer(d[i][k] * scale);
+            }
+        }
+    }
+}
+
+/* What the filter leaves open, by exact signs. */
+TRIBOX_IMPL_COLD int tribox_impl_clipped_exact(const double v0[3], const double v1[3], const double v2[3],
+                                               const tribox_impl_clip *clip, unsigned unsure)
 {
     tribox_impl_exact f;
     int k;
-    if (!tribox_impl_corners_finite(v0, v1, v2) || tribox_impl_box_empty(lo, hi, flags)) {
-        return 0;
-    }
     tribox_impl_exact_corners(&f, v0, v1, v2);
     for (k = 0; k < 3; k++) {
-        f.x[TRIBOX_IMPL_LO][k] = tribox_impl_at(lo[k], 0.0, 0);
-        f.x[TRIBOX_IMPL_HI][k] = tribox_impl_at(hi[k], 0.0, 0);
+        f.x[TRIBOX_IMPL_LO][k] = tribox_impl_at(clip->lo[k], 0.0, 0);
+        f.x[TRIBOX_IMPL_MID][k] = f.x[TRIBOX_IMPL_LO][k];   /* unused */
+        f.x[TRIBOX_IMPL_HI][k] = tribox_impl_at(clip->hi[k], 0.0, 0);
     }
-    return tribox_impl_exact_overlap(&f, flags & ~(unsigned)TRIBOX_THIN);
+    tribox_impl_exact_finish(&f);
+    return tribox_impl_exact_axes(&f, unsure, clip->open_lo, clip->open_hi);
 }
 
-TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
-                                      const double box_min[3], const double box_max[3], unsigned flags)
+/* The scalar body, which is the specification: emptiness, faces and rules from bits, the nine edges and the plane
+ * by the filter in double, what that leaves open by exact signs. */
+TRIBOX_IMPL_NOINLINE int tribox_impl_overlap(const double v0[3], const double v1[3], const double v2[3],
+                                             const double box_min[3], const double box_max[3], unsigned flags)
 {
-    return tribox_impl_overlap_exact(v0, v1, v2, box_min, box_max, (flags & TRIBOX_THIN) != 0 ? 0 : flags);
-}
-
-TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const double v2[3],
-                                 const double box_min[3], const double box_max[3])
-{
-    return tribox_overlap_rule_f64(v0, v1, v2, box_min, box_max, 0);
-}
-
-TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const float v2[3],
-                                  const float box_min[3], const float box_max[3], unsigned flags)
-{
-    double v[3][3];
-    double lo[3];
-    double hi[3];
+    tribox_impl_clip clip;
+    tribox_impl_values filter;
+    unsigned unsure = 0;
     int k;
-    for (k = 0; k < 3; k++) {
-        v[0][k] = tribox_impl_widen(v0 + k);
-        v[1][k] = tribox_impl_widen(v1 + k);
-        v[2][k] = tribox_impl_widen(v2 + k);
-        lo[k] = tribox_impl_widen(box_min + k);
-        hi[k] = tribox_impl_widen(box_max + k);
+    if (!tribox_impl_corners_finite(v0, v1, v2) ||
+        !tribox_impl_clip_box(&clip, v0, v1, v2, box_min, box_max, flags)) {
+        return 0;
     }
-    return tribox_impl_overlap_exact(v[0], v[1], v[2], lo, hi, (flags & TRIBOX_THIN) != 0 ? 0 : flags);
-}
-
-TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
-                             const float box_min[3], const float box_max[3])
-{
-    return tribox_overlap_rule(v0, v1, v2, box_min, box_max, 0);
+    tribox_impl_filter(&filter, v0, v1, v2, &clip);
+    if (!filter.in_range) {
+        return tribox_impl_clipped_exact(v0, v1, v2, &clip, TRIBOX_IMPL_ALL_AXES);
+    }
+    if (filter.on_lattice && (clip.open_lo | clip.open_hi) == 0) {
+        return filter.value[0] >= 0.0 && filter.value[1] >= 0.0 && filter.value[2] >= 0.0 && filter.value[3] >= 0.0;
+    }
+    for (k = 0; k < 4; k++) {
+        if (filter.value[k] < -filter.bound[k]) {
+            return 0;
+        }
+        if (!(filter.value[k] >= filter.bound[k])) {
+            unsure |= 1u << k;
+        }
+    }
+    return unsure == 0 || tribox_impl_clipped_exact(v0, v1, v2, &clip, unsure);
 }
 
 TRIBOX_IMPL_FN float tribox_impl_minf(float a, float b)
@@ -886,6 +1091,269 @@ TRIBOX_IMPL_FN float tribox_impl_maxf(float a, float b)
 TRIBOX_IMPL_FN float tribox_impl_absf(float a)
 {
     return a < 0.0f ? -a : a;
+}
+
+#ifdef NOG
+#define TRG 0
+#else
+#define TRG tribox_impl_any(out_of_range)
+#endif
+#if TRIBOX_SIMD
+/* The same filter in float, x, y, z in three lanes; the fourth stays 0. A cross product comes out as z, x, y. */
+typedef float tribox_impl_f4 __attribute__((vector_size(16)));
+typedef int32_t tribox_impl_i4 __attribute__((vector_size(16)));
+typedef double tribox_impl_d2 __attribute__((vector_size(16)));
+
+/* Lanes i, j, k, l of a (0..3) and b (4..7). */
+#if defined(__clang__)
+#define TRIBOX_IMPL_LANES(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
+#else
+TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_order(int32_t i, int32_t j, int32_t k, int32_t l)
+{
+    const tribox_impl_i4 r = { i, j, k, l };
+    return r;
+}
+#define TRIBOX_IMPL_LANES(a, b, i, j, k, l) __builtin_shuffle(a, b, tribox_impl_order(i, j, k, l))
+#endif
+
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_load3(const float v[3])
+{
+    const tribox_impl_f4 z = { v[2], 0.0f, 0.0f, 0.0f };
+    tribox_impl_d2 xy = { 0.0, 0.0 };
+    double pair;
+    TRIBOX_IMPL_COPY(&pair, v, sizeof pair);
+    xy[0] = pair;
+    return TRIBOX_IMPL_LANES((tribox_impl_f4)xy, z, 0, 1, 4, 5);
+}
+
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_splat(float x)
+{
+    const tribox_impl_f4 r = { x, x, x, x };
+    return r;
+}
+
+TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_splat_int(int32_t x)
+{
+    const tribox_impl_i4 r = { x, x, x, x };
+    return r;
+}
+
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_yzx(tribox_impl_f4 a)
+{
+    return TRIBOX_IMPL_LANES(a, a, 1, 2, 0, 3);
+}
+
+#if defined(__SSE2__)
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_min4(tribox_impl_f4 a, tribox_impl_f4 b)
+{
+    return __builtin_ia32_minps(a, b);
+}
+
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_max4(tribox_impl_f4 a, tribox_impl_f4 b)
+{
+    return __builtin_ia32_maxps(a, b);
+}
+
+/* The sign bits of the four lanes. */
+TRIBOX_IMPL_FN int tribox_impl_signs(tribox_impl_i4 mask)
+{
+    return __builtin_ia32_movmskps((tribox_impl_f4)mask);
+}
+#else
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_min4(tribox_impl_f4 a, tribox_impl_f4 b)
+{
+    const tribox_impl_i4 less = a < b;
+    return (tribox_impl_f4)(((tribox_impl_i4)a & less) | ((tribox_impl_i4)b & ~less));
+}
+
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_max4(tribox_impl_f4 a, tribox_impl_f4 b)
+{
+    const tribox_impl_i4 more = a > b;
+    return (tribox_impl_f4)(((tribox_impl_i4)a & more) | ((tribox_impl_i4)b & ~more));
+}
+
+TRIBOX_IMPL_FN int tribox_impl_signs(tribox_impl_i4 mask)
+{
+    const tribox_impl_i4 weight = { 1, 2, 4, 8 };
+    const tribox_impl_i4 bits = (mask >> 31) & weight;
+    return bits[0] + bits[1] + bits[2] + bits[3];
+}
+#endif
+
+TRIBOX_IMPL_FN int tribox_impl_any(tribox_impl_i4 mask)
+{
+    return tribox_impl_signs(mask) != 0;
+}
+
+TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_magnitude(tribox_impl_f4 a)
+{
+    return (tribox_impl_i4)a & tribox_impl_splat_int(0x7fffffff);
+}
+
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_abs4(tribox_impl_f4 a)
+{
+    return (tribox_impl_f4)tribox_impl_magnitude(a);
+}
+
+/* r_i = |e_b| h_c + |e_c| h_b, as z, x, y; e absolute */
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_radius4(tribox_impl_f4 e, tribox_impl_f4 h, tribox_impl_f4 h_yzx)
+{
+    return e * h_yzx + tribox_impl_yzx(e) * h;
+}
+
+/* The sums of three lanes of a and of b, in lanes 0 and 1. */
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_sums3(tribox_impl_f4 a, tribox_impl_f4 b)
+{
+    const tribox_impl_f4 low = TRIBOX_IMPL_LANES(a, b, 0, 4, 1, 5);
+    const tribox_impl_f4 high = TRIBOX_IMPL_LANES(a, b, 2, 6, 3, 7);
+    return low + TRIBOX_IMPL_LANES(low, low, 2, 3, 2, 3) + high;
+}
+
+/* Sign bits: lanes whose magnitude, given by its bits, exceeds the float with bits `most`; NaN exceeds all. */
+TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_above(tribox_impl_f4 magnitude, int32_t most)
+{
+    return tribox_impl_splat_int(most) - (tribox_impl_i4)magnitude;
+}
+
+/* Sign bits: lanes that are not 0 and whose magnitude is below the float with bits `least`. */
+TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_below(tribox_impl_f4 magnitude, int32_t least)
+{
+    const tribox_impl_i4 bits = (tribox_impl_i4)magnitude;
+    return (bits - tribox_impl_splat_int(least)) & -bits;
+}
+
+/* Floats of at least 2^-100 are multiples of 2^-123, and so are their differences: none is flushed to zero. */
+TRIBOX_IMPL_FN int tribox_impl_may_flush(const float v[3])
+{
+    return tribox_impl_any(tribox_impl_below(tribox_impl_abs4(tribox_impl_load3(v)), 0x0d800000));
+}
+
+/* The verdict of the float filter. rule: the box is not closed, so equality at a face is unsure. */
+TRIBOX_IMPL_FN int tribox_impl_filter4(const float v0[3], const float v1[3], const float v2[3],
+                                       const float box_min[3], const float box_max[3], int rule)
+{
+    const tribox_impl_f4 half = tribox_impl_splat(0.5f);
+    const tribox_impl_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f };       /* 2^-149 */
+    const tribox_impl_f4 p0 = tribox_impl_load3(v0);
+    const tribox_impl_f4 p1 = tribox_impl_load3(v1);
+    const tribox_impl_f4 p2 = tribox_impl_load3(v2);
+    const tribox_impl_f4 lo = tribox_impl_load3(box_min);
+    const tribox_impl_f4 hi = tribox_impl_load3(box_max);
+    const tribox_impl_f4 t_min = tribox_impl_min4(tribox_impl_min4(p0, p1), p2);
+    const tribox_impl_f4 t_max = tribox_impl_max4(tribox_impl_max4(p0, p1), p2);
+    const tribox_impl_f4 lower = tribox_impl_max4(lo, t_min);
+    const tribox_impl_f4 upper = tribox_impl_min4(hi, t_max);
+    const tribox_impl_i4 faces = lower > upper;     /* a face parts them, or min > max */
+    const tribox_impl_f4 x = t_max - t_min;
+    tribox_impl_f4 a1 = p1 - p0;
+    tribox_impl_f4 a2 = p2 - p0;
+    tribox_impl_f4 l = lower - p0;
+    tribox_impl_f4 u = upper - p0;
+    TRIBOX_IMPL_KEEP4(a1);
+    TRIBOX_IMPL_KEEP4(a2);
+    TRIBOX_IMPL_KEEP4(l);
+    TRIBOX_IMPL_KEEP4(u);
+    {
+        const tribox_impl_f4 x_yzx = tribox_impl_yzx(x);
+        const tribox_impl_f4 e0 = tribox_impl_abs4(a1);
+        const tribox_impl_f4 e1 = tribox_impl_abs4(a2 - a1);
+        const tribox_impl_f4 e2 = tribox_impl_abs4(a2);
+        const tribox_impl_f4 m = (l + u) * half;
+        const tribox_impl_f4 hh = u - l;
+        const tribox_impl_f4 h = hh * half;
+        const tribox_impl_f4 h_yzx = tribox_impl_yzx(h);
+        const tribox_impl_f4 w1 = m - a1;
+        const tribox_impl_f4 w2 = m - a2;
+        const tribox_impl_f4 m_yzx = tribox_impl_yzx(m);
+        const tribox_impl_f4 w1_yzx = tribox_impl_yzx(w1);
+        const tribox_impl_f4 w2_yzx = tribox_impl_yzx(w2);
+        const tribox_impl_f4 c0 = m * w1_yzx - m_yzx * w1;
+        const tribox_impl_f4 c1 = w1 * w2_yzx - w1_yzx * w2;
+        const tribox_impl_f4 c2 = w2 * m_yzx - w2_yzx * m;
+        const tribox_impl_f4 n = (c0 + c1 + c2) * half;
+        const tribox_impl_f4 n_abs = tribox_impl_abs4(n);
+        const tribox_impl_f4 g0 = tribox_impl_radius4(e0, h, h_yzx) - tribox_impl_abs4(n - c0);
+        const tribox_impl_f4 g1 = tribox_impl_radius4(e1, h, h_yzx) - tribox_impl_abs4(n - c1);
+        const tribox_impl_f4 g2 = tribox_impl_radius4(e2, h, h_yzx) - tribox_impl_abs4(n - c2);
+        const tribox_impl_f4 edge = tribox_impl_min4(tribox_impl_min4(g0, g1), g2) + n_abs;
+        const tribox_impl_f4 edge_bound = tribox_impl_splat(TRIBOX_IMPL_ULPS * TRIBOX_IMPL_U32) * x * x_yzx;
+        const tribox_impl_f4 sums = tribox_impl_abs4(tribox_impl_sums3(tribox_impl_yzx(n_abs) * hh,
+                                                                       tribox_impl_yzx(c1) * m));
+        const tribox_impl_f4 plane = sums - TRIBOX_IMPL_LANES(sums, sums, 1, 1, 1, 1);
+        const tribox_impl_f4 plane_bound = edge_bound * tribox_impl_yzx(x_yzx);
+        const tribox_impl_f4 value = TRIBOX_IMPL_LANES(edge, plane, 0, 1, 2, 4);
+        const tribox_impl_f4 bound = TRIBOX_IMPL_LANES(edge_bound, plane_bound, 0, 1, 2, 4);
+        /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as zero */
+        const int refused = tribox_impl_signs(tribox_impl_above(e0, 0x53000000) | tribox_impl_above(e2, 0x53000000) |
+                                              tribox_impl_above(tribox_impl_abs4(lo), 0x7f800000) |
+                                              tribox_impl_above(tribox_impl_abs4(hi), 0x7f800000) |
+                                              tribox_impl_below(x + tiny, 0x30800000));
+        const int miss = tribox_impl_signs(faces | (value < -bound)) != 0;
+        const int at_face = rule ? tribox_impl_signs((lo >= t_max) | (t_min >= hi) | (lo >= hi)) & 7 : 0;
+        const int doubt = (tribox_impl_signs(value < bound) | at_face) != 0;
+        const int open = doubt & !miss;
+        if ((refused != 8) | open) {    /* one branch, hardly ever taken: miss alone is a coin toss */
+            if (open || (refused & 7) != 0 || tribox_impl_may_flush(v0) || tribox_impl_may_flush(v1) ||
+                tribox_impl_may_flush(v2) || tribox_impl_may_flush(box_min) || tribox_impl_may_flush(box_max)) {
+                return TRIBOX_IMPL_UNSURE;
+            }
+        }
+        return !miss;
+    }
+}
+#endif
+
+TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
+                                      const double box_min[3], const double box_max[3], unsigned flags)
+{
+    return tribox_impl_overlap(v0, v1, v2, box_min, box_max, tribox_impl_rule(flags));
+}
+
+TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const double v2[3],
+                                 const double box_min[3], const double box_max[3])
+{
+    return tribox_impl_overlap(v0, v1, v2, box_min, box_max, 0);
+}
+
+/* The float entry of the scalar body. */
+TRIBOX_IMPL_NOINLINE int tribox_impl_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
+                                                     const float box_min[3], const float box_max[3], unsigned flags)
+{
+    double wide[5][3];
+    int k;
+    for (k = 0; k < 3; k++) {
+        wide[0][k] = tribox_impl_widen(v0 + k);
+        wide[1][k] = tribox_impl_widen(v1 + k);
+        wide[2][k] = tribox_impl_widen(v2 + k);
+        wide[3][k] = tribox_impl_widen(box_min + k);
+        wide[4][k] = tribox_impl_widen(box_max + k);
+    }
+    return tribox_impl_overlap(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
+}
+
+TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
+                             const float box_min[3], const float box_max[3])
+{
+#if TRIBOX_SIMD
+    const int verdict = tribox_impl_filter4(v0, v1, v2, box_min, box_max, 0);
+    if (verdict != TRIBOX_IMPL_UNSURE) {
+        return verdict;
+    }
+#endif
+    return tribox_impl_overlap_widened(v0, v1, v2, box_min, box_max, 0);
+}
+
+TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const float v2[3],
+                                  const float box_min[3], const float box_max[3], unsigned flags)
+{
+    const unsigned rule = tribox_impl_rule(flags);
+#if TRIBOX_SIMD
+    const int verdict = tribox_impl_filter4(v0, v1, v2, box_min, box_max, rule != 0);
+    if (verdict != TRIBOX_IMPL_UNSURE) {
+        return verdict;
+    }
+#endif
+    return tribox_impl_overlap_widened(v0, v1, v2, box_min, box_max, rule);
 }
 
 /* [AM01], section 2, in plain float: box at the origin, nine cross-product axes, three faces, the plane. */
