@@ -1,6 +1,6 @@
-/* gen_golden: writes golden_overlap.h: the hash of all answers to the golden inputs and the first few inputs with their
- * answers. The answers are those of the exact judges of verify_exact.h, and both must agree; tribox.h has no say.
- * Needs GMP. `make golden` runs it.
+/* gen_golden: writes golden_overlap.h: the hash of all answers to the golden inputs and the first few inputs
+ * with their answers. The answers are those of the exact judges of verify_exact.h, and both must agree;
+ * tribox.h has no say. Needs GMP. `make golden` runs it.
  */
 #include "verify_exact.h"
 
@@ -37,7 +37,8 @@ static double number(uint64_t bits, int f64)
     return d;
 }
 
-static void fill_question(question *ask, int kind, const uint64_t *v, const uint64_t *a, const uint64_t *b, int f64)
+static void fill_question(question *ask, int kind, const uint64_t *v, const uint64_t *a, const uint64_t *b,
+                          int f64)
 {
     int i;
     memset(ask, 0, sizeof *ask);
@@ -121,7 +122,8 @@ static uint64_t golden_ask_grid(const golden_grid *g, unsigned flags)
                     ++x;
                 }
                 if (x > from) {
-                    hash = golden_mix_span(hash, g->lo[0] + from, g->lo[0] + x - 1, g->lo[1] + y, g->lo[2] + z);
+                    hash =
+                        golden_mix_span(hash, g->lo[0] + from, g->lo[0] + x - 1, g->lo[1] + y, g->lo[2] + z);
                     count += (uint64_t)(x - from);
                 }
             }
@@ -156,7 +158,8 @@ static uint64_t golden_ask_locate(const golden_grid *g)
     int k, inside = 1;
     mpz_init(index);
     for (k = 0; k < 3; ++k) {
-        inside &= exact_index(&judge, number(g->point[k], 1), number(g->origin[k], 1), number(g->size[k], 1), index);
+        inside &= exact_index(&judge, number(g->point[k], 1), number(g->origin[k], 1), number(g->size[k], 1),
+                              index);
         at[k] = mpz_fits_sint_p(index) ? (int)mpz_get_si(index) : INT32_MIN;
         inside &= at[k] >= g->lo[k] && at[k] < g->lo[k] + GOLDEN_EDGE;
     }
@@ -168,7 +171,8 @@ static void print_words(const uint64_t *words, int n)
 {
     int i;
     for (i = 0; i < n; ++i) {
-        printf("%s0x%llxu%s", i % 5 == 0 ? "\n     " : " ", (unsigned long long)words[i], i + 1 < n ? "," : "");
+        printf("%s0x%llxu%s", i % 5 == 0 ? "\n     " : " ", (unsigned long long)words[i],
+               i + 1 < n ? "," : "");
     }
 }
 
@@ -184,9 +188,10 @@ int main(void)
         fprintf(stderr, "gen_golden: the judges disagree on %d answers\n", disagreements);
         return 1;
     }
-    printf("/* Written by gen_golden.c (`make golden`): do not edit. The first golden inputs as bit patterns (v0 v1 v2,\n"
-           " * box_min or p, box_max, size), the exact answers to them, and the hash of all answers, to %d triangles\n"
-           " * and boxes and %d grids. golden_answers.h says what the bits of an answer mean. */\n"
+    printf("/* Written by gen_golden.c (`make golden`): do not edit. The first golden inputs as bit\n"
+           " * patterns (v0 v1 v2, box_min or p, box_max, size), the exact answers to them, and the hash of all\n"
+           " * answers, to %d triangles and boxes and %d grids. golden_answers.h says what the bits of an\n"
+           " * answer mean. */\n"
            "#ifndef GOLDEN_OVERLAP_H\n#define GOLDEN_OVERLAP_H\n\n",
            GOLDEN_CHUNKS * GOLDEN_SINGLES, GOLDEN_CHUNKS);
     printf("#define GOLDEN_HASH (((uint64_t)0x%08lxu << 32) | 0x%08lxu)\n", (unsigned long)(hash >> 32),

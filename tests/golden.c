@@ -2,9 +2,10 @@
  *
  *   golden [nearest | up | down | zero | flush]...
  *
- * Each argument asks again under that rounding mode, or with subnormals flushed to zero on the way in and out. The
- * expected hash in golden_overlap.h was computed by exact judges (gen_golden.c), not by this header. Also compiles as
- * C++; with GOLDEN_FREESTANDING it needs no library and exports golden_hash(), for WebAssembly.
+ * Each argument asks again under that rounding mode, or with subnormals flushed to zero on the way in and
+ * out. The expected hash in golden_overlap.h was computed by exact judges (gen_golden.c), not by this header.
+ * Also compiles as C++; with GOLDEN_FREESTANDING it needs no library and exports golden_hash(), for
+ * WebAssembly.
  */
 #ifdef GOLDEN_FREESTANDING
 #include <stddef.h>
@@ -160,8 +161,8 @@ static int golden_report(const char *mode)
     const uint64_t hash = golden_all();
     const int wrong = golden_first_wrong();
     const int ok = hash == GOLDEN_HASH && wrong == 0;
-    printf("golden %-8s %08lx%08lx %s\n", mode, (unsigned long)(hash >> 32), (unsigned long)(hash & 0xffffffffu),
-           ok ? "ok" : "DIFFERS");
+    printf("golden %-8s %08lx%08lx %s\n", mode, (unsigned long)(hash >> 32),
+           (unsigned long)(hash & 0xffffffffu), ok ? "ok" : "DIFFERS");
     if (wrong != 0) {
         printf("    first wrong answer: golden_table[%d]\n", wrong - 1);
     }

@@ -1,5 +1,5 @@
-/* The header's answers to the golden inputs: golden.c and golden.cu include this. Numbers travel as bit patterns;
- * nothing here computes with them. */
+/* The header's answers to the golden inputs: golden.c and golden.cu include this. Numbers travel as bit
+ * patterns; nothing here computes with them. */
 #ifndef GOLDEN_ANSWERS_H
 #define GOLDEN_ANSWERS_H
 
@@ -63,8 +63,9 @@ GOLDEN_FN void golden_widened(double *out, const uint64_t *bits, int n)
     }
 }
 
-/* Answer bits: 0..3 one box, closed, half-open, open, closed again by the plain entry; 4..7 prepared, closed, half-open,
- * open, thin. Float questions ask the double entries too, in bits 8..15, and prepared ones every pairing of formats. */
+/* Answer bits: 0..3 one box, closed, half-open, open, closed again by the plain entry; 4..7 prepared, closed,
+ * half-open, open, thin. Float questions ask the double entries too, in bits 8..15, and prepared ones every
+ * pairing of formats. */
 GOLDEN_FN uint32_t golden_doubles_say(const double v[9], const double lo[3], const double hi[3],
                                       const double size[3])
 {
@@ -82,8 +83,8 @@ GOLDEN_FN uint32_t golden_doubles_say(const double v[9], const double lo[3], con
     return word;
 }
 
-GOLDEN_FN uint32_t golden_floats_say(const float v[9], const float lo[3], const float hi[3], const float size[3],
-                                     const double wide_lo[3])
+GOLDEN_FN uint32_t golden_floats_say(const float v[9], const float lo[3], const float hi[3],
+                                     const float size[3], const double wide_lo[3])
 {
     uint32_t word = 0;
     unsigned rule;

@@ -1,12 +1,13 @@
 /* The golden inputs: deterministic, made as bit patterns by integer arithmetic alone, so that every compiler,
  * machine and mode makes the same ones; and one hash over all answers to them.
  *
- * Whoever includes this says first who answers: golden.c and golden.cu let tribox.h answer, gen_golden.c the exact
- * judge of verify_exact.h. They define GOLDEN_FN (the linkage of functions) and, after the include, the functions
+ * Whoever includes this says first who answers: golden.c and golden.cu let tribox.h answer, gen_golden.c the
+ * exact judge of verify_exact.h. They define GOLDEN_FN (the linkage of functions) and, after the include, the
+ * functions
  *
  *   golden_ask_single, golden_ask_grid, golden_ask_fill, golden_ask_locate
  *
- * C99 that is also C++98 and CUDA; calls no library.
+ * C99 that is also C++98 and CUDA; calls no library. No expression draws twice: the order would be the compiler's.
  */
 #ifndef GOLDEN_CASES_H
 #define GOLDEN_CASES_H
@@ -81,14 +82,16 @@ GOLDEN_FN int golden_between(uint64_t *state, int lo, int hi)
 
 /* ---- numbers ---------------------------------------------------------------------------------- */
 
-/* The bits of m * 2^e, rounded to nearest even, subnormals included; what is too large becomes the largest number. */
+/* The bits of m * 2^e, rounded to nearest even, subnormals included; what is too large becomes the largest
+ * number. */
 GOLDEN_FN uint64_t golden_encode(int64_t m, int e, int f64)
 {
     const int digits = f64 ? 53 : 24;
     const int least = f64 ? -1074 : -149;
     const int most = f64 ? 971 : 104; /* exponent of the last bit of the largest number */
     const uint64_t sign = m < 0 ? (uint64_t)1 << (f64 ? 63 : 31) : 0;
-    const uint64_t largest = (uint64_t)(most - least + 1) << (digits - 1) | (((uint64_t)1 << (digits - 1)) - 1);
+    const uint64_t largest =
+        (uint64_t)(most - least + 1) << (digits - 1) | (((uint64_t)1 << (digits - 1)) - 1);
     uint64_t a = m < 0 ? 0 - (uint64_t)m : (uint64_t)m;
     int drop = 0;
     if (a == 0) {
@@ -202,7 +205,7 @@ GOLDEN_FN void golden_triangle(uint64_t *state, int reach, int64_t v[9])
     }
 }
 
-/* a point of the triangle with weights in eighths, exact because corners are multiples of 8 (slivers: nearly) */
+/* a point of the triangle with weights in eighths, exact because corners are multiples of 8, slivers' nearly */
 GOLDEN_FN void golden_point(uint64_t *state, const int64_t v[9], int64_t point[3])
 {
     int k;
@@ -213,7 +216,8 @@ GOLDEN_FN void golden_point(uint64_t *state, const int64_t v[9], int64_t point[3
     }
 }
 
-/* a box with a corner, an edge or a face at a point of the triangle, outside it as seen along the contact's axis */
+/* a box with a corner, an edge or a face at a point of the triangle, outside it as seen along the contact's
+ * axis */
 GOLDEN_FN void golden_box(uint64_t *state, const int64_t v[9], int reach, int64_t lo[3], int64_t hi[3])
 {
     int64_t point[3];
@@ -344,11 +348,12 @@ GOLDEN_FN void golden_make_single(uint64_t index, golden_single *c)
     }
     if (kind == 9) {
         uint64_t *group = numbers[golden_between(&state, 0, 3)];
-        group[golden_between(&state, 0, 2)] = golden_special(&state, c->f64);
+        i = golden_between(&state, 0, 2);
+        group[i] = golden_special(&state, c->f64);
     }
 }
 
-/* A grid of unit, decimal or odd steps around some index, and triangles with corners on or near its points. */
+/* A grid of unit, decimal or odd steps around some index, and triangles with corners on or near its points */
 GOLDEN_FN void golden_make_grid(uint64_t index, golden_grid *g)
 {
     uint64_t state = index * 1009 + 5;
@@ -367,7 +372,8 @@ GOLDEN_FN void golden_make_grid(uint64_t index, golden_grid *g)
         g->size[k] = golden_encode(step[k], e, 1);
         g->lo[k] = base[k] - golden_between(&state, 0, 3);
     }
-    for (i = 0; i < 18; ++i) { /* corners within the region or around it, in whole, half, quarter or eighth steps */
+    /* corners within the region or around it, in whole, half, quarter or eighth steps */
+    for (i = 0; i < 18; ++i) {
         int fraction = golden_between(&state, 0, 3);
         int64_t eighths = (int64_t)golden_between(&state, -24, 72) >> fraction << fraction;
         int fits = kind != 1; /* a decimal step leaves no room for eighths */

@@ -1,6 +1,7 @@
-/* Written by gen_golden.c (`make golden`): do not edit. The first golden inputs as bit patterns (v0 v1 v2,
- * box_min or p, box_max, size), the exact answers to them, and the hash of all answers, to 65536 triangles
- * and boxes and 2048 grids. golden_answers.h says what the bits of an answer mean. */
+/* Written by gen_golden.c (`make golden`): do not edit. The first golden inputs as bit
+ * patterns (v0 v1 v2, box_min or p, box_max, size), the exact answers to them, and the hash of all
+ * answers, to 65536 triangles and boxes and 2048 grids. golden_answers.h says what the bits of an
+ * answer mean. */
 #ifndef GOLDEN_OVERLAP_H
 #define GOLDEN_OVERLAP_H
 

@@ -2,11 +2,12 @@
  *
  *   build/verify [thousands of one-box cases] [seed] [processes]
  *
- * The judge is separating axes in GMP integers; one case in eight is also clipped in GMP rationals, and the two must
- * agree. For the class "flip", two adjacent floating-point numbers are found by bisection of one coordinate between
- * which the exact answer changes, and both are asked. A broken judge (verify_exact.h lists how it is broken) is run
- * beside the true one on some cases: each way must come to light, else the cases would not reveal such a header.
- * Needs GMP and POSIX; the program prints its seed, what it asked, and every wrong answer as hex floats.
+ * The judge is separating axes in GMP integers; one case in eight is also clipped in GMP rationals, and the
+ * two must agree. For the class "flip", two adjacent floating-point numbers are found by bisection of one
+ * coordinate between which the exact answer changes, and both are asked. A broken judge (verify_exact.h lists
+ * how it is broken) is run beside the true one on some cases: each way must come to light, else the cases
+ * would not reveal such a header. Needs GMP and POSIX; the program prints its seed, what it asked, and every
+ * wrong answer as hex floats.
  */
 #define _DEFAULT_SOURCE
 #include "verify_cases.h"
@@ -62,7 +63,8 @@ static void print_question(const question *ask)
     printf("\n");
 }
 
-static void report(run *r, const char *what, unsigned flags, long long got, long long want, const question *ask)
+static void report(run *r, const char *what, unsigned flags, long long got, long long want,
+                   const question *ask)
 {
     ++r->count->wrong[r->row];
     if (r->printed < 10) {
@@ -159,8 +161,8 @@ static void judge_box(run *r, const question *ask, unsigned rules)
         expect(r, "tribox_overlap_rule_f64", more,
                tribox_overlap_rule_f64(x, x + 3, x + 6, x + 9, x + 12, more), want, ask);
         if (narrowable) {
-            expect(r, "tribox_overlap_rule", more, tribox_overlap_rule(f, f + 3, f + 6, f + 9, f + 12, more), want,
-                   ask);
+            expect(r, "tribox_overlap_rule", more, tribox_overlap_rule(f, f + 3, f + 6, f + 9, f + 12, more),
+                   want, ask);
         }
     }
 }
@@ -212,13 +214,13 @@ static void judge_voxel(run *r, const question *ask, unsigned rules)
         tribox_grid grid;
         int want = truth_of(rules, flags, ASK_GRID);
         question_grid(ask, flags, &grid);
-        expect(r, "tribox_grid_spans_f64", flags, (int)tribox_grid_spans_f64(&grid, x, x + 3, x + 6, NULL, NULL),
-               want, ask);
+        expect(r, "tribox_grid_spans_f64", flags,
+               (int)tribox_grid_spans_f64(&grid, x, x + 3, x + 6, NULL, NULL), want, ask);
         if (all_floats(x, 9)) {
             float f[15];
             narrow(f, x);
-            expect(r, "tribox_grid_spans", flags, (int)tribox_grid_spans(&grid, f, f + 3, f + 6, NULL, NULL), want,
-                   ask);
+            expect(r, "tribox_grid_spans", flags, (int)tribox_grid_spans(&grid, f, f + 3, f + 6, NULL, NULL),
+                   want, ask);
         }
     }
 }
@@ -255,8 +257,8 @@ static void make_question(run *r, int which, int f64, question *ask)
     }
 }
 
-/* Moves one number until the answer under one rule changes, then closes in on the two adjacent numbers between which it
- * does. Each is judged under all rules. Returns 0 if no change was found. */
+/* Moves one number until the answer under one rule changes, then closes in on the two adjacent numbers
+ * between which it does. Each is judged under all rules. Returns 0 if no change was found. */
 static int flip(run *r, question *ask, int f64)
 {
     unsigned rule = 1u << dice_below(&r->d, RULES);
@@ -395,7 +397,8 @@ static void make_walk(run *r, question *ask, int f64)
         shape_degenerate(d, x);
     } else if (style == 5) { /* far indices */
         for (i = 0; i < 3; ++i) {
-            int index = dice_once_in(d, 2) ? dice_between(d, 2147483600, 2147483646) : -dice_between(d, 1, 2147483647);
+            int index = dice_once_in(d, 2) ? dice_between(d, 2147483600, 2147483646)
+                                           : -dice_between(d, 1, 2147483647);
             x[9 + i] -= (double)index * x[12 + i];
         }
     } else if (style == 6) { /* huge, and almost parallel to an axis */
@@ -429,8 +432,8 @@ static void make_walk(run *r, question *ask, int f64)
     }
 }
 
-/* A region around a point of the triangle, at most `most` long in y and z: its index box cut somewhere, and one more
- * voxel around it. In x it may be as long as can be. */
+/* A region around a point of the triangle, at most `most` long in y and z: its index box cut somewhere, and
+ * one more voxel around it. In x it may be as long as can be. */
 static int make_region(run *r, question *ask, int most)
 {
     dice *d = &r->d;
@@ -526,7 +529,8 @@ static void expect_voxel(run *r, const question *ask, unsigned flags, int got, i
     expect(r, "voxel of tribox_grid_spans_f64", flags, got, want, &part);
 }
 
-/* No span in this row. Under the closed and half-open rules its voxels together are one box; else each is asked. */
+/* No span in this row. Under the closed and half-open rules its voxels together are one box; else each is
+ * asked. */
 static void check_empty_row(run *r, const question *ask, unsigned flags, int y, int z)
 {
     unsigned rule = rule_of(flags);
@@ -554,7 +558,8 @@ static void check_empty_row(run *r, const question *ask, unsigned flags, int y, 
     }
 }
 
-/* A row's set is an interval under every rule, so a span is right if its ends are in and their neighbours are not. */
+/* A row's set is an interval under every rule, so a span is right if its ends are in and their neighbours are
+ * not. */
 static void check_rows(run *r, const question *ask, unsigned flags, const spans *s)
 {
     int i = 0, y, z;
@@ -653,8 +658,8 @@ static void mark_span(void *user, int x0, int x1, int y, int z)
     }
 }
 
-/* A mesh of a few triangles: the bits of its fill are those of the spans of each (which walks() judges exactly), padding
- * bits stay clear, and words around the array stay as they were. */
+/* A mesh of a few triangles: the bits of its fill are those of the spans of each (which walks() judges
+ * exactly), padding bits stay clear, and words around the array stay as they were. */
 static void fill(run *r)
 {
     static marks want;
@@ -684,7 +689,8 @@ static void fill(run *r)
         for (k = 0; k < 9; ++k) {
             positions[9 * i + k] = (float)next.x[k];
         }
-        tribox_grid_spans(&grid, positions + 9 * i, positions + 9 * i + 3, positions + 9 * i + 6, mark_span, &want);
+        tribox_grid_spans(&grid, positions + 9 * i, positions + 9 * i + 3, positions + 9 * i + 6, mark_span,
+                          &want);
     }
     mesh.positions = positions;
     mesh.stride = 0;
@@ -707,7 +713,8 @@ static void fill(run *r)
         for (y = 0; y <= ask.last[1] - ask.index[1]; ++y) {
             uint64_t word = bits[1 + z * (ask.last[1] - ask.index[1] + 1) + y];
             for (x = 0; x <= ask.last[0] - ask.index[0]; ++x) {
-                int got = tribox_grid_get(&grid, bits + 1, ask.index[0] + x, ask.index[1] + y, ask.index[2] + z);
+                int got =
+                    tribox_grid_get(&grid, bits + 1, ask.index[0] + x, ask.index[1] + y, ask.index[2] + z);
                 ++r->count->asked[r->row];
                 expect(r, "voxel of tribox_grid_fill", flags, got, want.at[z][y][x], &ask);
                 expect(r, "bit of tribox_grid_fill", flags, (int)(word >> x & 1u), want.at[z][y][x], &ask);
@@ -788,10 +795,11 @@ static uint64_t print_table(const tally *t)
     printf("%-20s %10s %10s %10s %10s %10s %6s\n", "class", "questions", "answers", "overlap", "touching",
            "two ways", "wrong");
     for (i = 0; i < ROWS; ++i) {
-        printf("%-20s %10llu %10llu %10llu %10llu %10llu %6llu\n", i < CASES ? case_names[i] : row_names[i - CASES],
-               (unsigned long long)t->asked[i], (unsigned long long)t->answers[i],
-               (unsigned long long)t->overlap[i], (unsigned long long)t->touching[i],
-               (unsigned long long)t->both[i], (unsigned long long)(t->wrong[i] + t->disagree[i]));
+        printf("%-20s %10llu %10llu %10llu %10llu %10llu %6llu\n",
+               i < CASES ? case_names[i] : row_names[i - CASES], (unsigned long long)t->asked[i],
+               (unsigned long long)t->answers[i], (unsigned long long)t->overlap[i],
+               (unsigned long long)t->touching[i], (unsigned long long)t->both[i],
+               (unsigned long long)(t->wrong[i] + t->disagree[i]));
         bad += t->wrong[i] + t->disagree[i];
         asked += t->asked[i];
         answers += t->answers[i];
@@ -819,8 +827,8 @@ int main(int argc, char **argv)
         perror("mmap");
         return 2;
     }
-    printf("verify: seed %llu, %ld thousand single questions, %d processes\n", (unsigned long long)seed, thousands,
-           processes);
+    printf("verify: seed %llu, %ld thousand single questions, %d processes\n", (unsigned long long)seed,
+           thousands, processes);
     fflush(stdout);
     for (i = 0; i < processes; ++i) {
         pid_t child = fork();

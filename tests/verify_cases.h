@@ -1,5 +1,5 @@
-/* Hard questions for verify.c and the fuzzers' seeds: triangles and boxes that almost touch, touch exactly, or have
- * unusual numbers. Everything is drawn from one seeded generator; nothing here knows an answer.
+/* Hard questions for verify.c and the fuzzers' seeds: triangles and boxes that almost touch, touch exactly,
+ * or have unusual numbers. Everything is drawn from one seeded generator; nothing here knows an answer.
  */
 #ifndef VERIFY_CASES_H
 #define VERIFY_CASES_H
@@ -23,9 +23,9 @@ enum {
     CASES
 };
 
-static const char *const case_names[CASES] = {"random", "lattice", "decimal grid", "contact", "sliver",
-                                              "degenerate", "scales", "extreme", "flat box", "aligned",
-                                              "far away", "special", "any bits"};
+static const char *const case_names[CASES] = {"random",     "lattice", "decimal grid", "contact",  "sliver",
+                                              "degenerate", "scales",  "extreme",      "flat box", "aligned",
+                                              "far away",   "special", "any bits"};
 
 typedef struct dice {
     uint64_t state;
@@ -117,7 +117,8 @@ static double key_number(int64_t key, int f64)
     }
 }
 
-/* The nearest float, as a double. Through memory: gcc 12 drops neighbouring (double)(float) pairs when it vectorises. */
+/* The nearest float, as a double. Through memory: gcc 12 drops neighbouring (double)(float) pairs when it
+ * vectorises. */
 static double nearest_float(double d)
 {
     volatile float f = (float)d;
@@ -279,8 +280,8 @@ static void box_against(dice *d, const double point[3], const int s[3], double r
     }
 }
 
-/* A box that touches the triangle, up to rounding: its corner at the plane, its edge at an edge, its face at a
- * corner, or any of its features at any point. */
+/* A box that touches the triangle, up to rounding: its corner at the plane, its edge at an edge, its face at
+ * a corner, or any of its features at any point. */
 static void box_touching(dice *d, const double v[9], double reach, double box[6])
 {
     double n[3], point[3];
@@ -497,7 +498,8 @@ static void case_make(dice *d, int which, int f64, double x[15])
         int e = dice_once_in(d, 2) ? dice_between(d, top - 8, top) : dice_between(d, bottom, bottom + 60);
         scale_all(x, power_of_two(e));
         if (dice_once_in(d, 4)) { /* one number out of all proportion */
-            x[dice_below(d, 15)] = number_fit(dice_signed(d) * power_of_two(dice_between(d, bottom, top)), f64);
+            x[dice_below(d, 15)] =
+                number_fit(dice_signed(d) * power_of_two(dice_between(d, bottom, top)), f64);
         }
     }
     for (i = 0; i < 15; ++i) {
@@ -515,7 +517,8 @@ static void case_make(dice *d, int which, int f64, double x[15])
     }
 }
 
-/* turns [min, max] into p and size. The size has the given format; what does not come out finite stays as it is. */
+/* turns [min, max] into p and size. The size has the given format; what does not come out finite stays as it
+ * is. */
 static void case_as_tri(question *ask, int f64)
 {
     int i;

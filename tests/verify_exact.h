@@ -18,8 +18,8 @@ enum { RULE_CLOSED, RULE_HALF_OPEN, RULE_OPEN, RULE_THIN, RULES };
 
 enum { ASK_BOX, ASK_TRI, ASK_GRID };
 
-/* One triangle against one box: numbers 0..8 are the corners, 9..11 box_min, p or origin, 12..14 box_max or size,
- * both of these exact: the box of ASK_TRI is [p, p + size] in real numbers. */
+/* One triangle against one box: numbers 0..8 are the corners, 9..11 box_min, p or origin, 12..14 box_max or
+ * size, both of these exact: the box of ASK_TRI is [p, p + size] in real numbers. */
 typedef struct question {
     double x[15];
     int index[3]; /* ASK_GRID: the first voxel */
@@ -46,12 +46,11 @@ enum {
 };
 
 static const char *const exact_mutant_names[EXACT_MUTANTS] = {
-    "none",           "no face x",       "no face y",        "no face z",         "no plane",
-    "no edge x,0",    "no edge x,1",     "no edge x,2",      "no edge y,0",       "no edge y,1",
-    "no edge y,2",    "no edge z,0",     "no edge z,1",      "no edge z,2",       "closed as open",
-    "open as closed", "half-open below", "one-sided plane",  "swapped extents",   "rounded p + size",
-    "thin: sum",      "thin: largest n", "thin: no faces",   "thin: xz for zx"
-};
+    "none",           "no face x",       "no face y",       "no face z",       "no plane",
+    "no edge x,0",    "no edge x,1",     "no edge x,2",     "no edge y,0",     "no edge y,1",
+    "no edge y,2",    "no edge z,0",     "no edge z,1",     "no edge z,2",     "closed as open",
+    "open as closed", "half-open below", "one-sided plane", "swapped extents", "rounded p + size",
+    "thin: sum",      "thin: largest n", "thin: no faces",  "thin: xz for zx"};
 
 #define CLIP_MAX 16 /* a triangle clipped by six planes has at most nine corners */
 
@@ -321,7 +320,8 @@ static unsigned axes_gap(exact *x, int gap, int uses_lo, int uses_hi, int mutant
     return closed | half | open;
 }
 
-/* rules not separated along x->d: the projections of the triangle, t[0]..t[1], and of the box, t[2]..t[3], meet */
+/* rules not separated along x->d: the projections of the triangle, t[0]..t[1], and of the box, t[2]..t[3],
+ * meet */
 static unsigned axes_along(exact *x, int mutant, int axis)
 {
     int i, j;
@@ -351,7 +351,8 @@ static unsigned axes_along(exact *x, int mutant, int axis)
         mpz_ptr lo = x->lo[j];
         mpz_ptr hi = x->hi[j];
         if (swapped) {
-            /* centre of j, extent of k: lo' = (lo_j + hi_j - (hi_k - lo_k)) / 2; rounding does not matter here */
+            /* centre of j, extent of k: lo' = (lo_j + hi_j - (hi_k - lo_k)) / 2; rounding does not matter
+             * here */
             mpz_add(x->t[5], x->lo[j], x->hi[j]);
             mpz_sub(x->t[6], x->hi[k], x->lo[k]);
             mpz_sub(x->t[7], x->t[5], x->t[6]);
@@ -448,7 +449,8 @@ static void thin_gather(exact *x, mpz_t best, mpz_t largest, mpz_t a, int k, int
     }
 }
 
-/* [SS10] 6-separating with the products |n_a| h_a, the centre and half size of the whole voxel; everything doubled */
+/* [SS10] 6-separating with the products |n_a| h_a, the centre and half size of the whole voxel; everything
+ * doubled */
 static int axes_thin(exact *x, int mutant)
 {
     int a, i;
@@ -539,7 +541,8 @@ static unsigned exact_axes(exact *x, const question *ask)
 
 /* ---- clipping, in rationals ------------------------------------------------------------------- */
 
-/* keeps the part of polygon `from` with sign * (coordinate a - face) >= 0; returns the number of corners left */
+/* keeps the part of polygon `from` with sign * (coordinate a - face) >= 0; returns the number of corners left
+ */
 static int clip_by_face(exact *x, int from, int corners, int a, mpz_t face, int sign)
 {
     mpq_t(*in)[3] = x->polygon[from];
@@ -622,7 +625,8 @@ static unsigned clip_conservative(exact *x)
     return rules;
 }
 
-/* out = coordinate k of corner `which` of a thin voxel: 0 and 1 its ends along axis 0, 2 and 3 along 1, 4 and 5 along 2 */
+/* out = coordinate k of corner `which` of a thin voxel: 0 and 1 its ends along axis 0, 2 and 3 along 1, 4 and
+ * 5 along 2 */
 static void thin_corner(exact *x, mpq_t out, int which, int k)
 {
     if (which / 2 == k) {
@@ -692,8 +696,9 @@ static int thin_plane_side(exact *x, int which)
     return mpq_sgn(x->q[6]);
 }
 
-/* Thin support max |n_a| h_a is that of the six face centres: some centre must lie on or inside each edge line of
- * each projection, and centres on both sides of, or on, the plane; and the box must meet the triangle's. */
+/* Thin support max |n_a| h_a is that of the six face centres: some centre must lie on or inside each edge
+ * line of each projection, and centres on both sides of, or on, the plane; and the box must meet the
+ * triangle's. */
 static int clip_thin(exact *x)
 {
     int a, i, which, above = 0, below = 0;
@@ -779,8 +784,10 @@ static int exact_index(exact *x, double point, double origin, double size, mpz_t
 
 static unsigned rule_of(unsigned flags)
 {
-    return (flags & 4u) != 0 ? RULE_THIN : (flags & 2u) != 0 ? RULE_OPEN : (flags & 1u) != 0 ? RULE_HALF_OPEN
-                                                                                           : RULE_CLOSED;
+    return (flags & 4u) != 0   ? RULE_THIN
+           : (flags & 2u) != 0 ? RULE_OPEN
+           : (flags & 1u) != 0 ? RULE_HALF_OPEN
+                               : RULE_CLOSED;
 }
 
 #endif
