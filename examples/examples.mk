@@ -16,7 +16,7 @@ examples: build-examples ## run the examples against their .out files, the file 
 	sh tests/test_examples.sh $(B)
 
 demo: $(B)/voxelize ## voxelize the Utah teapot; writes build/teapot.png, .vox and .binvox
-	$(B)/voxelize teapot 192 -o $(B)/teapot.png -o $(B)/teapot.vox -o $(B)/teapot.binvox
+	$(B)/voxelize teapot 128 -o $(B)/teapot.png -o $(B)/teapot.vox -o $(B)/teapot.binvox
 	@echo
 	@echo 'Open $(B)/teapot.png in any viewer. $(B)/teapot.vox opens in MagicaVoxel, $(B)/teapot.binvox in viewvox.'
 	@echo 'Your own mesh: $(B)/voxelize model.ply 256 -o model.vox   ($(B)/voxelize --help lists the options)'

@@ -769,40 +769,38 @@ static inline void mesh_free(mesh *m) {
     memset(m, 0, sizeof *m);
 }
 
-/* All bytes of a file, "-" being the standard input, and two zero bytes. */
-static inline unsigned char *mesh_load_bytes(mesh_reader *r) {
-    FILE *file = strcmp(r->path, "-") == 0 ? stdin : fopen(r->path, "rb");
+/* All bytes of a file, "-" being the standard input, and two zero bytes. Returns NULL with a sentence in `error`. */
+static inline unsigned char *mesh_load_bytes(const char *path, size_t *out_size, char *error) {
+    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
     void *bytes = NULL;
     size_t room = 0;
-    int ok = 1;
-    if (!file) {
-        mesh_fail_file(r, strerror(errno));
-        return NULL;
-    }
+    size_t got = 1;
+    mesh_reader r;
+    int ok;
+    memset(&r, 0, sizeof r);
+    r.path = path;
+    r.error = error;
+    ok = file ? 1 : mesh_fail_file(&r, strerror(errno));
     errno = 0;
-    while (ok) {
-        size_t got;
-        ok = mesh_reserve(r, &bytes, &room, r->size, 65536, 1);
-        if (!ok) {
-            break;
-        }
-        got = fread((unsigned char *)bytes + r->size, 1, room - r->size - 2, file);
-        r->size += got;
-        if (got == 0) {
-            break;
+    while (ok && got > 0) {
+        ok = mesh_reserve(&r, &bytes, &room, r.size, 65536, 1);
+        if (ok) {
+            got = fread((unsigned char *)bytes + r.size, 1, room - r.size - 2, file);
+            r.size += got;
         }
     }
     if (ok && ferror(file)) {
-        ok = mesh_fail_file(r, errno ? strerror(errno) : "read error");
+        ok = mesh_fail_file(&r, errno ? strerror(errno) : "read error");
     }
-    if (file != stdin) {
+    if (file && file != stdin) {
         fclose(file);
     }
     if (!ok) {
         free(bytes);
         return NULL;
     }
-    memset((unsigned char *)bytes + r->size, 0, 2);
+    memset((unsigned char *)bytes + r.size, 0, 2);
+    *out_size = r.size;
     return (unsigned char *)bytes;
 }
 
@@ -844,25 +842,22 @@ static inline int mesh_parse(mesh_reader *r) {
     return mesh_read_obj(r);
 }
 
-/* Reads a mesh; `error` has room for MESH_ERROR characters.
+/* Reads a mesh that stands in memory, with two zero bytes behind its end; `path` is its name in errors, and its ending may
+ * help to tell the format. `error` has room for MESH_ERROR characters.
  *
  * Returns 1, or 0 with one sentence in `error` and an empty mesh.
  */
-static inline int mesh_read(mesh *out, const char *path, char *error) {
+static inline int mesh_read_memory(mesh *out, const char *path, const unsigned char *data, size_t size, char *error) {
     mesh_reader r;
-    unsigned char *bytes;
     int ok;
     memset(&r, 0, sizeof r);
     memset(out, 0, sizeof *out);
     r.path = path;
     r.error = error;
     r.out = out;
+    r.data = data;
+    r.size = size;
     r.line = 1;
-    bytes = mesh_load_bytes(&r);
-    if (!bytes) {
-        return 0;
-    }
-    r.data = bytes;
     ok = mesh_parse(&r);
     if (ok && out->indices && r.largest >= out->vertices) {
         ok = mesh_fail_at(&r, r.largest_place, "vertex number %lu (from 0), but the file has %lu vertices",
@@ -871,10 +866,21 @@ static inline int mesh_read(mesh *out, const char *path, char *error) {
     if (ok && out->triangles == 0) {
         ok = mesh_fail_file(&r, "no triangles");
     }
-    free(bytes);
     if (!ok) {
         mesh_free(out);
     }
+    return ok;
+}
+
+/* Reads a mesh file, or with "-" the standard input; the rest as mesh_read_memory. */
+static inline int mesh_read(mesh *out, const char *path, char *error) {
+    unsigned char *bytes;
+    size_t size;
+    int ok;
+    memset(out, 0, sizeof *out);
+    bytes = mesh_load_bytes(path, &size, error);
+    ok = bytes && mesh_read_memory(out, path, bytes, size, error);
+    free(bytes);
     return ok;
 }
 

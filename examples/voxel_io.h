@@ -314,7 +314,7 @@ static inline int binvox_read(const char *path, voxels *out, char *error) {
     r.path = path;
     r.error = error;
     r.line = 1;
-    bytes = mesh_load_bytes(&r);
+    bytes = mesh_load_bytes(path, &r.size, error);
     if (!bytes) {
         return 0;
     }
