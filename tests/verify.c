@@ -309,7 +309,7 @@ static void single_questions(run *r, long cases)
             which = CASE_CONTACT;
         }
         make_question(r, which, f64, &ask);
-        if (which != CASE_SPECIAL && which != CASE_BITS && dice_once_in(&r->d, 16)) {
+        if (which != CASE_SPECIAL && which != CASE_BITS && dice_once_in(&r->d, 4)) {
             r->row = ROW_FLIP;
             if (flip(r, &ask, f64)) {
                 cases -= 2;
