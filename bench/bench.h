@@ -212,7 +212,7 @@ enum {
 }; /* NOTE: timed and printed, never compared with */
 
 /* One contender: run() does the whole job once and returns the sum of its answers. When given, prepare()
- * comes before it and count() replaces its sum at the end; neither is timed. */
+ * comes before it and count() replaces its sum; neither is timed. */
 typedef struct bench_row {
     const char *name;
     int role;
@@ -220,6 +220,7 @@ typedef struct bench_row {
     void (*prepare)(void *context);
     uint64_t (*count)(void *context);
     uint64_t sum;
+    int again; /* 0: a rival out of the race, timed once */
     double best;
     double median;
     double seconds[BENCH_MAX_RUNS];
@@ -253,34 +254,65 @@ static inline double bench_median(const double *values, int count)
     return count % 2 ? sorted[count / 2] : 0.5 * (sorted[count / 2 - 1] + sorted[count / 2]);
 }
 
-/* Times every row once per run, in turn. A first round warms caches and predictors and is thrown away; it
- * also tells how many of the wanted runs fit into the budget, of which three are made in any case. Returns
- * the runs made. */
+static inline double bench_once(bench_row *row, void *context)
+{
+    uint64_t sum;
+    double start;
+    double seconds;
+    if (row->prepare != NULL) {
+        row->prepare(context);
+    }
+    start = bench_now();
+    sum = row->run(context);
+    seconds = bench_now() - start;
+    row->sum = row->count != NULL ? row->sum : sum;
+    return seconds;
+}
+
+/* A first round, which warms caches and predictors. Rivals it shows to be out of the race, three times slower
+ * than another, keep this one time and are not run again. Returns the time that the rows still to be run
+ * took. */
+static inline double bench_warm(bench_row *rows, int count, void *context)
+{
+    double fastest = 1e30;
+    double total = 0;
+    int i;
+    int run;
+    for (i = 0; i < count; i++) {
+        double start = bench_now();
+        double seconds = bench_once(&rows[i], context);
+        rows[i].seconds[0] = seconds;
+        rows[i].best = bench_now() - start;
+        if (rows[i].count != NULL) {
+            rows[i].sum = rows[i].count(context);
+        }
+        fastest = rows[i].role == BENCH_RIVAL && seconds < fastest ? seconds : fastest;
+    }
+    for (i = 0; i < count; i++) {
+        rows[i].again = rows[i].role != BENCH_RIVAL || rows[i].seconds[0] <= 3 * fastest;
+        total += rows[i].again ? rows[i].best : 0;
+        for (run = 1; run < BENCH_MAX_RUNS; run++) {
+            rows[i].seconds[run] = rows[i].seconds[0];
+        }
+    }
+    return total;
+}
+
+/* Times every row once per run, in turn, as many of the wanted runs as fit into the budget of seconds, but
+ * three in any case. Returns the runs made. */
 static inline int bench_measure(bench_row *rows, int count, int runs, double budget, void *context)
 {
-    double spent = bench_now();
+    double fitting = budget / bench_warm(rows, count, context);
+    int least = runs < 3 ? runs : 3;
     int run;
     int i;
-    runs = runs < 1 ? 1 : runs < BENCH_MAX_RUNS ? runs : BENCH_MAX_RUNS;
-    for (run = -1; run < runs; run++) {
+    runs = runs < BENCH_MAX_RUNS ? runs : BENCH_MAX_RUNS;
+    runs = fitting > runs ? runs : fitting < least ? least : (int)fitting;
+    for (run = 0; run < runs; run++) {
         for (i = 0; i < count; i++) {
-            double start;
-            if (rows[i].prepare != NULL) {
-                rows[i].prepare(context);
+            if (rows[i].again) {
+                rows[i].seconds[run] = bench_once(&rows[i], context);
             }
-            start = bench_now();
-            rows[i].sum = rows[i].run(context);
-            if (run >= 0) {
-                rows[i].seconds[run] = bench_now() - start;
-            }
-            if (run == runs - 1 && rows[i].count != NULL) {
-                rows[i].sum = rows[i].count(context);
-            }
-        }
-        if (run < 0) {
-            double fitting = budget / (bench_now() - spent);
-            int least = runs < 3 ? runs : 3;
-            runs = fitting > runs ? runs : fitting < least ? least : (int)fitting;
         }
     }
     for (i = 0; i < count; i++) {
@@ -328,6 +360,12 @@ static inline void bench_csv(const bench_options *options, const char *title, co
     if (file == NULL) {
         fprintf(stderr, "cannot append to %s\n", options->csv);
         exit(1);
+    }
+    fseek(file, 0, SEEK_END);
+    if (ftell(file) == 0) {
+        fprintf(
+            file,
+            "compiler,flags,isa,commit,table,row,best,median,best / fastest rival,median / fastest rival\n");
     }
     fprintf(file, "\"%s\",\"%s\",\"%s\",%s,%s,\"%s\",%.4f,%.4f,", bench_compiler(), BENCH_FLAGS, bench_isa(),
             BENCH_COMMIT, title, row->name, row->best * unit, row->median * unit);

@@ -3,7 +3,8 @@
 
 BENCH_O2     ?= -O2
 BENCH_NATIVE ?= -O3 -march=native
-BENCHES      := overlap tri grid $(if $(shell grep -l tribox_mesh_query tribox.h),companions)
+COMPANIONS   := $(shell grep -l tribox_mesh_query tribox.h)
+BENCHES      := overlap tri grid $(if $(COMPANIONS),companions)
 BENCH_COMMIT  = $(eval BENCH_COMMIT := $(shell git describe --always --dirty --exclude '*' 2>/dev/null || echo unknown))$(BENCH_COMMIT)
 BENCH_CC      = $(CC) -std=c99 -Ibench -Iexamples -I. $(WARN_C) -DBENCH_COMMIT='"$(BENCH_COMMIT)"'
 BENCH_DEPS   := tribox.h $(wildcard bench/*.h)
@@ -11,7 +12,7 @@ BENCH_ARGS    = $(if $(CSV),--csv $(CSV))
 
 BENCH_BINS   := $(BENCHES:%=$(B)/o2/bench_%) $(BENCHES:%=$(B)/native/bench_%)
 
-.PHONY: bench bench-quick bench-build bench-data
+.PHONY: bench bench-quick bench-build bench-data bench-stack
 
 bench-build: $(BENCH_BINS)
 
@@ -33,6 +34,10 @@ bench: bench-build ## time everything against the float tests of today, at -O2 a
 
 bench-quick: bench-build ## bench with fewer runs and sizes: under a minute
 	@for b in $(BENCH_BINS); do echo; $$b --quick $(BENCH_ARGS) || exit 1; done
+
+bench-stack: | $(B)/bench.stamp ## bytes of stack on each function's deepest chain of calls (needs gcc)
+	$(CC) -std=c99 -I. $(BENCH_O2) $(if $(COMPANIONS),-DSTACK_COMPANIONS) -fcallgraph-info=su -c bench/stack.c -o $(B)/stack.o
+	@awk -v LIMIT=16384 -f bench/stack.awk $(B)/stack.ci
 
 BENCH_DATA := bench/data
 

@@ -226,7 +226,7 @@ static double bench_job(const bench_options *options, const char *name, int n, c
         rows[i].prepare = clear;
         rows[i].count = rows[i].role != BENCH_REFERENCE ? count_bits : NULL;
     }
-    runs = bench_measure(rows, count, bench_runs(options, 15), options->quick ? 1.0 : 4.0, &j);
+    runs = bench_measure(rows, count, bench_runs(options, 15), options->quick ? 0.5 : 2.0, &j);
     rival = bench_rival(rows, count);
     ours = find_row(rows, count, run_fill);
     printf("%-16s %5d %9llu %6.1f |", name, n,
@@ -292,7 +292,7 @@ static void bench_threads(const bench_options *options, const char *name, int n,
         rows[i].prepare = clear;
         rows[i].count = count_bits;
     }
-    runs = bench_measure(rows, count, bench_runs(options, 25), options->quick ? 1.0 : 4.0, &j);
+    runs = bench_measure(rows, count, bench_runs(options, 25), options->quick ? 0.5 : 2.0, &j);
     printf("%-16s %5d: one thread %8.2f ms, two %8.2f ms, %4.2f x faster (best %4.2f), %s\n", name, n,
            1e3 * rows[0].median, 1e3 * rows[1].median, bench_ratio(&rows[0], &rows[1], runs),
            rows[0].best / rows[1].best, rows[0].sum == rows[1].sum ? "same voxels" : "DIFFERENT VOXELS");
