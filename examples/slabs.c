@@ -3,10 +3,11 @@
  *   build/slabs [mesh] [resolution] [threads]       default: the teapot at 512 on two threads
  *
  * A slab is the grid's region cut smaller in z, and its words are a part of the whole array, so slabs can be filled at
- * once. Two things make that fast. Triangles are sorted into the slabs they can touch first, on all threads, so that no
- * slab's fill has to look at the whole mesh; and there are many more slabs than threads, handed out one by one, so that
- * all threads end at about the same time. Prints the times of one call and of the threads, sorting included, and
- * compares the bits. Exit status: 0 the same bits, 1 not the same, 2 an error.
+ * once. Two things make that fast. No slab's fill looks at the whole mesh: blocks of 64 triangles that follow each other
+ * are mostly near each other, so a slab takes the blocks whose extent in z meets it. (Where the mesh has no such order, its
+ * triangles are sorted by z first.) And there are more slabs than threads, handed out one by one, so that all threads end
+ * at about the same time. Prints the times of one call and of the threads, preparation included, and compares the bits.
+ * Exit status: 0 the same bits, 1 not the same, 2 an error.
  */
 #if !defined(_WIN32) && !defined(_POSIX_C_SOURCE)
 #define _POSIX_C_SOURCE 200112L
@@ -54,17 +55,23 @@ static double wall_seconds(void) {
 
 /* ---- 2. The work ----------------------------------------------------------------------------- */
 
-enum { MAX_THREADS = 256, SLABS_PER_THREAD = 16 };
+enum { MAX_THREADS = 256, SLABS_PER_THREAD = 8, BLOCK = 64 };
+
+typedef struct block {
+    uint32_t first;                     /* slabs that it meets; first > last: none */
+    uint32_t last;
+} block;
 
 typedef struct job {
-    const tribox_mesh *mesh;
-    voxels            *v;
+    tribox_mesh        mesh;
+    const voxels      *v;
     int                threads;
     int                height;          /* layers in a slab; the last may have fewer */
     size_t             slabs;
-    size_t            *count;           /* [slab * threads + thread]: triangles, then where the next one's indices go */
-    size_t            *first;           /* [slab]: its first triangle in `indices`; one more entry ends the last */
-    uint32_t          *indices;
+    block             *blocks;
+    size_t             block_count;
+    size_t            *count;           /* [slab * threads + thread]: triangles, then where the next one goes */
+    uint32_t          *sorted;          /* indices of the sorted mesh */
     lock               lock;
     size_t             next_slab;       /* under the lock */
 } job;
@@ -76,100 +83,139 @@ typedef struct worker {
     void (*run)(struct worker *w);
 } worker;
 
-static float float_min3(float a, float b, float c) {
-    float least = a < b ? a : b;
-    return least < c ? least : c;
-}
-
-/* Slabs that the triangle can touch, first to last; 0 if there is none. z and origin are exact, so the quotient is off by
-   a few units of 2^-53 of itself: 1e-9 of it is on the safe side. */
-static int slab_range(const job *j, const float *const corner[3], size_t *out_first, size_t *out_last) {
+/* Slabs that a set from lo to hi in z can touch. z and origin are exact, so the quotient is off by a few units of 2^-53
+   of itself: 1e-9 of it is on the safe side. What lies on a layer's lower border touches the layer below too, and the
+   lowered `low` is already in that one. */
+static block slabs_between(const job *j, float lo, float hi) {
     const tribox_grid *g = &j->v->grid;
-    double lo = ((double)float_min3(corner[0][2], corner[1][2], corner[2][2]) - g->origin[2]) / g->size[2] - g->lo[2];
-    double hi = (-(double)float_min3(-corner[0][2], -corner[1][2], -corner[2][2]) - g->origin[2]) / g->size[2] - g->lo[2];
+    double low = ((double)lo - g->origin[2]) / g->size[2] - g->lo[2];
+    double high = ((double)hi - g->origin[2]) / g->size[2] - g->lo[2];
     double layers = (double)j->v->n[2];
-    lo -= 1e-9 * (fabs(lo) + fabs((double)g->lo[2]) + 1);
-    hi += 1e-9 * (fabs(hi) + fabs((double)g->lo[2]) + 1);
-    if (!(lo <= layers && hi >= 0)) {       /* NaN ends here too */
-        return 0;
+    block none = {1, 0};
+    block met;
+    low -= 1e-9 * (fabs(low) + fabs((double)g->lo[2]) + 1);
+    high += 1e-9 * (fabs(high) + fabs((double)g->lo[2]) + 1);
+    if (!(low < layers && high >= 0)) {     /* NaN ends here too */
+        return none;
     }
-    /* the layer below is touched by what lies on its upper border, and lo is already less than that border */
-    lo = lo < 0 ? 0 : lo >= layers ? layers - 1 : lo;
-    hi = hi >= layers ? layers - 1 : hi;
-    *out_first = (size_t)lo / (size_t)j->height;
-    *out_last = (size_t)hi / (size_t)j->height;
-    return 1;
+    met.first = (uint32_t)((low < 0 ? 0 : low) / j->height);
+    met.last = (uint32_t)((high < layers ? high : layers - 1) / j->height);
+    return met;
 }
 
-/* Thread w's share of the triangles. */
-static size_t share(const worker *w, int end) {
-    return (size_t)((double)w->job->mesh->triangles * (w->number + end) / w->job->threads);
+/* Slabs that the triangles from `begin` up to `end` meet. A NaN never compares, and its triangle sets nothing anyway. */
+static block slabs_of_triangles(const job *j, size_t begin, size_t end) {
+    float lo = HUGE_VALF;
+    float hi = -HUGE_VALF;
+    size_t t;
+    int i;
+    for (t = begin; t < end; t++) {
+        const float *corner[3];
+        mesh_corners(&j->mesh, t, corner);
+        for (i = 0; i < 3; i++) {
+            lo = corner[i][2] < lo ? corner[i][2] : lo;
+            hi = corner[i][2] > hi ? corner[i][2] : hi;
+        }
+    }
+    return slabs_between(j, lo, hi);
+}
+
+/* Thread w's share of n things: from share(w, 0, n) up to share(w, 1, n). */
+static size_t share(const worker *w, int end, size_t n) {
+    return (size_t)((double)n * (w->number + end) / w->job->threads);
+}
+
+static void measure_blocks(worker *w) {
+    const job *j = w->job;
+    size_t i;
+    for (i = share(w, 0, j->block_count); i < share(w, 1, j->block_count); i++) {
+        size_t end = (i + 1) * BLOCK;
+        j->blocks[i] = slabs_of_triangles(j, i * BLOCK, end < j->mesh.triangles ? end : j->mesh.triangles);
+    }
+}
+
+/* How many slabs a block meets on average. */
+static double slabs_per_block(const job *j) {
+    double sum = 0;
+    size_t i;
+    for (i = 0; i < j->block_count; i++) {
+        sum += (double)j->blocks[i].last + 1 - j->blocks[i].first;
+    }
+    return sum / (double)j->block_count;
+}
+
+/* The place of triangle t's count: by its lowest slab; those that meet none stand with slab 0. */
+static size_t *count_of(const worker *w, size_t t) {
+    block met = slabs_of_triangles(w->job, t, t + 1);
+    size_t slab = met.first <= met.last ? met.first : 0;
+    return &w->job->count[slab * (size_t)w->job->threads + (size_t)w->number];
 }
 
 static void count_triangles(worker *w) {
-    size_t *count = w->job->count;
-    size_t threads = (size_t)w->job->threads;
     size_t t;
-    size_t slab;
-    size_t last;
-    for (t = share(w, 0); t < share(w, 1); t++) {
-        const float *corner[3];
-        mesh_corners(w->job->mesh, t, corner);
-        if (slab_range(w->job, corner, &slab, &last)) {
-            for (; slab <= last; slab++) {
-                count[slab * threads + (size_t)w->number] += 1;
-            }
-        }
+    for (t = share(w, 0, w->job->mesh.triangles); t < share(w, 1, w->job->mesh.triangles); t++) {
+        *count_of(w, t) += 1;
     }
 }
 
-/* Turns counts into places: slab after slab, in it thread after thread. Returns 0 if memory is short. */
-static int place_triangles(job *j) {
-    size_t threads = (size_t)j->threads;
+/* Counts become places: slab after slab, in it thread after thread. */
+static void place_triangles(job *j) {
     size_t total = 0;
     size_t i;
-    for (i = 0; i < j->slabs * threads; i++) {
+    for (i = 0; i < j->slabs * (size_t)j->threads; i++) {
         size_t count = j->count[i];
-        if (i % threads == 0) {
-            j->first[i / threads] = total;
-        }
         j->count[i] = total;
         total += count;
     }
-    j->first[j->slabs] = total;
-    j->indices = total <= SIZE_MAX / 12 ? (uint32_t *)malloc(12 * total + 1) : NULL;
-    return j->indices != NULL;
 }
 
 static void sort_triangles(worker *w) {
-    const tribox_mesh *m = w->job->mesh;
-    size_t threads = (size_t)w->job->threads;
+    const tribox_mesh *m = &w->job->mesh;
     size_t t;
-    size_t slab;
-    size_t last;
     size_t i;
-    for (t = share(w, 0); t < share(w, 1); t++) {
-        const float *corner[3];
-        mesh_corners(m, t, corner);
-        if (slab_range(w->job, corner, &slab, &last)) {
-            for (; slab <= last; slab++) {
-                size_t *place = &w->job->count[slab * threads + (size_t)w->number];
-                for (i = 0; i < 3; i++) {
-                    w->job->indices[3 * *place + i] = m->indices ? m->indices[3 * t + i] : (uint32_t)(3 * t + i);
-                }
-                *place += 1;
-            }
+    for (t = share(w, 0, m->triangles); t < share(w, 1, m->triangles); t++) {
+        size_t *place = count_of(w, t);
+        for (i = 0; i < 3; i++) {
+            w->job->sorted[3 * *place + i] = m->indices ? m->indices[3 * t + i] : (uint32_t)(3 * t + i);
         }
+        *place += 1;
+    }
+}
+
+/* Fills slab i with the blocks that meet it; blocks that follow each other go in one call. */
+static void fill_slab(const job *j, size_t i) {
+    tribox_grid slab = j->v->grid;
+    int64_t top = (int64_t)slab.lo[2] + (int64_t)(i + 1) * j->height;
+    size_t stride = j->mesh.stride ? j->mesh.stride : 3 * sizeof(float);
+    size_t b = 0;
+    slab.lo[2] += (int)i * j->height;
+    slab.hi[2] = top < slab.hi[2] ? (int)top : slab.hi[2];
+    while (b < j->block_count) {
+        tribox_mesh run = j->mesh;
+        size_t first = b;
+        size_t end;
+        while (b < j->block_count && j->blocks[b].first <= i && i <= j->blocks[b].last) {
+            b += 1;
+        }
+        if (b == first) {
+            b += 1;
+            continue;
+        }
+        end = b * BLOCK < run.triangles ? b * BLOCK : run.triangles;
+        run.triangles = end - first * BLOCK;
+        if (run.indices) {
+            run.indices += 3 * first * BLOCK;
+        } else {
+            run.positions = (const float *)(const void *)((const char *)run.positions + 3 * first * BLOCK * stride);
+        }
+        tribox_grid_fill(&slab, &run, voxels_row(j->v, 0, i * (size_t)j->height));
     }
 }
 
 static void fill_slabs(worker *w) {
     job *j = w->job;
     for (;;) {
-        tribox_grid slab = j->v->grid;
-        tribox_mesh part = *j->mesh;
         size_t i;
-        int64_t end;
         lock_take(&j->lock);
         i = j->next_slab;
         j->next_slab += 1;
@@ -177,12 +223,7 @@ static void fill_slabs(worker *w) {
         if (i >= j->slabs) {
             return;
         }
-        slab.lo[2] += (int)i * j->height;
-        end = (int64_t)slab.lo[2] + j->height;
-        slab.hi[2] = end < slab.hi[2] ? (int)end : slab.hi[2];
-        part.indices = j->indices + 3 * j->first[i];
-        part.triangles = j->first[i + 1] - j->first[i];
-        tribox_grid_fill(&slab, &part, voxels_row(j->v, 0, i * (size_t)j->height));
+        fill_slab(j, i);
     }
 }
 
@@ -210,37 +251,53 @@ static void run_step(worker *workers, void (*run)(worker *w)) {
     }
 }
 
+/* The mesh with its triangles in the order of their lowest slab. Returns 0 if memory is short. */
+static int sort_mesh(job *j, worker *workers) {
+    j->count = (size_t *)calloc(j->slabs * (size_t)j->threads, sizeof *j->count);
+    j->sorted = j->mesh.triangles <= SIZE_MAX / 12 ? (uint32_t *)malloc(12 * j->mesh.triangles) : NULL;
+    if (!j->count || !j->sorted) {
+        return 0;
+    }
+    run_step(workers, count_triangles);
+    place_triangles(j);
+    run_step(workers, sort_triangles);
+    j->mesh.indices = j->sorted;
+    run_step(workers, measure_blocks);
+    return 1;
+}
+
 /* Fills the whole region on several threads. Returns 1, or 0 if memory is short. */
-static int fill_threaded(voxels *v, const tribox_mesh *m, int threads) {
+static int fill_threaded(const voxels *v, const tribox_mesh *m, int threads) {
     worker workers[MAX_THREADS];
     job j;
     int i;
     int ok;
     memset(&j, 0, sizeof j);
-    j.mesh = m;
+    j.mesh = *m;
     j.v = v;
     j.threads = threads;
     j.height = (int)((v->n[2] - 1) / (size_t)(threads * SLABS_PER_THREAD) + 1);
     j.slabs = (v->n[2] - 1) / (size_t)j.height + 1;
-    j.count = (size_t *)calloc(j.slabs * (size_t)threads, sizeof *j.count);
-    j.first = (size_t *)malloc((j.slabs + 1) * sizeof *j.first);
-    ok = j.count && j.first && lock_make(&j.lock);
+    j.block_count = (m->triangles + BLOCK - 1) / BLOCK;
+    j.blocks = (block *)malloc(j.block_count * sizeof *j.blocks);
     for (i = 0; i < threads; i++) {
         workers[i].job = &j;
         workers[i].number = i;
     }
+    ok = j.blocks && lock_make(&j.lock);
     if (ok) {
-        run_step(workers, count_triangles);
-        ok = place_triangles(&j);
+        run_step(workers, measure_blocks);
+        if (slabs_per_block(&j) > 2) {
+            ok = sort_mesh(&j, workers);
+        }
         if (ok) {
-            run_step(workers, sort_triangles);
             run_step(workers, fill_slabs);
         }
         lock_free(&j.lock);
     }
+    free(j.blocks);
     free(j.count);
-    free(j.first);
-    free(j.indices);
+    free(j.sorted);
     return ok;
 }
 
