@@ -56,6 +56,13 @@
 #define TRIBOX_IMPL_NOINLINE TRIBOX_IMPL_COLD
 #endif
 
+/* The slow way of a test: rare, and kept to a single branch that the processor can foresee. */
+#if defined(__GNUC__)
+#define TRIBOX_IMPL_RARELY(condition) __builtin_expect((condition), 0)
+#else
+#define TRIBOX_IMPL_RARELY(condition) (condition)
+#endif
+
 /* Copies a few bytes of any alignment; compilers turn it into one move. */
 #if defined(__GNUC__)
 #define TRIBOX_IMPL_COPY(dst, src, bytes) ((void)__builtin_memcpy((dst), (src), (bytes)))
@@ -106,11 +113,32 @@ enum {                      /* flags; 0 = closed, conservative */
     TRIBOX_THIN      = 4    /* 6-separating test of [SS10] instead of the conservative one; always closed */
 };
 
+/* One triangle prepared for boxes [p, p + size]. Read it freely; only the init and resize functions write it.
+ * Condition i of 12 holds at p iff   n_x[i]*(p - ref).x + n_y[i]*(p - ref).y + n_z[i]*(p - ref).z + d[i] >= 0,
+ * edge normals n_e and distances d_e of [SS10]: 0..8 edge i%3 in the plane across axis i/3 (x, y, z); 9 and 10 the
+ * two sides of the triangle's plane, n.p + d1 and -(n.p + d2); 11 none. Each is scaled by a power of two that
+ * brings its rounding error below 1. */
 typedef struct tribox_tri {
     double   v[3][3];       /* the corners */
-    double   size[3];       /* dp: the box's size */
-    unsigned flags;
+    double   size[3];       /* dp, the boxes' size */
+    unsigned asked;         /* flags as given */
+    unsigned flags;         /* as they apply: infinite boxes are never thin */
     int      empty;         /* 1: the triangle or every box is the empty set */
+    double   t_min[3];      /* the triangle's bounding box */
+    double   t_max[3];
+    double   lattice;       /* > 0: all conditions are exact for p - ref in multiples of 1/lattice */
+    uint32_t strict;        /* bit i: condition i needs > 0 */
+    int32_t  key_min[4];    /* the faces hold iff these ordered bits of p, a float, are in key_min..key_max */
+    int32_t  key_max[4];
+    float    ref[4];        /* a point near the triangle */
+    float    n_x[12];
+    float    n_y[12];
+    float    n_z[12];
+    float    d[12];
+    double   n_x_f64[12];   /* the same in double */
+    double   n_y_f64[12];
+    double   n_z_f64[12];
+    double   d_f64[12];
 } tribox_tri;
 
 typedef struct tribox_grid {
@@ -942,7 +970,6 @@ typedef struct tribox_impl_values {
     double value[4];
     double bound[4];
     int    in_range;
-    int    on_lattice;      /* all values are exact */
 } tribox_impl_values;
 
 /* An extent that the bounds hold for: 0 or in [2^-300, 2^301). Read from its bits. */
@@ -959,14 +986,17 @@ TRIBOX_IMPL_FN double tribox_impl_lattice_scale(double extent)
     return tribox_impl_from_bits64((uint64_t)(2046 + 14 - exponent) << 52);
 }
 
-/* Is x an integer? |x| < 2^31 */
-TRIBOX_IMPL_FN int tribox_impl_is_integer(double x)
+/* Is x a multiple of 1/scale, a power of two, and below 2^52 of them? Subnormals read as zero are not. */
+TRIBOX_IMPL_FN int tribox_impl_on_lattice(double x, double scale)
 {
-    return (double)(int32_t)x == x;
+    const double limit = 4503599627370496.0;    /* 2^52 */
+    const double units = x * scale;
+    if (!(units < limit && units > -limit)) {
+        return 0;
+    }
+    return (double)(int64_t)units == units && (tribox_impl_sign(units) != 0 || tribox_impl_sign(x) == 0);
 }
 
-/* Differences that are integers below 2^15 in some unit make every value exact: the largest, c_1.w_0, is below
- * 3 * 2^33 * 2^16 in units of half that unit, cubed, which is less than 2^53. */
 TRIBOX_IMPL_FN void tribox_impl_filter(tribox_impl_values *out, const double v0[3], const double v1[3],
                                        const double v2[3], const tribox_impl_clip *clip)
 {
@@ -978,8 +1008,6 @@ TRIBOX_IMPL_FN void tribox_impl_filter(tribox_impl_values *out, const double v0[
     double e[3][3];         /* absolute edges */
     double half_n[3];
     double c_1[3];
-    double scale;
-    int i;
     int k;
     for (k = 0; k < 3; k++) {
         d[0][k] = v1[k] - v0[k];
@@ -1019,16 +1047,24 @@ TRIBOX_IMPL_FN void tribox_impl_filter(tribox_impl_values *out, const double v0[
     out->bound[3] = ulps * x[0] * x[1] * x[2];
     out->in_range = tribox_impl_extent_in_range(x[0]) & tribox_impl_extent_in_range(x[1]) &
                     tribox_impl_extent_in_range(x[2]);
-    out->on_lattice = out->in_range;
-    if (out->on_lattice) {
-        const double longest = x[0] > x[1] ? x[0] : x[1];
-        scale = tribox_impl_lattice_scale(longest > x[2] ? longest : x[2]);
-        for (i = 0; i < 4; i++) {
-            for (k = 0; k < 3; k++) {
-                out->on_lattice &= tribox_impl_is_integer(d[i][k] * scale);
-            }
-        }
+}
+
+/* Are all values of the filter exact? Coordinates that are multiples of some unit, and differ by less than 2^15 of
+ * it, make them so: the largest, c_1.w_0, is below 3 * 2^33 * 2^16 < 2^53 in units of half that unit, cubed. */
+TRIBOX_IMPL_FN int tribox_impl_clip_on_lattice(const double v0[3], const double v1[3], const double v2[3],
+                                               const tribox_impl_clip *clip)
+{
+    const double *x = clip->extent;
+    const double longest = x[0] > x[1] ? x[0] : x[1];
+    const double scale = tribox_impl_lattice_scale(longest > x[2] ? longest : x[2]);
+    int whole = 1;
+    int k;
+    for (k = 0; k < 3; k++) {
+        whole &= tribox_impl_on_lattice(v0[k], scale) & tribox_impl_on_lattice(v1[k], scale) &
+                 tribox_impl_on_lattice(v2[k], scale) & tribox_impl_on_lattice(clip->lo[k], scale) &
+                 tribox_impl_on_lattice(clip->hi[k], scale);
     }
+    return whole;
 }
 
 /* What the filter leaves open, by exact signs. */
@@ -1064,9 +1100,6 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_overlap(const double v0[3], const double v1
     if (!filter.in_range) {
         return tribox_impl_clipped_exact(v0, v1, v2, &clip, TRIBOX_IMPL_ALL_AXES);
     }
-    if (filter.on_lattice && (clip.open_lo | clip.open_hi) == 0) {
-        return filter.value[0] >= 0.0 && filter.value[1] >= 0.0 && filter.value[2] >= 0.0 && filter.value[3] >= 0.0;
-    }
     for (k = 0; k < 4; k++) {
         if (filter.value[k] < -filter.bound[k]) {
             return 0;
@@ -1074,6 +1107,9 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_overlap(const double v0[3], const double v1
         if (!(filter.value[k] >= filter.bound[k])) {
             unsure |= 1u << k;
         }
+    }
+    if (unsure != 0 && (clip.open_lo | clip.open_hi) == 0 && tribox_impl_clip_on_lattice(v0, v1, v2, &clip)) {
+        return filter.value[0] >= 0.0 && filter.value[1] >= 0.0 && filter.value[2] >= 0.0 && filter.value[3] >= 0.0;
     }
     return unsure == 0 || tribox_impl_clipped_exact(v0, v1, v2, &clip, unsure);
 }
@@ -1124,6 +1160,20 @@ TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_load3(const float v[3])
     TRIBOX_IMPL_COPY(&pair, v, sizeof pair);
     xy[0] = pair;
     return TRIBOX_IMPL_LANES((tribox_impl_f4)xy, z, 0, 1, 4, 5);
+}
+
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_load4(const float v[4])
+{
+    tribox_impl_f4 r;
+    TRIBOX_IMPL_COPY(&r, v, sizeof r);
+    return r;
+}
+
+TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_load4i(const int32_t v[4])
+{
+    tribox_impl_i4 r;
+    TRIBOX_IMPL_COPY(&r, v, sizeof r);
+    return r;
 }
 
 TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_splat(float x)
@@ -1193,6 +1243,13 @@ TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_magnitude(tribox_impl_f4 a)
 TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_abs4(tribox_impl_f4 a)
 {
     return (tribox_impl_f4)tribox_impl_magnitude(a);
+}
+
+/* Lane 0: the least of the four. */
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_least(tribox_impl_f4 a)
+{
+    const tribox_impl_f4 b = tribox_impl_min4(a, TRIBOX_IMPL_LANES(a, a, 2, 3, 2, 3));
+    return tribox_impl_min4(b, TRIBOX_IMPL_LANES(b, b, 1, 1, 1, 1));
 }
 
 /* r_i = |e_b| h_c + |e_c| h_b, as z, x, y; e absolute */
@@ -1292,7 +1349,7 @@ TRIBOX_IMPL_FN int tribox_impl_filter4(const float v0[3], const float v1[3], con
         const int at_face = rule ? tribox_impl_signs((lo >= t_max) | (t_min >= hi) | (lo >= hi)) & 7 : 0;
         const int doubt = (tribox_impl_signs(value < bound) | at_face) != 0;
         const int open = doubt & !miss;
-        if ((refused != 8) | open) {    /* one branch, hardly ever taken: miss alone is a coin toss */
+        if (TRIBOX_IMPL_RARELY((refused != 8) | open)) {    /* one branch, hardly ever taken: miss alone is a coin toss */
             if (open || (refused & 7) != 0 || tribox_impl_may_flush(v0) || tribox_impl_may_flush(v1) ||
                 tribox_impl_may_flush(v2) || tribox_impl_may_flush(box_min) || tribox_impl_may_flush(box_max)) {
                 return TRIBOX_IMPL_UNSURE;
@@ -1405,56 +1462,416 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
     return d <= r && d >= -r;
 }
 
-/* ---- 10. Implementation: one triangle, many voxels ------------------------------------------------------ */
+/* ---- 10. Implementation: one triangle, many voxels ------------------------------------------------------
+ *
+ * Bound. Condition i is A.(p - ref) + D, with |p - ref| <= R per axis wherever the faces hold. In double, setup finds A
+ * within 4 u64 M_A and D within 8 u64 M_D, M being the sums of absolute values of the terms they are made of (local
+ * differences, products of two or three). The test rounds each A (1) and p - ref (1), multiplies (1), adds three
+ * times (3), and rounds D (1): 7 u of sum |A| R + |D|, u = 2^-23 or 2^-52. So
+ *
+ *   E = 8 u (sum |A| R + |D|) + 16 u64 (sum M_A R + M_D)
+ *
+ * leaves room for second-order terms and for its own rounding. A and D are scaled by a power of two 1/S, E <= S,
+ * so that values below -1 are misses and from 1 on hits. Underflow and subnormals read as zero: R is taken as at
+ * least 2^-60 (2^-300), so |A|/S <= 2^80 (2^352), which multiplies errors of 2^-126 (2^-1022) at most; outside
+ * R <= 2^60 (2^300) and 2^-900 <= E <= 2^900 a condition is all zeros, which is unsure for every p. */
+
+/* Orders as floats do; +0 and -0 are 0. */
+TRIBOX_IMPL_FN int32_t tribox_impl_key32(const float *x)
+{
+    const uint32_t bits = tribox_impl_bits32(x);
+    const int32_t magnitude = (int32_t)(bits & 0x7fffffffu);
+    return (bits >> 31) != 0 ? -magnitude : magnitude;
+}
+
+#define TRIBOX_IMPL_KEY32_MAX 0x7f7fffff    /* FLT_MAX */
+
+/* The key of the largest finite float <= x, x finite: by truncation of x's bits. */
+TRIBOX_IMPL_FN int32_t tribox_impl_key32_below(double x)
+{
+    const uint64_t bits = tribox_impl_bits64(&x) & 0x7fffffffffffffffu;
+    const int negative = tribox_impl_sign(x) < 0;
+    const int exponent = (int)(bits >> 52) - (1023 - 127);      /* of the float, if normal */
+    const uint64_t mantissa = (bits & 0x000fffffffffffffu) | 0x0010000000000000u;
+    uint64_t magnitude = (uint64_t)TRIBOX_IMPL_KEY32_MAX;
+    int inexact = 1;
+    if (bits == 0) {
+        return 0;
+    }
+    if (exponent >= 255) {
+        return negative ? -TRIBOX_IMPL_KEY32_MAX - 1 : TRIBOX_IMPL_KEY32_MAX;
+    }
+    if (exponent >= 1) {
+        magnitude = ((uint64_t)exponent << 23) | ((bits >> 29) & 0x007fffffu);
+        inexact = (bits & 0x1fffffffu) != 0;
+    } else {
+        const int shift = 30 - exponent;        /* the mantissa's last bit is worth 2^-149-shift */
+        magnitude = shift < 64 ? mantissa >> shift : 0;
+        inexact = shift >= 64 || (mantissa & (((uint64_t)1 << shift) - 1)) != 0;
+    }
+    return negative ? -(int32_t)magnitude - inexact : (int32_t)magnitude;
+}
+
+/* The float of a key, moved into the finite range. */
+TRIBOX_IMPL_FN float tribox_impl_key32_float(int32_t key)
+{
+    const int32_t magnitude = key < 0 ? -key : key;
+    const uint32_t bits = (uint32_t)(magnitude < TRIBOX_IMPL_KEY32_MAX ? magnitude : TRIBOX_IMPL_KEY32_MAX) |
+                          (key < 0 ? 0x80000000u : 0u);
+    float x;
+    TRIBOX_IMPL_COPY(&x, &bits, sizeof x);
+    return x;
+}
+
+TRIBOX_IMPL_FN double tribox_impl_key32_value(int32_t key)
+{
+    const float x = tribox_impl_key32_float(key);
+    return tribox_impl_widen(&x);
+}
+
+/* The sign of p + size - t, in real numbers; size >= 0, may be infinite. */
+TRIBOX_IMPL_FN int tribox_impl_far_face(double p, double size, double t)
+{
+    const double sum = (p - t) + size;
+    const double error = (tribox_impl_abs(p) + tribox_impl_abs(t) + size) * (8.0 * TRIBOX_IMPL_U64);
+    if (!tribox_impl_is_finite(size)) {
+        return 1;
+    }
+    if (tribox_impl_is_finite(error) && error > 1e-290 && (sum > error || sum < -error)) {
+        return sum > 0.0 ? 1 : -1;
+    } else {
+        const tribox_impl_coord face = tribox_impl_at(p, size, 2);
+        const tribox_impl_coord plane = tribox_impl_at(t, 0.0, 0);
+        return tribox_impl_compare(&face, &plane);
+    }
+}
+
+/* The keys of the floats p for which the faces of axis k hold. */
+TRIBOX_IMPL_FN void tribox_impl_tri_keys(tribox_tri *tri, int k, int lo_is_open, int hi_is_open)
+{
+    const double t_min = tri->t_min[k];
+    const double t_max = tri->t_max[k];
+    const double size = tri->size[k];
+    int32_t key = tribox_impl_key32_below(t_max);
+    if (lo_is_open && tribox_impl_key64(tribox_impl_key32_value(key)) == tribox_impl_key64(t_max)) {
+        key--;
+    }
+    tri->key_max[k] = key;
+    if (!tribox_impl_is_finite(size)) {
+        tri->key_min[k] = -TRIBOX_IMPL_KEY32_MAX;
+        return;
+    }
+    /* the rounded difference is within a float or two of the least p, unless it overflows */
+    key = tribox_impl_is_finite(t_min - size) ? tribox_impl_key32_below(t_min - size) : -TRIBOX_IMPL_KEY32_MAX;
+    key = key < -TRIBOX_IMPL_KEY32_MAX ? -TRIBOX_IMPL_KEY32_MAX : key;
+    while (key > -TRIBOX_IMPL_KEY32_MAX &&
+           tribox_impl_far_face(tribox_impl_key32_value(key - 1), size, t_min) >= hi_is_open) {
+        key--;
+    }
+    while (key <= TRIBOX_IMPL_KEY32_MAX &&
+           tribox_impl_far_face(tribox_impl_key32_value(key), size, t_min) < hi_is_open) {
+        key++;
+    }
+    tri->key_min[k] = key;
+}
+
+/* What setup knows of the triangle, in a frame at ref. */
+typedef struct tribox_impl_setup {
+    double v[3][3];         /* corners - ref */
+    double e[3][3];         /* edges */
+    int    e_sign[3][3];
+    int    n_sign[3];
+    double half[3];         /* half the boxes' size */
+    double reach[3];        /* R */
+    int    thin;
+} tribox_impl_setup;
+
+/* A condition before scaling: A.(p - ref) + D >= 0, and the magnitudes M of what A and D were made of. */
+typedef struct tribox_impl_condition {
+    double a[3];
+    double m[3];
+    double d;
+    double m_d;
+} tribox_impl_condition;
+
+/* Adds the box's support along A, to its centre and on: sum |A| h, or max |A| h for thin [SS10]. */
+TRIBOX_IMPL_FN void tribox_impl_add_support(tribox_impl_condition *c, const tribox_impl_setup *s)
+{
+    double sum = 0.0;
+    double largest = 0.0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        const double along = tribox_impl_abs(c->a[k]) * s->half[k];
+        sum += along;
+        largest = along > largest ? along : largest;
+        c->d += c->a[k] * s->half[k];
+        c->m_d += 2.0 * c->m[k] * s->half[k];
+    }
+    c->d += s->thin ? largest : sum;
+}
+
+/* The power of two that scales the bound below 1; 0 where the bound does not hold. Reaches are within [0, most]. */
+TRIBOX_IMPL_FN double tribox_impl_condition_scale(const tribox_impl_condition *c, const tribox_impl_setup *s,
+                                                  double u, double least, double most)
+{
+    double terms = tribox_impl_abs(c->d);
+    double made = c->m_d;
+    double bound;
+    int in_range = 1;
+    int k;
+    for (k = 0; k < 3; k++) {
+        const double reach = s->reach[k] > least ? s->reach[k] : least;
+        in_range &= reach <= most;
+        terms += tribox_impl_abs(c->a[k]) * reach;
+        made += c->m[k] * reach;
+    }
+    bound = 8.0 * u * terms + 16.0 * TRIBOX_IMPL_U64 * made;
+    if (!(in_range && bound >= 1.1830521861667747e-271 && bound <= 8.452712498170644e+270)) {  /* 2^-900, 2^900 */
+        return 0.0;
+    }
+    return tribox_impl_from_bits64((uint64_t)(2045 - (tribox_impl_bits64(&bound) >> 52)) << 52);
+}
+
+TRIBOX_IMPL_FN void tribox_impl_store(tribox_tri *tri, int i, const tribox_impl_condition *c,
+                                      const tribox_impl_setup *s)
+{
+    const double two_60 = 1152921504606846976.0;
+    const double two_300 = 2.037035976334486e+90;
+    const double f = tribox_impl_condition_scale(c, s, (double)TRIBOX_IMPL_U32, 1.0 / two_60, two_60);
+    const double g = tribox_impl_condition_scale(c, s, TRIBOX_IMPL_U64, 1.0 / two_300, two_300);
+    tri->n_x[i] = (float)(c->a[0] * f);
+    tri->n_y[i] = (float)(c->a[1] * f);
+    tri->n_z[i] = (float)(c->a[2] * f);
+    tri->d[i] = (float)(c->d * f);
+    tri->n_x_f64[i] = c->a[0] * g;
+    tri->n_y_f64[i] = c->a[1] * g;
+    tri->n_z_f64[i] = c->a[2] * g;
+    tri->d_f64[i] = c->d * g;
+}
+
+/* A condition that holds wherever the faces do. */
+TRIBOX_IMPL_FN void tribox_impl_store_true(tribox_tri *tri, int i)
+{
+    tri->n_x[i] = tri->n_y[i] = tri->n_z[i] = 0.0f;
+    tri->n_x_f64[i] = tri->n_y_f64[i] = tri->n_z_f64[i] = 0.0;
+    tri->d[i] = 2.0f;
+    tri->d_f64[i] = 2.0;
+}
+
+/* Edge i in the plane across axis a: w.(q - v_i), w = (-e_c, e_b), turned inward by the sign of n_a. An edge
+ * parallel to b or c bounds what a face bounds. */
+TRIBOX_IMPL_FN void tribox_impl_store_edge(tribox_tri *tri, const tribox_impl_setup *s, int a, int i)
+{
+    const int b = (a + 1) % 3;
+    const int c = (a + 2) % 3;
+    const double inward = s->n_sign[a] >= 0 ? 1.0 : -1.0;
+    tribox_impl_condition edge;
+    if (s->e_sign[i][b] == 0 || s->e_sign[i][c] == 0) {
+        tribox_impl_store_true(tri, 3 * a + i);
+        return;
+    }
+    edge.a[a] = 0.0;
+    edge.a[b] = -inward * s->e[i][c];
+    edge.a[c] = inward * s->e[i][b];
+    edge.m[a] = 0.0;
+    edge.m[b] = tribox_impl_abs(edge.a[b]);
+    edge.m[c] = tribox_impl_abs(edge.a[c]);
+    edge.d = -(edge.a[b] * s->v[i][b] + edge.a[c] * s->v[i][c]);
+    edge.m_d = edge.m[b] * tribox_impl_abs(s->v[i][b]) + edge.m[c] * tribox_impl_abs(s->v[i][c]);
+    tribox_impl_add_support(&edge, s);
+    tribox_impl_store(tri, 3 * a + i, &edge, s);
+    tri->strict |= (unsigned)((tri->flags & TRIBOX_OPEN) != 0 || ((tri->flags & TRIBOX_HALF_OPEN) != 0 &&
+                              (edge.a[b] > 0.0 || edge.a[c] > 0.0))) << (3 * a + i);
+}
+
+/* side * n.(q - v0) >= 0. A plane along two axes bounds what a face bounds; n = 0 bounds nothing. */
+TRIBOX_IMPL_FN void tribox_impl_store_plane(tribox_tri *tri, const tribox_impl_setup *s, int side)
+{
+    const int i = side > 0 ? 9 : 10;
+    tribox_impl_condition plane;
+    int positive = 0;
+    int k;
+    if ((s->n_sign[0] != 0) + (s->n_sign[1] != 0) + (s->n_sign[2] != 0) < 2) {
+        tribox_impl_store_true(tri, i);
+        return;
+    }
+    plane.d = 0.0;
+    plane.m_d = 0.0;
+    for (k = 0; k < 3; k++) {
+        const int b = (k + 1) % 3;
+        const int c = (k + 2) % 3;
+        const double p = s->e[0][b] * s->e[1][c];
+        const double q = s->e[0][c] * s->e[1][b];
+        plane.a[k] = side * (p - q);
+        plane.m[k] = tribox_impl_abs(p) + tribox_impl_abs(q);
+        plane.d -= plane.a[k] * s->v[0][k];
+        plane.m_d += plane.m[k] * tribox_impl_abs(s->v[0][k]);
+        positive |= side * s->n_sign[k] > 0;
+    }
+    tribox_impl_add_support(&plane, s);
+    tribox_impl_store(tri, i, &plane, s);
+    tri->strict |= (unsigned)((tri->flags & TRIBOX_OPEN) != 0 ||
+                              ((tri->flags & TRIBOX_HALF_OPEN) != 0 && positive)) << i;
+}
+
+TRIBOX_IMPL_COLD int tribox_impl_tri_normal_exact(const tribox_tri *tri, int b, int c)
+{
+    tribox_impl_exact f;
+    int row;
+    tribox_impl_exact_corners(&f, tri->v[0], tri->v[1], tri->v[2]);
+    for (row = TRIBOX_IMPL_LO; row < TRIBOX_IMPL_ROWS; row++) {
+        f.x[row][0] = f.x[0][0];
+        f.x[row][1] = f.x[0][1];
+        f.x[row][2] = f.x[0][2];
+    }
+    tribox_impl_exact_finish(&f);
+    return tribox_impl_orient2(&f, b, c, 0, 1, 2, 2);
+}
+
+/* The sign of n_a: from e0 x e1 where that is certain, else exactly. */
+TRIBOX_IMPL_FN int tribox_impl_normal_sign(const tribox_tri *tri, const tribox_impl_setup *s, int a)
+{
+    const int b = (a + 1) % 3;
+    const int c = (a + 2) % 3;
+    const double p = s->e[0][b] * s->e[1][c];
+    const double q = s->e[0][c] * s->e[1][b];
+    const double error = (tribox_impl_abs(p) + tribox_impl_abs(q)) * (8.0 * TRIBOX_IMPL_U64);
+    if ((s->e_sign[0][b] == 0 || s->e_sign[1][c] == 0) && (s->e_sign[0][c] == 0 || s->e_sign[1][b] == 0)) {
+        return 0;
+    }
+    if (error > 1e-280 && error < 1e280 && (p - q > error || p - q < -error)) {
+        return p - q > 0.0 ? 1 : -1;
+    }
+    return tribox_impl_tri_normal_exact(tri, b, c);
+}
+
+/* 2^14 and more units in the longest reach, if all that conditions are made of is whole in them; else 0. Sums of
+ * products of three numbers below 2^15, and of half units, are exact in double. */
+TRIBOX_IMPL_FN double tribox_impl_tri_lattice(const tribox_tri *tri, const tribox_impl_setup *s)
+{
+    double longest = s->reach[0] > s->reach[1] ? s->reach[0] : s->reach[1];
+    double scale;
+    int whole;
+    int i;
+    int k;
+    longest = s->reach[2] > longest ? s->reach[2] : longest;
+    if (!(longest > 1e-80 && longest < 1e80)) {      /* so that no condition was left zero by its range */
+        return 0.0;
+    }
+    scale = tribox_impl_lattice_scale(longest);
+    whole = 1;
+    for (k = 0; k < 3; k++) {
+        for (i = 0; i < 3; i++) {
+            whole &= tribox_impl_on_lattice(tri->v[i][k], scale);
+        }
+        whole &= tribox_impl_on_lattice(tri->size[k], scale * 0.5);
+        whole &= tri->v[0][k] == (double)tri->ref[k];
+    }
+    return whole ? scale : 0.0;
+}
 
 TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const double v1[3],
                                    const double v2[3], const double size[3], unsigned flags)
 {
+    const double limit = 288230376151711744.0;      /* 2^58: no p - ref is beyond 2^60, or else ref is 0 */
+    const int finite = tribox_impl_finite3(size);
+    int float_range = 1;
+    tribox_impl_setup s;
+    unsigned rule;
+    int i;
     int k;
-    tri->flags = (flags & TRIBOX_THIN) != 0 ? (unsigned)TRIBOX_THIN : flags;
-    tri->empty = 0;
+    s.thin = finite && (flags & TRIBOX_THIN) != 0;
+    rule = s.thin ? (unsigned)TRIBOX_THIN : tribox_impl_rule(flags);
+    tri->asked = flags;
+    tri->flags = rule;
+    tri->strict = 0;
+    tri->lattice = 0.0;
+    tri->empty = !tribox_impl_corners_finite(v0, v1, v2);
+    for (k = 0; k < 4; k++) {
+        tri->key_min[k] = k < 3 ? 1 : 0;        /* empty; the fourth lane always holds */
+        tri->key_max[k] = 0;
+        tri->ref[k] = 0.0f;
+    }
+    for (i = 0; i < 12; i++) {
+        tribox_impl_store_true(tri, i);
+    }
     for (k = 0; k < 3; k++) {
-        const double dp = size[k];
         tri->v[0][k] = v0[k];
         tri->v[1][k] = v1[k];
         tri->v[2][k] = v2[k];
-        tri->size[k] = dp;
-        tri->empty |= tribox_impl_is_nan(dp) || tribox_impl_sign(dp) < 0 ||
-                      (tribox_impl_sign(dp) == 0 && (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
-        if (!tribox_impl_is_finite(dp)) {
-            tri->flags &= ~(unsigned)TRIBOX_THIN;
+        tri->size[k] = size[k];
+        tri->t_min[k] = tribox_impl_min(tribox_impl_min(v0[k], v1[k]), v2[k]);
+        tri->t_max[k] = tribox_impl_max(tribox_impl_max(v0[k], v1[k]), v2[k]);
+        tri->empty |= tribox_impl_is_nan(size[k]) || tribox_impl_sign(size[k]) < 0 ||
+                      (tribox_impl_sign(size[k]) == 0 && (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
+    }
+    if (tri->empty) {
+        return;
+    }
+    for (k = 0; k < 3; k++) {
+        float_range &= tribox_impl_less(tri->t_max[k], limit) & tribox_impl_less(-limit, tri->t_min[k]) &
+                       tribox_impl_less(size[k], limit);
+    }
+    for (k = 0; k < 3; k++) {
+        tribox_impl_tri_keys(tri, k, (rule & TRIBOX_OPEN) != 0, (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
+        tri->ref[k] = float_range ? tribox_impl_key32_float(tribox_impl_key32_below(v0[k])) : 0.0f;
+        for (i = 0; i < 3; i++) {
+            s.v[i][k] = tri->v[i][k] - (double)tri->ref[k];
+            s.e[i][k] = tri->v[(i + 1) % 3][k] - tri->v[i][k];
+            s.e_sign[i][k] = (tribox_impl_key64(tri->v[(i + 1) % 3][k]) > tribox_impl_key64(tri->v[i][k])) -
+                             (tribox_impl_key64(tri->v[(i + 1) % 3][k]) < tribox_impl_key64(tri->v[i][k]));
         }
     }
-    tri->empty |= !tribox_impl_corners_finite(v0, v1, v2);
+    TRIBOX_IMPL_KEEP(s.v);
+    TRIBOX_IMPL_KEEP(s.e);
+    for (k = 0; k < 3; k++) {
+        const double r0 = tribox_impl_abs(s.v[0][k]);
+        const double r1 = tribox_impl_abs(s.v[1][k]);
+        const double r2 = tribox_impl_abs(s.v[2][k]);
+        const double r = r0 > r1 ? r0 : r1;
+        s.half[k] = size[k] * 0.5;
+        s.reach[k] = (r > r2 ? r : r2) + size[k];
+    }
+    for (k = 0; k < 3; k++) {
+        s.n_sign[k] = tribox_impl_normal_sign(tri, &s, k);
+    }
+    if (!finite || !tribox_impl_finite3(s.reach)) {
+        for (i = 0; i < 11; i++) {
+            tri->d[i] = 0.0f;
+            tri->d_f64[i] = 0.0;
+        }
+        return;
+    }
+    for (k = 0; k < 3; k++) {
+        for (i = 0; i < 3; i++) {
+            tribox_impl_store_edge(tri, &s, k, i);
+        }
+    }
+    tribox_impl_store_plane(tri, &s, 1);
+    tribox_impl_store_plane(tri, &s, -1);
+    tri->lattice = tribox_impl_tri_lattice(tri, &s);
 }
 
 TRIBOX_FN void tribox_tri_init(tribox_tri *tri, const float v0[3], const float v1[3], const float v2[3],
                                const float size[3], unsigned flags)
 {
-    double v[3][3];
-    double dp[3];
+    double wide[4][3];
     int k;
     for (k = 0; k < 3; k++) {
-        v[0][k] = tribox_impl_widen(v0 + k);
-        v[1][k] = tribox_impl_widen(v1 + k);
-        v[2][k] = tribox_impl_widen(v2 + k);
-        dp[k] = tribox_impl_widen(size + k);
+        wide[0][k] = tribox_impl_widen(v0 + k);
+        wide[1][k] = tribox_impl_widen(v1 + k);
+        wide[2][k] = tribox_impl_widen(v2 + k);
+        wide[3][k] = tribox_impl_widen(size + k);
     }
-    tribox_tri_init_f64(tri, v[0], v[1], v[2], dp, flags);
+    tribox_tri_init_f64(tri, wide[0], wide[1], wide[2], wide[3], flags);
 }
 
-TRIBOX_FN int tribox_tri_test_f64(const tribox_tri *tri, const double p[3])
+TRIBOX_IMPL_COLD int tribox_impl_tri_exact(const tribox_tri *tri, const double p[3])
 {
     tribox_impl_exact f;
     int k;
-    if (tri->empty) {
-        return 0;
-    }
     tribox_impl_exact_corners(&f, tri->v[0], tri->v[1], tri->v[2]);
     for (k = 0; k < 3; k++) {
-        if (!tribox_impl_is_finite(p[k])) {
-            return 0;
-        }
         f.x[TRIBOX_IMPL_LO][k] = tribox_impl_at(p[k], 0.0, 0);
         f.x[TRIBOX_IMPL_MID][k] = tribox_impl_at(p[k], tri->size[k], 1);
         /* an infinite step is read as 2^1024; four of them from any p lie beyond every corner */
@@ -1463,14 +1880,101 @@ TRIBOX_FN int tribox_tri_test_f64(const tribox_tri *tri, const double p[3])
     return tribox_impl_exact_overlap(&f, tri->flags);
 }
 
-TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3])
+TRIBOX_IMPL_NOINLINE int tribox_impl_tri_test(const tribox_tri *tri, const double p[3])
+{
+    const int lo_is_open = (tri->flags & TRIBOX_OPEN) != 0;
+    const int hi_is_open = (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    double q[3];
+    double value[12];
+    unsigned doubt = 0;
+    int i;
+    int k;
+    if (tri->empty || !tribox_impl_finite3(p)) {
+        return 0;
+    }
+    for (k = 0; k < 3; k++) {
+        if (tribox_impl_key64(p[k]) + lo_is_open > tribox_impl_key64(tri->t_max[k]) ||
+            tribox_impl_far_face(p[k], tri->size[k], tri->t_min[k]) < hi_is_open) {
+            return 0;
+        }
+        q[k] = p[k] - (double)tri->ref[k];
+    }
+    TRIBOX_IMPL_KEEP(q);
+    for (i = 0; i < 12; i++) {
+        value[i] = tri->n_x_f64[i] * q[0] + tri->n_y_f64[i] * q[1] + tri->n_z_f64[i] * q[2] + tri->d_f64[i];
+    }
+    for (i = 0; i < 12; i++) {
+        if (value[i] < -1.0) {
+            return 0;
+        }
+        doubt |= (unsigned)(value[i] < 1.0) << i;
+    }
+    if (doubt == 0) {
+        return 1;
+    }
+    if (tri->lattice > 0.0 && tribox_impl_on_lattice(p[0], tri->lattice) &&
+        tribox_impl_on_lattice(p[1], tri->lattice) && tribox_impl_on_lattice(p[2], tri->lattice)) {
+        for (i = 0; i < 12; i++) {
+            if (value[i] < 0.0 || (value[i] <= 0.0 && ((tri->strict >> i) & 1u) != 0)) {
+                return 0;
+            }
+        }
+        return 1;
+    }
+    return tribox_impl_tri_exact(tri, p);
+}
+
+TRIBOX_FN int tribox_tri_test_f64(const tribox_tri *tri, const double p[3])
+{
+    return tribox_impl_tri_test(tri, p);
+}
+
+/* The float entry of the scalar body. */
+TRIBOX_IMPL_NOINLINE int tribox_impl_tri_test_widened(const tribox_tri *tri, const float p[3])
 {
     double q[3];
-    int k;
-    for (k = 0; k < 3; k++) {
-        q[k] = tribox_impl_widen(p + k);
+    q[0] = tribox_impl_widen(p);
+    q[1] = tribox_impl_widen(p + 1);
+    q[2] = tribox_impl_widen(p + 2);
+    return tribox_impl_tri_test(tri, q);
+}
+
+#if TRIBOX_SIMD
+/* The values of conditions i..i+3 at ref + q. */
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_conditions(const tribox_tri *tri, int i, tribox_impl_f4 q_x,
+                                                     tribox_impl_f4 q_y, tribox_impl_f4 q_z)
+{
+    return tribox_impl_load4(tri->n_x + i) * q_x + tribox_impl_load4(tri->n_y + i) * q_y +
+           (tribox_impl_load4(tri->n_z + i) * q_z + tribox_impl_load4(tri->d + i));
+}
+#endif
+
+TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3])
+{
+#if TRIBOX_SIMD
+    const tribox_impl_f4 x = { p[0], p[1], p[2], 0.0f };    /* one by one: p was often written just before */
+    const tribox_impl_i4 negative = (tribox_impl_i4)x >> 31;
+    const tribox_impl_i4 key = ((tribox_impl_i4)tribox_impl_abs4(x) ^ negative) - negative;
+    const tribox_impl_i4 faces = (key < tribox_impl_load4i(tri->key_min)) | (key > tribox_impl_load4i(tri->key_max));
+    tribox_impl_f4 q = x - tribox_impl_load4(tri->ref);
+    TRIBOX_IMPL_KEEP4(q);
+    {
+        const tribox_impl_f4 q_x = TRIBOX_IMPL_LANES(q, q, 0, 0, 0, 0);
+        const tribox_impl_f4 q_y = TRIBOX_IMPL_LANES(q, q, 1, 1, 1, 1);
+        const tribox_impl_f4 q_z = TRIBOX_IMPL_LANES(q, q, 2, 2, 2, 2);
+        const tribox_impl_f4 least = tribox_impl_least(tribox_impl_min4(
+            tribox_impl_conditions(tri, 0, q_x, q_y, q_z), tribox_impl_min4(
+            tribox_impl_conditions(tri, 4, q_x, q_y, q_z), tribox_impl_conditions(tri, 8, q_x, q_y, q_z))));
+        /* a face that does not hold, as one always does not where p is NaN or infinite, makes this a large negative */
+        const uint32_t bits = (uint32_t)((tribox_impl_i4)least)[0] | (uint32_t)-tribox_impl_signs(faces);
+        if (TRIBOX_IMPL_RARELY((bits & 0x7fffffffu) < 0x3f800000u)) {      /* within 1 of 0 */
+            return tribox_impl_tri_test_widened(tri, p);
+        }
+        return (bits >> 31) == 0;
     }
-    return tribox_tri_test_f64(tri, q);
+#else
+    return tribox_impl_tri_test_widened(tri, p);
+#endif
 }
 
 /* ---- 11. Implementation: grids -------------------------------------------------------------------------- */
