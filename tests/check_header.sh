@@ -1,0 +1,148 @@
+#!/usr/bin/env bash
+# The header as text and as object code: no warning in any standard, nothing included or called or left behind that
+# should not be, little stack, nothing for the static analysers to say. Run from the repository's root.
+set -u
+. tests/check_lib.sh
+
+out=$CHECK_DIR/header
+mkdir -p "$out"
+warn="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wundef -Wcast-qual -Wdouble-promotion -Werror"
+warn_c="$warn -Wstrict-prototypes -Wmissing-prototypes"
+
+# The header alone, its functions as real symbols: what a user of another language would build.
+alone=$out/alone.c
+printf '#define TRIBOX_FN\n#include "tribox.h"\n' >"$alone"
+
+# ---- warnings: standards x compilers, at two levels, since some warnings need the optimiser
+
+quiet() { # compiler, standard, flags, sources...
+    local cc=$1 std=$2 flags=$3 source
+    shift 3
+    for source in "$@"; do
+        # shellcheck disable=SC2086 # flags are a list
+        "$cc" "-std=$std" -I. $flags -c "$source" -o /dev/null || return 1
+    done
+}
+export -f quiet
+
+units="$alone tests/golden.c tests/compile/c99.c tests/compile/include_twice.c tests/compile/hostile_macros.c"
+units="$units tests/compile/two_units_a.c tests/compile/two_units_b.c"
+for level in "-O0" "-O2" "-O3 -march=native" "-O2 -ffast-math" "-O2 -DTRIBOX_SIMD=0"; do
+    for cc in gcc clang; do
+        have $cc || continue
+        extra=
+        if [ $cc = clang ]; then
+            extra=-Wreserved-identifier
+        fi
+        for std in c99 c11 c17; do
+            # shellcheck disable=SC2086 # units is a list
+            job "no warning: $cc -std=$std $level" quiet $cc $std "$warn_c $extra $level" $units
+        done
+    done
+    for cc in g++ clang++; do
+        have $cc || continue
+        for std in c++98 c++11 c++17 c++20; do
+            source=tests/compile/cpp98.cc
+            if [ $std = c++20 ]; then
+                source=tests/compile/cpp20.cc
+            fi
+            job "no warning: $cc -std=$std $level" quiet $cc $std "$warn $level" $source
+        done
+    done
+done
+for cross in aarch64-linux-gnu-gcc s390x-linux-gnu-gcc riscv64-linux-gnu-gcc x86_64-w64-mingw32-gcc; do
+    have $cross && job "no warning: $cross" quiet $cross c99 "$warn_c -O2" "$alone"
+done
+have gcc && job "no warning: gcc -m32" quiet gcc c99 "$warn_c -O2 -m32" "$alone"
+
+# ---- what the header includes, leaves defined, and calls
+
+includes_only_three() {
+    local found
+    found=$(gcc -std=c99 -H -fsyntax-only tribox.h 2>&1 | sed -n 's/^\. .*\///p' | sort -u | tr '\n' ' ')
+    echo "includes: $found"
+    [ "$found" = "float.h stddef.h stdint.h " ]
+}
+
+# macros defined after the header that the three standard headers do not define
+leaves_only_tribox_macros() {
+    local leaked
+    printf '#include <float.h>\n#include <stddef.h>\n#include <stdint.h>\n' |
+        gcc -std=c99 -dM -E -x c - | sort >"$CHECK_DIR/header/before"
+    printf '#include "tribox.h"\n' | gcc -std=c99 -I. -dM -E -x c - | sort >"$CHECK_DIR/header/after"
+    leaked=$(comm -13 "$CHECK_DIR/header/before" "$CHECK_DIR/header/after" | grep -v '^#define TRIBOX_')
+    echo "leaked: $leaked"
+    [ -z "$leaked" ] && grep -q '^#define TRIBOX_VERSION ' "$CHECK_DIR/header/after"
+}
+
+# undefined symbols and writable data of the header as an object file
+calls_nothing() { # compile command...
+    local object bad
+    object=$(mktemp "$CHECK_DIR/header/XXXXXX.o")
+    "$@" -c "$CHECK_DIR/header/alone.c" -o "$object" || return 1
+    bad=$(nm "$object" | awk '$1 == "U" && $2 !~ /^_?(memcpy|memset|_GLOBAL_OFFSET_TABLE_)$/ || $2 ~ /^[BbCDdGSs]$/')
+    nm "$object" | grep -q ' T tribox_overlap$' || bad="$bad no tribox_overlap"
+    rm -f "$object"
+    echo "calls or data: $bad"
+    [ -z "$bad" ]
+}
+export -f includes_only_three leaves_only_tribox_macros calls_nothing
+
+have gcc && job "includes float.h, stddef.h, stdint.h alone" includes_only_three
+have gcc && job "leaves TRIBOX_ macros alone" leaves_only_tribox_macros
+for cc in gcc clang; do
+    have $cc || continue
+    for level in -O0 -O2 "-O3 -march=native" -Os; do
+        # shellcheck disable=SC2086
+        job "calls nothing, no writable data: $cc $level" calls_nothing $cc -I. $level
+    done
+done
+
+# ---- stack: the deepest chain of calls, from the compiler's own call graph
+
+# longest path over the frames in gcc's call graph; a cycle would be recursion
+deepest_chain() { # limit in bytes, flags...
+    local limit=$1 graph
+    shift
+    graph=$(mktemp -d "$CHECK_DIR/header/stack.XXXXXX")
+    gcc -std=c99 -I. "$@" -fcallgraph-info=su -c "$CHECK_DIR/header/alone.c" -o "$graph/alone.o" || return 1
+    awk -v limit="$limit" -f tests/check_stack.awk "$graph"/*.ci
+    local status=$?
+    rm -rf "$graph"
+    return $status
+}
+export -f deepest_chain
+
+if have gcc; then
+    job "stack under 16 KiB: -O2" deepest_chain 16384 -O2
+    job "stack under 16 KiB: -O3 -march=native" deepest_chain 16384 -O3 -march=native
+fi
+
+# ---- static analysis. What is switched off, and why:
+#   easily-swappable-parameters, magic numbers, identifier lengths, function sizes: matters of taste, STYLE decides
+#   math-missing-parentheses, implicit-widening, narrowing: the compilers' -Wconversion and -Wsign-conversion decide
+#   DeprecatedOrUnsafeBufferHandling: asks for the memcpy_s that C99 does not have
+#   reserved-identifier: Linux's <stdint.h>, not the header's names
+
+tidy_checks='-*,bugprone-*,clang-analyzer-*,cert-*,misc-*,performance-*,portability-*'
+tidy_checks=$tidy_checks',-bugprone-easily-swappable-parameters,-bugprone-implicit-widening-of-multiplication-result'
+tidy_checks=$tidy_checks',-bugprone-narrowing-conversions,-bugprone-reserved-identifier,-cert-dcl37-c,-cert-dcl51-cpp'
+tidy_checks=$tidy_checks',-clang-analyzer-security.insecureAPI.DeprecatedOrUnsafeBufferHandling'
+
+tidy() {
+    clang-tidy --quiet --warnings-as-errors='*' --header-filter='tribox\.h' --checks="$1" \
+        "$CHECK_DIR/header/alone.c" -- -std=c99 -I.
+}
+
+#   missingIncludeSystem: it reads no system headers; unusedFunction: a library; normalCheckLevelMaxBranches: a remark
+check_cpp() {
+    cppcheck --quiet --error-exitcode=1 --std=c99 --enable=warning,performance,portability --inline-suppr \
+        --suppress=missingIncludeSystem --suppress=normalCheckLevelMaxBranches -I. "$CHECK_DIR/header/alone.c"
+}
+export -f tidy check_cpp
+
+have clang-tidy && job "clang-tidy" tidy "$tidy_checks"
+have cppcheck && job "cppcheck" check_cpp
+have gcc && job "gcc -fanalyzer" quiet gcc c99 "-O1 -fanalyzer -Werror" "$alone" tests/golden.c
+
+check_end

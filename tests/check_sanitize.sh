@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# The suite of `make test` and the golden inputs under the sanitizers, and the exact judges beside the header under the
+# one that matters most there. Run from the repository's root.
+set -u
+. tests/check_lib.sh
+
+out=$CHECK_DIR/sanitize
+scale=${CHECK_SCALE:-8} # loop counts of the tests are divided by this
+all=undefined,float-divide-by-zero,float-cast-overflow,bounds
+mkdir -p "$out"
+
+suite() { # folder, compiler, flags
+    make -s test B="$1" CC="$2" CFLAGS="$3 -DTEST_SCALE=$4"
+}
+golden() { # program, compiler, flags...
+    "$2" -std=c99 -I. "${@:3}" tests/golden.c -o "$1" -lm && "$1" nearest up
+}
+export -f suite golden
+
+sanitize() { # name, compiler, flags
+    have "$2" || return 0
+    job "sanitizer $1, make test: $2 $3" suite "$out/$1-$2" "$2" "$3" "$scale"
+    # shellcheck disable=SC2086 # flags are a list
+    job "sanitizer $1, golden: $2 $3" golden "$out/golden-$1-$2" "$2" $3
+}
+
+for cc in gcc clang; do
+    sanitize address $cc "-O1 -g -fsanitize=address,$all -fno-sanitize-recover=all"
+    sanitize native $cc "-O2 -march=native -g -fsanitize=address,$all -fno-sanitize-recover=all"
+done
+sanitize memory clang "-O1 -g -fsanitize=memory -fno-sanitize-recover=all -fsanitize-memory-track-origins"
+
+check_end
