@@ -30,15 +30,7 @@ static void clear(void *context)
 static uint64_t count_bits(void *context)
 {
     const job *j = (const job *)context;
-    uint64_t sum = 0;
-    size_t i;
-    for (i = 0; i < j->words; i++) {
-        uint64_t word = j->bits[i];
-        for (; word != 0; word &= word - 1) {
-            sum++;
-        }
-    }
-    return sum;
+    return bench_count_bits(j->bits, j->words);
 }
 
 static BENCH_NOINLINE uint64_t run_loads(void *context)
