@@ -2,9 +2,9 @@
  *
  *   build/check_voxels mesh.obj other.binvox
  *
- * A missing voxel touches the mesh but isn't set: shown with how far the box could shrink on all sides and still touch
- * (0: it touches by its border only). An extra voxel is set but doesn't touch: shown with its distance from the nearest
- * triangle. Exit status: 0 the same set, 1 a difference, 2 an error.
+ * A missing voxel touches the mesh but isn't set: shown with how far the box could shrink on all sides and
+ * still touch (0: it touches by its border only). An extra voxel is set but doesn't touch: shown with its
+ * distance from the nearest triangle. Exit status: 0 the same set, 1 a difference, 2 an error.
  */
 #include "program.h"
 #include "mesh_stats.h"
@@ -30,8 +30,8 @@ static const char usage[] =
     "  --closed, --half-open, --open, --thin\n"
     "                  the exact set to compare with (default: --closed, every voxel that the mesh touches)\n"
     "  --solid         the exact set with its inside filled\n"
-    "  --size X,Y,Z    the voxels' size, where the header's rounded one isn't meant; the corner of the first voxel\n"
-    "                  is then a whole number of voxels from --origin, the nearest to what the header says\n"
+    "  --size X,Y,Z    the voxels' size, where the header's rounded one isn't meant; the first voxel's corner\n"
+    "                  is then a whole number of voxels from --origin, the nearest to the header's\n"
     "  --origin X,Y,Z  a corner of the grid's voxels, with --size (default: 0,0,0)\n"
     "  --show N        how many missing and how many extra voxels to list (default: 5)\n"
     "  --help          this text\n"
@@ -99,7 +99,8 @@ static int place_by_size(voxels *other, const options *o, char *error) {
     for (a = 0; a < 3; a++) {
         double lo = floor((g->origin[a] - o->origin[a]) / o->size[a] + 0.5);
         if (!(fabs(lo) < 1e9)) {
-            snprintf(error, MESH_ERROR, "--size and --origin put the grid's first voxel at number %g along %c", lo,
+            snprintf(error, MESH_ERROR,
+                     "--size and --origin put the grid's first voxel at number %g along %c", lo,
                      'x' + a);
             return 0;
         }
@@ -165,7 +166,7 @@ static double face_distance2(const double q[3], double v[3][3]) {
     return dot(n, r) * dot(n, r) / nn;
 }
 
-/* Squared distance of a triangle and a box that are apart: between a corner and a face or between two edges. */
+/* Squared distance of a triangle and a box that are apart: between a corner and a face or two edges. */
 static double apart_distance2(double v[3][3], const double lo[3], const double hi[3]) {
     double least = HUGE_VAL;
     int i;
@@ -214,7 +215,7 @@ static double bounds_distance2(double v[3][3], const double lo[3], const double 
 
 typedef struct nearest {
     double distance;        /* to the nearest triangle; 0: one touches */
-    double depth;           /* how far the box can shrink on each side with a triangle still touching; -1: none touches */
+    double depth;           /* how far the box can shrink on each side and still be touched; -1: it isn't */
     size_t triangle;
 } nearest;
 
@@ -290,8 +291,8 @@ static void show(const char *what, const voxels *other, const tribox_mesh *m, co
         hi[a] = other->grid.origin[a] + (i + 1) * other->grid.size[a];
     }
     near = find_nearest(m, lo, hi);
-    printf("  %s  %lu,%lu,%lu  box %.9g,%.9g,%.9g to %.9g,%.9g,%.9g: ", what, (unsigned long)at[0], (unsigned long)at[1],
-           (unsigned long)at[2], lo[0], lo[1], lo[2], hi[0], hi[1], hi[2]);
+    printf("  %s  %lu,%lu,%lu  box %.9g,%.9g,%.9g to %.9g,%.9g,%.9g: ", what, (unsigned long)at[0],
+           (unsigned long)at[1], (unsigned long)at[2], lo[0], lo[1], lo[2], hi[0], hi[1], hi[2]);
     if (near.distance > 0) {
         printf("%.6g from triangle %lu\n", near.distance, (unsigned long)near.triangle);
     } else {
@@ -301,7 +302,8 @@ static void show(const char *what, const voxels *other, const tribox_mesh *m, co
 }
 
 /* Counts voxels that are in `a` and not in `b`, two sets over the file's grid, and shows the first few. */
-static size_t differ(const char *what, const voxels *a, const voxels *b, const tribox_mesh *m, int show_most) {
+static size_t differ(const char *what, const voxels *a, const voxels *b, const tribox_mesh *m,
+                     int show_most) {
     size_t count = 0;
     size_t at[3];
     for (at[2] = 0; at[2] < a->n[2]; at[2]++) {

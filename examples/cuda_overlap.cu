@@ -2,8 +2,9 @@
  *
  *   nvcc -I. -o build/cuda_overlap examples/cuda_overlap.cu && build/cuda_overlap
  *
- * Coordinates are multiples of 0.1f and 0.125f in a small range, so that many pairs touch by exactly a point, an edge or
- * a plane. The device's answers are compared with the host's, bit for bit; so are those of prepared triangles. Prints:
+ * Coordinates are multiples of 0.1f and 0.125f in a small range, so that many pairs touch by exactly a
+ * point, an edge or a plane. The device's answers are compared with the host's, bit for bit; so are those
+ * of prepared triangles. Prints:
  *
  *   100000 triangles, 64 boxes each: 654849 overlaps on the device, 654849 on the host
  *   the same answers for all 6400000 pairs, from tribox_overlap and from tribox_tri_test
@@ -23,8 +24,8 @@ typedef struct answers {
     uint64_t prepared;      /* bit b: tribox_tri_test at box b's corner */
 } answers;
 
-/* A prepared triangle is tested against [p, p + size] in real numbers. Here p and size are multiples of 1/8, so p + size is
-   a float, and the direct test gets the same box. */
+/* A prepared triangle is tested against [p, p + size] in real numbers. Here p and size are multiples of
+   1/8, so p + size is a float, and the direct test gets the same box. */
 __host__ __device__ static answers test_triangle(const float *corners, const float *boxes) {
     const float size[3] = {0.125f, 0.25f, 0.5f};
     const float *v0 = corners;
@@ -87,7 +88,8 @@ static int compare(const float *corners, const float *boxes, const answers *devi
         printf("NOT the same answers for %lu triangles\n", (unsigned long)differing);
         return 1;
     }
-    printf("the same answers for all %d pairs, from tribox_overlap and from tribox_tri_test\n", TRIANGLES * BOXES);
+    printf("the same answers for all %d pairs, from tribox_overlap and from tribox_tri_test\n",
+           TRIANGLES * BOXES);
     return 0;
 }
 
@@ -116,9 +118,11 @@ int main(void) {
     check("memory for corners", cudaMalloc((void **)&device_corners, TRIANGLES * 9 * sizeof *corners));
     check("memory for boxes", cudaMalloc((void **)&device_boxes, BOXES * 3 * sizeof *boxes));
     check("memory for answers", cudaMalloc((void **)&device_result, TRIANGLES * sizeof *result));
-    check("corners", cudaMemcpy(device_corners, corners, TRIANGLES * 9 * sizeof *corners, cudaMemcpyHostToDevice));
+    check("corners", cudaMemcpy(device_corners, corners, TRIANGLES * 9 * sizeof *corners,
+                                cudaMemcpyHostToDevice));
     check("boxes", cudaMemcpy(device_boxes, boxes, BOXES * 3 * sizeof *boxes, cudaMemcpyHostToDevice));
-    test_triangles<<<(TRIANGLES + THREADS - 1) / THREADS, THREADS>>>(device_corners, device_boxes, device_result);
+    test_triangles<<<(TRIANGLES + THREADS - 1) / THREADS, THREADS>>>(device_corners, device_boxes,
+                                                                     device_result);
     check("kernel", cudaGetLastError());
     check("answers", cudaMemcpy(result, device_result, TRIANGLES * sizeof *result, cudaMemcpyDeviceToHost));
     status = compare(corners, boxes, result);

@@ -12,11 +12,12 @@ $(EXAMPLES:%=$(B)/%): $(B)/%: examples/%.c $(wildcard examples/*.h) tribox.h
 	@mkdir -p $(B)
 	$(CC_C99) $< -o $@ $(EXAMPLE_LIBS) -lm
 
-examples: build-examples ## run the examples against their .out files, the file readers against good and bad files
+examples: build-examples ## run the examples: .out files, good and bad meshes, voxels out and in again
 	sh tests/test_examples.sh $(B)
 
 demo: $(B)/voxelize ## voxelize the Utah teapot; writes build/teapot.png, .vox and .binvox
 	$(B)/voxelize teapot 128 -o $(B)/teapot.png -o $(B)/teapot.vox -o $(B)/teapot.binvox
 	@echo
-	@echo 'Open $(B)/teapot.png in any viewer. $(B)/teapot.vox opens in MagicaVoxel, $(B)/teapot.binvox in viewvox.'
+	@echo 'Open $(B)/teapot.png in any viewer.'
+	@echo 'MagicaVoxel opens $(B)/teapot.vox, viewvox opens $(B)/teapot.binvox.'
 	@echo 'Your own mesh: $(B)/voxelize model.ply 256 -o model.vox   ($(B)/voxelize --help lists the options)'

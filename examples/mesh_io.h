@@ -1,4 +1,5 @@
-/* mesh_io.h - reads a triangle mesh from an OBJ, STL (binary, ASCII) or PLY (ASCII, binary of both byte orders) file
+/* mesh_io.h - reads a triangle mesh from an OBJ, STL (binary, ASCII) or PLY (ASCII, binary of both byte
+ * orders) file
  *
  *   mesh m;
  *   char error[MESH_ERROR];
@@ -7,9 +8,10 @@
  *   ...
  *   mesh_free(&m);
  *
- * The format is told by the content, not by the name. Polygons become fans. A bad file gives one sentence with the line
- * or the byte; nothing a file holds makes the reader crash, and the memory it takes is a small multiple of the file's
- * size: no number in a file is believed before the bytes it speaks of are seen to be there.
+ * The format is told by the content, not by the name. Polygons become fans. A bad file gives one sentence
+ * with the line or the byte; nothing a file holds makes the reader crash, and the memory it takes is a
+ * small multiple of the file's size: no number in a file is believed before the bytes it speaks of are
+ * seen to be there.
  */
 #ifndef EXAMPLES_MESH_IO_H
 #define EXAMPLES_MESH_IO_H
@@ -77,7 +79,8 @@ static inline int mesh_fail_file(mesh_reader *r, const char *what) {
 }
 
 /* Makes room for `more` items after `used`; the room doubles, so that adding one at a time stays linear. */
-static inline int mesh_reserve(mesh_reader *r, void **items, size_t *room, size_t used, size_t more, size_t item_size) {
+static inline int mesh_reserve(mesh_reader *r, void **items, size_t *room, size_t used, size_t more,
+                               size_t item_size) {
     size_t wanted = *room;
     void *grown;
     if (more <= *room - used) {
@@ -251,8 +254,8 @@ static inline int mesh_fail_word(mesh_reader *r, mesh_word word, const char *wan
     return mesh_fail_at(r, r->line, "%s expected, found '%s'", wanted, shown);
 }
 
-/* The word as a number: the nearest float and the nearest double, each rounded once. strtof stops by itself at the blank
-   or zero byte behind the word. */
+/* The word as a number: the nearest float and the nearest double, each rounded once. strtof stops by
+   itself at the blank or zero byte behind the word. */
 static inline int mesh_word_number(mesh_reader *r, mesh_word word, float *out_float, double *out_double) {
     char *end = NULL;
     if (word.length > 0) {
@@ -267,7 +270,8 @@ static inline int mesh_word_number(mesh_reader *r, mesh_word word, float *out_fl
     return 1;
 }
 
-/* An integer at the start of the word; returns the characters read, 0 if there is none or it is far out of range. */
+/* An integer at the start of the word; returns the characters read, 0 if there is none or it is far out of
+   range. */
 static inline size_t mesh_word_integer(mesh_word word, int64_t *out_value) {
     size_t i = word.length > 0 && (word.text[0] == '-' || word.text[0] == '+') ? 1 : 0;
     size_t digits = i;
@@ -301,7 +305,8 @@ static inline int mesh_read_position(mesh_reader *r, int anywhere) {
 
 /* ---- 3. OBJ ---------------------------------------------------------------------------------- */
 
-/* A corner "v", "v/vt", "v//vn" or "v/vt/vn". Positive indices count from 1, negative ones back from the last vertex. */
+/* A corner "v", "v/vt", "v//vn" or "v/vt/vn". Positive indices count from 1, negative ones back from the
+   last vertex. */
 static inline int mesh_read_obj_corner(mesh_reader *r, mesh_word word) {
     int64_t index;
     size_t used = mesh_word_integer(word, &index);
@@ -310,8 +315,8 @@ static inline int mesh_read_obj_corner(mesh_reader *r, mesh_word word) {
     }
     if (index < 0) {
         if ((uint64_t)-index > r->out->vertices) {
-            return mesh_fail_at(r, r->line, "vertex index %ld, but only %lu vertices stand above", (long)index,
-                                (unsigned long)r->out->vertices);
+            return mesh_fail_at(r, r->line, "vertex index %ld, but only %lu vertices stand above",
+                                (long)index, (unsigned long)r->out->vertices);
         }
         index += (int64_t)r->out->vertices + 1;
     }
@@ -392,10 +397,11 @@ static inline int mesh_read_stl_binary(mesh_reader *r) {
     return 1;
 }
 
-/* Reads one facet after the word "facet". The normal is not used, and may be what some programs write for NaN. */
+/* Reads one facet after the word "facet". The normal is not used, and may be what some programs write for
+   NaN. */
 static inline int mesh_read_stl_facet(mesh_reader *r) {
-    static const char *const wanted[] = {"normal", NULL, NULL, NULL, "outer", "loop", "vertex", "vertex", "vertex",
-                                         "endloop", "endfacet"};
+    static const char *const wanted[] = {"normal", NULL, NULL, NULL, "outer", "loop",
+                                         "vertex", "vertex", "vertex", "endloop", "endfacet"};
     size_t i;
     for (i = 0; i < sizeof wanted / sizeof wanted[0]; i++) {
         mesh_word word;
@@ -428,7 +434,7 @@ static inline int mesh_read_stl_ascii(mesh_reader *r) {
     return inside ? mesh_fail_word(r, word, "facet or endsolid") : 1;
 }
 
-/* A binary STL may begin with "solid" too: what tells them apart is the size, then a zero byte in the header. */
+/* A binary STL may begin with "solid" too: the size tells them apart, then a zero byte in the header. */
 static inline int mesh_stl_is_binary(const mesh_reader *r) {
     size_t head = r->size < 84 ? r->size : 84;
     if (r->size >= 84 && (double)r->size == 84 + 50.0 * (double)mesh_u32(r->data + 80, 0)) {
@@ -440,7 +446,8 @@ static inline int mesh_stl_is_binary(const mesh_reader *r) {
 /* ---- 5. PLY ---------------------------------------------------------------------------------- */
 
 enum { PLY_I8, PLY_U8, PLY_I16, PLY_U16, PLY_I32, PLY_U32, PLY_F32, PLY_F64, PLY_NO_TYPE };
-enum { PLY_OTHER, PLY_X, PLY_Y, PLY_Z, PLY_FACE, PLY_STRIP };                   /* what a property is read for */
+/* What a property is read for. */
+enum { PLY_OTHER, PLY_X, PLY_Y, PLY_Z, PLY_FACE, PLY_STRIP };
 
 typedef struct ply_property {
     int type;
@@ -490,7 +497,8 @@ static inline int ply_role(mesh_word element, mesh_word name, int is_list) {
         return *name.text == 'x' ? PLY_X : *name.text == 'y' ? PLY_Y : *name.text == 'z' ? PLY_Z : PLY_OTHER;
     }
     if (is_list && (mesh_word_is(name, "vertex_indices") || mesh_word_is(name, "vertex_index"))) {
-        return mesh_word_is(element, "face") ? PLY_FACE : mesh_word_is(element, "tristrips") ? PLY_STRIP : PLY_OTHER;
+        return mesh_word_is(element, "face") ? PLY_FACE
+             : mesh_word_is(element, "tristrips") ? PLY_STRIP : PLY_OTHER;
     }
     return PLY_OTHER;
 }
@@ -518,7 +526,8 @@ static inline int ply_read_property(mesh_reader *r, ply_header *h) {
     if (!mesh_next_word(r, &word)) {
         return mesh_fail_word(r, word, "property name");
     }
-    property.role = ply_role(h->elements[h->element_count - 1].name, word, property.count_type != PLY_NO_TYPE);
+    property.role = ply_role(h->elements[h->element_count - 1].name, word,
+                             property.count_type != PLY_NO_TYPE);
     if (!mesh_reserve(r, &items, &h->property_room, h->property_count, 1, sizeof property)) {
         return 0;
     }
@@ -640,7 +649,8 @@ static inline int ply_add_strip_corner(mesh_reader *r, double index) {
     }
     vertex = (uint32_t)index;
     mesh_note_index(r, vertex);
-    if (r->corners >= 2 && !mesh_add_triangle(r, odd ? r->last : r->first, odd ? r->first : r->last, vertex)) {
+    if (r->corners >= 2 && !mesh_add_triangle(r, odd ? r->last : r->first, odd ? r->first : r->last,
+                                              vertex)) {
         return 0;
     }
     r->first = r->last;
@@ -676,7 +686,8 @@ static inline int ply_read_list(mesh_reader *r, const ply_header *h, const ply_p
             || number.as_double != floor(number.as_double)) {
             return mesh_fail_at(r, r->binary ? place : r->line, "vertex index %g", number.as_double);
         }
-        if (strip ? !ply_add_strip_corner(r, number.as_double) : !mesh_add_corner(r, (uint32_t)number.as_double)) {
+        if (strip ? !ply_add_strip_corner(r, number.as_double)
+                  : !mesh_add_corner(r, (uint32_t)number.as_double)) {
             return 0;
         }
     }
@@ -686,7 +697,8 @@ static inline int ply_read_list(mesh_reader *r, const ply_header *h, const ply_p
     return 1;
 }
 
-static inline int ply_read_row(mesh_reader *r, const ply_header *h, const ply_element *element, int is_vertex) {
+static inline int ply_read_row(mesh_reader *r, const ply_header *h, const ply_element *element,
+                               int is_vertex) {
     float position[3] = {0, 0, 0};
     size_t i;
     for (i = 0; i < element->properties; i++) {
@@ -712,9 +724,11 @@ static inline int ply_check_rows(mesh_reader *r, const ply_header *h, const ply_
         row += !r->binary ? 2 : (double)ply_size(p->count_type != PLY_NO_TYPE ? p->count_type : p->type);
     }
     if ((double)element->rows * row > (double)(r->size - r->at) + 1) {
-        return mesh_fail_at(r, mesh_place(r), "%.0f rows of '%.*s' promised, at least %.0f bytes, but %lu are left",
+        return mesh_fail_at(r, mesh_place(r),
+                            "%.0f rows of '%.*s' promised, at least %.0f bytes, but %lu are left",
                             (double)element->rows, element->name.length < 40 ? (int)element->name.length : 40,
-                            element->name.text, (double)element->rows * row, (unsigned long)(r->size - r->at));
+                            element->name.text, (double)element->rows * row,
+                            (unsigned long)(r->size - r->at));
     }
     return 1;
 }
@@ -754,7 +768,8 @@ static inline int mesh_read_ply(mesh_reader *r) {
         faces |= h.properties[i].role >= PLY_FACE;
     }
     if (ok && !faces) {
-        ok = mesh_fail_file(r, "no list vertex_indices of an element 'face' or 'tristrips': points without triangles");
+        ok = mesh_fail_file(r, "no list vertex_indices in an element 'face' or 'tristrips': "
+                               "points without triangles");
     }
     free(h.elements);
     free(h.properties);
@@ -769,39 +784,51 @@ static inline void mesh_free(mesh *m) {
     memset(m, 0, sizeof *m);
 }
 
-/* All bytes of a file, "-" being the standard input, and two zero bytes. Returns NULL with a sentence in `error`. */
-static inline unsigned char *mesh_load_bytes(const char *path, size_t *out_size, char *error) {
-    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
+static inline unsigned char *mesh_load_stream(FILE *file, mesh_reader *r) {
     void *bytes = NULL;
     size_t room = 0;
     size_t got = 1;
-    mesh_reader r;
-    int ok;
-    memset(&r, 0, sizeof r);
-    r.path = path;
-    r.error = error;
-    ok = file ? 1 : mesh_fail_file(&r, strerror(errno));
+    int ok = 1;
     errno = 0;
     while (ok && got > 0) {
-        ok = mesh_reserve(&r, &bytes, &room, r.size, 65536, 1);
+        ok = mesh_reserve(r, &bytes, &room, r->size, 65536, 1);
         if (ok) {
-            got = fread((unsigned char *)bytes + r.size, 1, room - r.size - 2, file);
-            r.size += got;
+            got = fread((unsigned char *)bytes + r->size, 1, room - r->size - 2, file);
+            r->size += got;
         }
     }
     if (ok && ferror(file)) {
-        ok = mesh_fail_file(&r, errno ? strerror(errno) : "read error");
-    }
-    if (file && file != stdin) {
-        fclose(file);
+        ok = mesh_fail_file(r, errno ? strerror(errno) : "read error");
     }
     if (!ok) {
         free(bytes);
         return NULL;
     }
-    memset((unsigned char *)bytes + r.size, 0, 2);
-    *out_size = r.size;
+    memset((unsigned char *)bytes + r->size, 0, 2);
     return (unsigned char *)bytes;
+}
+
+/* All bytes of a file, "-" being the standard input, and two zero bytes. Returns NULL with a sentence in
+   `error`. */
+static inline unsigned char *mesh_load_bytes(const char *path, size_t *out_size, char *error) {
+    unsigned char *bytes = NULL;
+    mesh_reader r;
+    memset(&r, 0, sizeof r);
+    r.path = path;
+    r.error = error;
+    if (strcmp(path, "-") == 0) {
+        bytes = mesh_load_stream(stdin, &r);
+    } else {
+        FILE *file = fopen(path, "rb");
+        if (file) {
+            bytes = mesh_load_stream(file, &r);
+            fclose(file);
+        } else {
+            mesh_fail_file(&r, strerror(errno));
+        }
+    }
+    *out_size = r.size;
+    return bytes;
 }
 
 static inline int mesh_name_ends(const char *path, const char *ending) {
@@ -842,12 +869,13 @@ static inline int mesh_parse(mesh_reader *r) {
     return mesh_read_obj(r);
 }
 
-/* Reads a mesh that stands in memory, with two zero bytes behind its end; `path` is its name in errors, and its ending may
- * help to tell the format. `error` has room for MESH_ERROR characters.
+/* Reads a mesh that stands in memory, with two zero bytes behind its end; `path` is its name in errors,
+ * and its ending may help to tell the format. `error` has room for MESH_ERROR characters.
  *
  * Returns 1, or 0 with one sentence in `error` and an empty mesh.
  */
-static inline int mesh_read_memory(mesh *out, const char *path, const unsigned char *data, size_t size, char *error) {
+static inline int mesh_read_memory(mesh *out, const char *path, const unsigned char *data, size_t size,
+                                   char *error) {
     mesh_reader r;
     int ok;
     memset(&r, 0, sizeof r);

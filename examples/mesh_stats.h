@@ -1,4 +1,4 @@
-/* mesh_stats.h - what there is to say about a mesh before it is voxelized: extent, odd triangles, open edges */
+/* mesh_stats.h - what there is to say about a mesh before it is voxelized: extent, odd triangles, edges */
 #ifndef EXAMPLES_MESH_STATS_H
 #define EXAMPLES_MESH_STATS_H
 #include "mesh_io.h"
@@ -7,7 +7,8 @@ typedef struct mesh_stats {
     double min[3];          /* of the triangles that are finite; min > max if there is none */
     double max[3];
     size_t nonfinite;       /* triangles with a NaN or infinite corner: no set of points, they set no voxel */
-    size_t degenerate;      /* finite triangles without area (in double): segments and points, they do set voxels */
+    /* finite triangles without area (in double): segments and points, they do set voxels */
+    size_t degenerate;
 } mesh_stats;
 
 /* NaN and infinity, told by the bits, so that no compiler flag can fold the question away. */
@@ -56,8 +57,10 @@ static inline mesh_stats mesh_measure(const tribox_mesh *m) {
     return s;
 }
 
-/* A number for each place in space: the first vertex found there, by a hash table of vertices. -0 counts as 0. */
-static inline uint32_t mesh_weld(uint32_t *table, size_t mask, const float *const *slots, const float *position) {
+/* A number for each place in space: the first vertex found there, by a hash table of vertices. -0 counts
+   as 0. */
+static inline uint32_t mesh_weld(uint32_t *table, size_t mask, const float *const *slots,
+                                 const float *position) {
     float p[3];
     uint32_t bits[3];
     uint64_t hash;
@@ -86,7 +89,8 @@ static inline int mesh_compare_u64(const void *a, const void *b) {
     return x < y ? -1 : x > y;
 }
 
-/* How many edges belong to an odd number of triangles, corners in one place being one vertex. A closed surface has none.
+/* How many edges belong to an odd number of triangles, corners in one place being one vertex. A closed
+ * surface has none.
  *
  * Returns 1, or 0 if memory is short or there are too many triangles.
  */

@@ -1,6 +1,8 @@
-/* png.h - writes an 8-bit RGB picture as PNG, with a small deflate of its own (fixed Huffman codes, hashed matches)
+/* png.h - writes an 8-bit RGB picture as PNG, with a small deflate of its own (fixed Huffman codes, hashed
+ * matches)
  *
- * Sources: the PNG specification (W3C, second edition) for chunks and filters, RFC 1950 and RFC 1951 for the stream.
+ * Sources: the PNG specification (W3C, second edition) for chunks and filters, RFC 1950 and RFC 1951 for
+ * the stream.
  */
 #ifndef EXAMPLES_PNG_H
 #define EXAMPLES_PNG_H
@@ -60,8 +62,8 @@ static inline void png_symbol(png_stream *s, unsigned symbol) {
     }
 }
 
-/* Splits a length (from 3) or distance (from 1) into its symbol and extra bits: the classes double every `per` symbols
-   (4 for lengths, 2 for distances) once the first 2 * per symbols have none. */
+/* Splits a length (from 3) or distance (from 1) into its symbol and extra bits: the classes double every
+   `per` symbols (4 for lengths, 2 for distances) once the first 2 * per symbols have none. */
 static inline unsigned png_class(unsigned offset, unsigned per, int *out_extra_bits, unsigned *out_extra) {
     int extra = 0;
     while (offset >> extra >= 2 * per) {
@@ -91,7 +93,8 @@ static inline void png_match(png_stream *s, unsigned length, unsigned distance) 
 enum { PNG_HASHES = 1 << 15, PNG_WINDOW = 32768, PNG_TRIES = 32 };
 
 typedef struct png_matcher {
-    int32_t *head;              /* latest place of each hash, then the place before each place in the window; -1: none */
+    /* latest place of each hash, then the place before each place in the window; -1: none */
+    int32_t *head;
     int32_t *before;
 } png_matcher;
 
@@ -201,8 +204,10 @@ static inline void png_chunk(FILE *file, const char *name, const unsigned char *
     png_put_u32(file, ~crc);
 }
 
-/* Filter 4, Paeth: each byte less the neighbour, left, above or above left, nearest to left + above - above left. */
-static inline void png_filter_row(const unsigned char *row, const unsigned char *above, size_t size, unsigned char *out) {
+/* Filter 4, Paeth: each byte less the neighbour, left, above or above left, nearest to left + above -
+   above left. */
+static inline void png_filter_row(const unsigned char *row, const unsigned char *above, size_t size,
+                                  unsigned char *out) {
     size_t i;
     out[0] = 4;
     for (i = 0; i < size; i++) {
@@ -217,8 +222,10 @@ static inline void png_filter_row(const unsigned char *row, const unsigned char 
     }
 }
 
-/* Writes width * height pixels of red, green, blue, from the top left. Returns 1, or 0 with a sentence in `error`. */
-static inline int png_write(const char *path, const unsigned char *pixels, size_t width, size_t height, char *error) {
+/* Writes width * height pixels of red, green, blue, from the top left. Returns 1, or 0 with a sentence in
+   `error`. */
+static inline int png_write(const char *path, const unsigned char *pixels, size_t width, size_t height,
+                            char *error) {
     unsigned char header[13] = {0, 0, 0, 0, 0, 0, 0, 0, 8, 2, 0, 0, 0};       /* 8 bits, RGB */
     unsigned char *rows = (unsigned char *)malloc((3 * width + 1) * height);
     png_stream s = {NULL, 0, 0, 0, 0, 0};

@@ -1,4 +1,5 @@
-/* program.h - what the example programs share: numbers from the command line, the mesh argument, the rule options */
+/* program.h - what the example programs share: numbers from the command line, the mesh argument, the rule
+   options */
 #ifndef EXAMPLES_PROGRAM_H
 #define EXAMPLES_PROGRAM_H
 #include "teapot.h"
@@ -6,7 +7,9 @@
 #include <limits.h>
 #include <time.h>
 
-#define PROGRAM_MESHES "an OBJ, STL or PLY file, \"-\" for the standard input, or a built-in mesh: teapot, teapot-closed"
+#define PROGRAM_MESHES \
+    "an OBJ, STL or PLY file, \"-\" for the standard input, or built in:\n" \
+    "                  teapot, teapot-closed"
 
 /* One whole number in [least, most]. Returns 1, or 0 if the text is something else. */
 static inline int program_int(const char *text, int least, int most, int *out_value) {
@@ -60,7 +63,8 @@ static inline const char *program_rule_name(unsigned flags) {
 
 static inline int program_mesh(mesh *out, const char *name, char *error) {
     int closed = strcmp(name, "teapot-closed") == 0;
-    return closed || strcmp(name, "teapot") == 0 ? teapot_make(out, 24, closed, error) : mesh_read(out, name, error);
+    return closed || strcmp(name, "teapot") == 0 ? teapot_make(out, 24, closed, error)
+                                                 : mesh_read(out, name, error);
 }
 
 static inline int program_fails(const char *program, const char *error) {

@@ -1,14 +1,17 @@
-/* render.h - a shaded picture of voxels: rays through the bit array, sun with soft shadows, sky with occlusion
+/* render.h - a shaded picture of voxels: rays through the bit array, sun with soft shadows, sky with
+ * occlusion
  *
- * Parallel projection from front right above, four rays a pixel. A ray walks bricks of 8x8x8 voxels and goes into a brick
- * only if a voxel in it is set [Amanatides and Woo, A fast voxel traversal algorithm, 1987], so the time depends on the
- * picture's size far more than on the grid's. Lengths are in voxels of the largest side ("units").
+ * Parallel projection from front right above, four rays a pixel. A ray walks bricks of 8x8x8 voxels and
+ * goes into a brick only if a voxel in it is set [Amanatides and Woo, A fast voxel traversal algorithm,
+ * 1987], so the time depends on the picture's size far more than on the grid's. Lengths are in voxels of
+ * the largest side ("units").
  */
 #ifndef EXAMPLES_RENDER_H
 #define EXAMPLES_RENDER_H
 #include "png.h"
 
-enum { RENDER_WIDTH = 1280, RENDER_HEIGHT = 960, RENDER_BRICK = 8, RENDER_CACHE = 1 << 16, RENDER_SKY = 24, RENDER_SAMPLES = 16 };
+enum { RENDER_WIDTH = 1280, RENDER_HEIGHT = 960, RENDER_BRICK = 8, RENDER_CACHE = 1 << 16 };
+enum { RENDER_SKY = 24, RENDER_SAMPLES = 16 };          /* rays to the sky a face, parts of the sun */
 
 typedef struct vec { double x[3]; } vec;
 
@@ -83,8 +86,8 @@ typedef struct render_walk {
     int    axis;            /* crossed last */
 } render_walk;
 
-static inline void walk_begin(render_walk *w, vec o, vec d, double t, double cell, const long lo[3], const long hi[3],
-                              int axis) {
+static inline void walk_begin(render_walk *w, vec o, vec d, double t, double cell, const long lo[3],
+                              const long hi[3], int axis) {
     int a;
     w->t = t;
     w->axis = axis;
@@ -134,7 +137,8 @@ static inline int render_enter(const render *r, vec o, vec d, double *t0, double
     return *t0 <= *t1;
 }
 
-static inline int render_walk_brick(const render *r, const render_walk *outer, vec o, vec d, double t1, render_hit *hit) {
+static inline int render_walk_brick(const render *r, const render_walk *outer, vec o, vec d, double t1,
+                                    render_hit *hit) {
     long lo[3];
     long hi[3];
     render_walk w;
@@ -144,7 +148,8 @@ static inline int render_walk_brick(const render *r, const render_walk *outer, v
         hi[a] = lo[a] + RENDER_BRICK;
         hi[a] = hi[a] < (long)r->v->n[a] ? hi[a] : (long)r->v->n[a];
     }
-    for (walk_begin(&w, o, d, outer->t, 1, lo, hi, outer->axis); walk_inside(&w, lo, hi) && w.t <= t1; walk_step(&w)) {
+    walk_begin(&w, o, d, outer->t, 1, lo, hi, outer->axis);
+    for (; walk_inside(&w, lo, hi) && w.t <= t1; walk_step(&w)) {
         if (voxels_get(r->v, (size_t)w.cell[0], (size_t)w.cell[1], (size_t)w.cell[2])) {
             hit->t = w.t;
             hit->axis = w.axis;
@@ -175,8 +180,8 @@ static inline int render_trace(const render *r, vec origin, vec direction, doubl
     if (!render_enter(r, o, d, &t0, &t1, &axis)) {
         return 0;
     }
-    for (walk_begin(&w, o, d, t0, RENDER_BRICK, zero, bricks, axis); walk_inside(&w, zero, bricks) && w.t <= t1;
-         walk_step(&w)) {
+    walk_begin(&w, o, d, t0, RENDER_BRICK, zero, bricks, axis);
+    for (; walk_inside(&w, zero, bricks) && w.t <= t1; walk_step(&w)) {
         size_t at = ((size_t)w.cell[2] * r->bricks[1] + (size_t)w.cell[1]) * r->bricks[0] + (size_t)w.cell[0];
         if (r->brick[at] && render_walk_brick(r, &w, o, d, t1, hit)) {
             return 1;
@@ -187,7 +192,8 @@ static inline int render_trace(const render *r, vec origin, vec direction, doubl
 
 /* ---- 2. Light -------------------------------------------------------------------------------- */
 
-/* A unit vector i of `count`, spread evenly over the half sphere around `normal` and denser towards it (by the cosine). */
+/* A unit vector i of `count`, spread evenly over the half sphere around `normal` and denser towards it (by
+   the cosine). */
 static inline vec render_sky_direction(vec normal, int i, int count, double turn) {
     double height = sqrt((i + 0.5) / count);
     double angle = 2.399963229728653 * i + turn;      /* the golden angle */
@@ -218,7 +224,8 @@ static inline double render_open_sky(const render *r, vec point, vec normal, int
     return open / count;
 }
 
-/* The surface's normal: exposed faces that look at the camera, counted around the voxel, stand for its components. */
+/* The surface's normal: exposed faces that look at the camera, counted around the voxel, stand for its
+   components. */
 static inline vec render_smooth_normal(const render *r, const size_t voxel[3]) {
     enum { REACH = 3 };
     vec sum = vec_make(0, 0, 0);
@@ -270,12 +277,14 @@ static inline const render_face *render_visit_face(const render *r, const render
     return face;
 }
 
-/* 1 if the sun is seen. The 16 rays of 2x2 pixels ask 16 parts of its disc, so that shadows have soft borders. */
+/* 1 if the sun is seen. The 16 rays of 2x2 pixels ask 16 parts of its disc, so that shadows have soft
+   borders. */
 static inline double render_sun_seen(const render *r, vec point, int sample) {
     double radius = 0.045 * sqrt((sample + 0.5) / RENDER_SAMPLES);
     double angle = 2.399963229728653 * sample;
     render_hit hit;
-    vec d = vec_add(vec_add(r->sun, radius * cos(angle), r->sun_side[0]), radius * sin(angle), r->sun_side[1]);
+    vec d = vec_add(vec_add(r->sun, radius * cos(angle), r->sun_side[0]), radius * sin(angle),
+                    r->sun_side[1]);
     return render_trace(r, point, d, HUGE_VAL, &hit) ? 0 : 1;
 }
 
@@ -307,8 +316,7 @@ static inline vec render_shade_voxel(const render *r, const render_hit *hit, vec
     int a;
     outward.x[hit->axis] = r->forward.x[hit->axis] > 0 ? -1 : 1;
     face = render_visit_face(r, hit, outward);
-    normal = vec_unit(vec_add(vec_make(flat * outward.x[0], flat * outward.x[1], flat * outward.x[2]), 1 - flat,
-                              face->normal));
+    normal = vec_unit(vec_add(vec_add(vec_make(0, 0, 0), flat, outward), 1 - flat, face->normal));
     sun = vec_dot(normal, r->sun);
     if (sun > 0) {      /* from a little above, so that the steps of the surface don't shade each other */
         sun *= render_sun_seen(r, vec_add(vec_add(point, 0.05, outward), 1.2, face->normal), sample);
@@ -333,7 +341,7 @@ static inline vec render_shade_voxel(const render *r, const render_hit *hit, vec
 
 /* The floor, which fades into the backdrop, or the backdrop alone. */
 static inline vec render_shade_floor(const render *r, vec origin, double picture_height, int sample) {
-    vec backdrop = vec_make(0.66 + 0.16 * picture_height, 0.70 + 0.15 * picture_height, 0.76 + 0.13 * picture_height);
+    vec backdrop = vec_add(vec_make(0.66, 0.70, 0.76), picture_height, vec_make(0.16, 0.15, 0.13));
     double t = (r->ground - vec_dot(origin, r->up)) / vec_dot(r->forward, r->up);
     vec point = vec_add(origin, t, r->forward);
     vec away = vec_add(point, -1, r->centre);
@@ -345,7 +353,8 @@ static inline vec render_shade_floor(const render *r, vec origin, double picture
     if (fade < 0.01) {
         return backdrop;
     }
-    light = 0.55 * render_sun_seen(r, point, sample) + 0.45 * render_open_sky(r, point, r->up, 8, 0.37 * sample);
+    light = 0.55 * render_sun_seen(r, point, sample)
+        + 0.45 * render_open_sky(r, point, r->up, 8, 0.37 * sample);
     for (a = 0; a < 3; a++) {
         backdrop.x[a] *= 1 - fade * (1 - light) * 0.85;
     }
@@ -403,7 +412,7 @@ static inline int render_mark_bricks(render *r) {
     return r->hi[2] > 0;
 }
 
-/* Directions for the given up axis: the camera stands 25 degrees to the right of the front and 24 degrees up. */
+/* Directions for the given up axis: the camera stands 25 degrees right of the front and 24 degrees up. */
 static inline void render_aim(render *r, char up) {
     upright turn = upright_make(up);
     vec axis[3];
@@ -423,14 +432,19 @@ static inline void render_aim(render *r, char up) {
         r->centre.x[a] = 0.5 * (double)(r->hi[a] + r->lo[a]) * r->scale.x[a];
     }
     r->up = axis[2];
-    r->forward = vec_unit(vec_add(vec_add(vec_add(vec_make(0, 0, 0), -0.386, axis[0]), 0.828, axis[1]), -0.407, axis[2]));
+    r->forward = vec_unit(vec_add(vec_add(vec_add(vec_make(0, 0, 0), -0.386, axis[0]), 0.828, axis[1]),
+                                  -0.407, axis[2]));
     r->right = vec_unit(vec_cross(r->forward, r->up));
     r->top = vec_cross(r->right, r->forward);
-    r->sun = vec_unit(vec_add(vec_add(vec_add(vec_make(0, 0, 0), -0.55, axis[0]), -0.42, axis[1]), 1.0, axis[2]));
+    r->sun = vec_unit(vec_add(vec_add(vec_add(vec_make(0, 0, 0), -0.55, axis[0]), -0.42, axis[1]), 1.0,
+                              axis[2]));
     r->sun_side[0] = vec_unit(vec_cross(r->sun, r->up));
     r->sun_side[1] = vec_cross(r->sun, r->sun_side[0]);
     for (i = 0; i < 8; i++) {
-        vec corner = vec_make(i & 1 ? box.x[0] : -box.x[0], i & 2 ? box.x[1] : -box.x[1], i & 4 ? box.x[2] : -box.x[2]);
+        vec corner = box;
+        for (a = 0; a < 3; a++) {
+            corner.x[a] *= i >> a & 1 ? 1 : -1;
+        }
         width = fmax(width, fabs(vec_dot(corner, r->right)));
         height = fmax(height, fabs(vec_dot(corner, r->top)));
         least = fmin(least, vec_dot(corner, r->up));
@@ -455,8 +469,9 @@ static inline void render_pixels(const render *r, unsigned char *pixels) {
             vec sum = vec_make(0, 0, 0);
             for (sample = 0; sample < 4; sample++) {
                 int spread = (4 * sample + x % 2 * 5 + y % 2 * 10) % RENDER_SAMPLES;
-                sum = vec_add(sum, 0.25, render_ray(r, x + 0.25 + 0.5 * (sample % 2), y + 0.25 + 0.5 * (sample / 2),
-                                                    spread));
+                double dx = 0.25 + 0.5 * (sample % 2);
+                double dy = 0.25 + 0.5 * (sample / 2);
+                sum = vec_add(sum, 0.25, render_ray(r, x + dx, y + dy, spread));
             }
             for (a = 0; a < 3; a++) {
                 pixels[3 * (RENDER_WIDTH * y + x) + a] = render_byte(sum.x[a]);

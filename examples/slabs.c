@@ -2,12 +2,13 @@
  *
  *   build/slabs [mesh] [resolution] [threads]       default: the teapot at 512 on two threads
  *
- * A slab is the grid's region cut smaller in z, and its words are a part of the whole array, so slabs can be filled at
- * once. Two things make that fast. No slab's fill looks at the whole mesh: blocks of 64 triangles that follow each other
- * are mostly near each other, so a slab takes the blocks whose extent in z meets it. (Where the mesh has no such order, its
- * triangles are sorted by z first.) And there are more slabs than threads, handed out one by one, so that all threads end
- * at about the same time. Prints the times of one call and of the threads, preparation included, and compares the bits.
- * Exit status: 0 the same bits, 1 not the same, 2 an error.
+ * A slab is the grid's region cut smaller in z, and its words are a part of the whole array, so slabs can
+ * be filled at once. Two things make that fast. No slab's fill looks at the whole mesh: blocks of 64
+ * triangles that follow each other are mostly near each other, so a slab takes the blocks whose extent in
+ * z meets it. (Where the mesh has no such order, its triangles are sorted by z first.) And there are more
+ * slabs than threads, handed out one by one, so that all threads end at about the same time. Prints the
+ * times of one call and of the threads, preparation included, and compares the bits. Exit status: 0 the
+ * same bits, 1 not the same, 2 an error.
  */
 #if !defined(_WIN32) && !defined(_POSIX_C_SOURCE)
 #define _POSIX_C_SOURCE 200112L
@@ -70,7 +71,7 @@ typedef struct job {
     size_t             slabs;
     block             *blocks;
     size_t             block_count;
-    size_t            *count;           /* [slab * threads + thread]: triangles, then where the next one goes */
+    size_t            *count;           /* [slab * threads + thread]: triangles, then the next one's place */
     uint32_t          *sorted;          /* indices of the sorted mesh */
     lock               lock;
     size_t             next_slab;       /* under the lock */
@@ -83,9 +84,9 @@ typedef struct worker {
     void (*run)(struct worker *w);
 } worker;
 
-/* Slabs that a set from lo to hi in z can touch. z and origin are exact, so the quotient is off by a few units of 2^-53
-   of itself: 1e-9 of it is on the safe side. What lies on a layer's lower border touches the layer below too, and the
-   lowered `low` is already in that one. */
+/* Slabs that a set from lo to hi in z can touch. z and origin are exact, so the quotient is off by a few
+   units of 2^-53 of itself: 1e-9 of it is on the safe side. What lies on a layer's lower border touches
+   the layer below too, and the lowered `low` is already in that one. */
 static block slabs_between(const job *j, float lo, float hi) {
     const tribox_grid *g = &j->v->grid;
     double low = ((double)lo - g->origin[2]) / g->size[2] - g->lo[2];
@@ -103,7 +104,8 @@ static block slabs_between(const job *j, float lo, float hi) {
     return met;
 }
 
-/* Slabs that the triangles from `begin` up to `end` meet. A NaN never compares, and its triangle sets nothing anyway. */
+/* Slabs that the triangles from `begin` up to `end` meet. A NaN never compares, and its triangle sets
+   nothing anyway. */
 static block slabs_of_triangles(const job *j, size_t begin, size_t end) {
     float lo = HUGE_VALF;
     float hi = -HUGE_VALF;
@@ -206,7 +208,8 @@ static void fill_slab(const job *j, size_t i) {
         if (run.indices) {
             run.indices += 3 * first * BLOCK;
         } else {
-            run.positions = (const float *)(const void *)((const char *)run.positions + 3 * first * BLOCK * stride);
+            run.positions = (const float *)(const void *)((const char *)run.positions
+                                                          + 3 * first * BLOCK * stride);
         }
         tribox_grid_fill(&slab, &run, voxels_row(j->v, 0, i * (size_t)j->height));
     }
@@ -305,7 +308,8 @@ static int fill_threaded(const voxels *v, const tribox_mesh *m, int threads) {
 
 enum { RUNS = 3 };
 
-/* The best of a few runs; threads = 0 is one call of tribox_grid_fill. Returns a negative time if memory is short. */
+/* The best of a few runs; threads = 0 is one call of tribox_grid_fill. Returns a negative time if memory
+   is short. */
 static double best_time(voxels *v, const tribox_mesh *m, int threads) {
     double best = HUGE_VAL;
     int run;
@@ -347,7 +351,8 @@ static int compare(const tribox_grid *grid, const tribox_mesh *m, int threads, c
            (unsigned long)voxels_count(&whole));
     printf("one call    %.4f s\n", one_call);
     printf("1 thread    %.4f s in slabs\n", one);
-    printf("%d threads   %.4f s, %.2f times one call, %.2f times one thread\n", threads, many, one_call / many, one / many);
+    printf("%d threads   %.4f s, %.2f times one call, %.2f times one thread\n", threads, many,
+           one_call / many, one / many);
     printf("bits        %s\n", same ? "the same" : "NOT the same");
     voxels_free(&whole);
     voxels_free(&slabs);

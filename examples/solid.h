@@ -1,7 +1,8 @@
 /* solid.h - fills the inside of voxelized surfaces: what a flood from the border of the grid does not reach
  *
- * Voxels are joined across faces. Both the conservative and the thin rule set enough voxels to stop that flood, so the
- * inside of a closed mesh is found at every resolution. A hole in the mesh that is wider than a voxel lets the flood in.
+ * Voxels are joined across faces. Both the conservative and the thin rule set enough voxels to stop that
+ * flood, so the inside of a closed mesh is found at every resolution. A hole in the mesh that is wider
+ * than a voxel lets the flood in.
  */
 #ifndef EXAMPLES_SOLID_H
 #define EXAMPLES_SOLID_H
@@ -45,7 +46,8 @@ static inline void solid_push(solid *s, size_t row) {
     }
 }
 
-/* Spreads along the row what is reached in it and `more` (NULL: nothing). Returns 1 if something new was reached. */
+/* Spreads along the row what is reached in it and `more` (NULL: nothing). Returns 1 if something new was
+   reached. */
 static inline int solid_flood_row(solid *s, size_t row, const uint64_t *more) {
     uint64_t *reached = s->reached + row * s->v->row_words;
     const uint64_t *set = s->v->bits + row * s->v->row_words;

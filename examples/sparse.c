@@ -2,8 +2,8 @@
  *
  *   build/sparse [mesh] [resolution]       default: the teapot in a grid of 4096 along its longest side
  *
- * tribox_grid_spans hands out runs of voxels; each run is cut at brick borders and ORed into a hash table whose entries
- * are a brick's place and its 512 bits. Prints:
+ * tribox_grid_spans hands out runs of voxels; each run is cut at brick borders and ORed into a hash table
+ * whose entries are a brick's place and its 512 bits. Prints:
  *
  *   grid      4096 x 2547 x 2006, 2.6 GB as an array of bits
  *   ...
@@ -119,8 +119,8 @@ static int voxelize(const tribox_grid *grid, const tribox_mesh *m, char *error) 
     double dense = (double)((hi[0] - lo[0] + 63) / 64) * 8 * (hi[1] - lo[1]) * (hi[2] - lo[2]);
     size_t t;
     memcpy(set.lo, lo, sizeof set.lo);
-    printf("grid      %d x %d x %d, %.1f MB as an array of bits\n", hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2],
-           dense * 1e-6);
+    printf("grid      %d x %d x %d, %.1f MB as an array of bits\n", hi[0] - lo[0], hi[1] - lo[1],
+           hi[2] - lo[2], dense * 1e-6);
     for (t = 0; t < m->triangles && !set.failed; t++) {
         const float *corner[3];
         mesh_corners(m, t, corner);

@@ -1,10 +1,10 @@
 /* teapot.h - the Utah teapot, tessellated from its published control points
  *
- * Martin Newell's teapot of 1975 in its usual form: 32 bicubic Bezier patches, z up, the spout along +x. Rim, body,
- * lid and bottom are quarter turns of profile curves, with 0.56 (at the knob 0.5625) for the circle; spout and handle
- * are halves mirrored at y = 0. As published it isn't closed: a ring of 0.1 is open between lid and rim, the spout is
- * open at its tip, and spout and handle end inside the body. `closed` adds flat caps there, which makes three
- * closed surfaces that pass through each other.
+ * Martin Newell's teapot of 1975 in its usual form: 32 bicubic Bezier patches, z up, the spout along +x.
+ * Rim, body, lid and bottom are quarter turns of profile curves, with 0.56 (at the knob 0.5625) for the
+ * circle; spout and handle are halves mirrored at y = 0. As published it isn't closed: a ring of 0.1 is
+ * open between lid and rim, the spout is open at its tip, and spout and handle end inside the body.
+ * `closed` adds flat caps there, which makes three closed surfaces that pass through each other.
  */
 #ifndef EXAMPLES_TEAPOT_H
 #define EXAMPLES_TEAPOT_H
@@ -21,14 +21,15 @@ enum { TEAPOT_PROFILES = 6, TEAPOT_HALVES = 4, TEAPOT_PATCHES = 4 * TEAPOT_PROFI
 /* Control point j of the curve i of patch `patch`: patches 0..23 are quarter turns, 24..31 halves. */
 static inline void teapot_control_point(int patch, int i, int j, double out_point[3]) {
     static const teapot_ring profiles[TEAPOT_PROFILES][4] = {
-        {{1.4, 2.4, .56}, {1.3375, 2.53125, .56}, {1.4375, 2.53125, .56}, {1.5, 2.4, .56}},        /* rim */
-        {{1.5, 2.4, .56}, {1.75, 1.875, .56}, {2, 1.35, .56}, {2, .9, .56}},                       /* body */
+        {{1.4, 2.4, .56}, {1.3375, 2.53125, .56}, {1.4375, 2.53125, .56}, {1.5, 2.4, .56}},     /* rim */
+        {{1.5, 2.4, .56}, {1.75, 1.875, .56}, {2, 1.35, .56}, {2, .9, .56}},     /* body */
         {{2, .9, .56}, {2, .45, .56}, {1.5, .225, .56}, {1.5, .15, .56}},
-        {{0, 3.15, .56}, {.8, 3.15, .5625}, {0, 2.85, .56}, {.2, 2.7, .56}},                       /* lid */
+        {{0, 3.15, .56}, {.8, 3.15, .5625}, {0, 2.85, .56}, {.2, 2.7, .56}},     /* lid */
         {{.2, 2.7, .56}, {.4, 2.55, .56}, {1.3, 2.55, .56}, {1.3, 2.4, .56}},
-        {{1.5, .15, .56}, {1.5, .075, .56}, {1.425, 0, .56}, {0, 0, .56}}};                        /* bottom */
-    static const double halves[TEAPOT_HALVES][4][4][3] = {                              /* the side of y <= 0 */
-        {{{-1.6, 0, 2.025}, {-1.6, -.3, 2.025}, {-1.5, -.3, 2.25}, {-1.5, 0, 2.25}},               /* handle */
+        {{1.5, .15, .56}, {1.5, .075, .56}, {1.425, 0, .56}, {0, 0, .56}}};     /* bottom */
+    /* handle and spout on the side of y <= 0 */
+    static const double halves[TEAPOT_HALVES][4][4][3] = {
+        {{{-1.6, 0, 2.025}, {-1.6, -.3, 2.025}, {-1.5, -.3, 2.25}, {-1.5, 0, 2.25}},
          {{-2.3, 0, 2.025}, {-2.3, -.3, 2.025}, {-2.5, -.3, 2.25}, {-2.5, 0, 2.25}},
          {{-2.7, 0, 2.025}, {-2.7, -.3, 2.025}, {-3, -.3, 2.25}, {-3, 0, 2.25}},
          {{-2.7, 0, 1.8}, {-2.7, -.3, 1.8}, {-3, -.3, 1.8}, {-3, 0, 1.8}}},
@@ -36,7 +37,7 @@ static inline void teapot_control_point(int patch, int i, int j, double out_poin
          {{-2.7, 0, 1.575}, {-2.7, -.3, 1.575}, {-3, -.3, 1.35}, {-3, 0, 1.35}},
          {{-2.5, 0, 1.125}, {-2.5, -.3, 1.125}, {-2.65, -.3, .9375}, {-2.65, 0, .9375}},
          {{-2, 0, .9}, {-2, -.3, .9}, {-1.9, -.3, .6}, {-1.9, 0, .6}}},
-        {{{1.7, 0, 1.425}, {1.7, -.66, 1.425}, {1.7, -.66, .6}, {1.7, 0, .6}},                     /* spout */
+        {{{1.7, 0, 1.425}, {1.7, -.66, 1.425}, {1.7, -.66, .6}, {1.7, 0, .6}},
          {{2.6, 0, 1.425}, {2.6, -.66, 1.425}, {3.1, -.66, .825}, {3.1, 0, .825}},
          {{2.3, 0, 2.1}, {2.3, -.25, 2.1}, {2.4, -.25, 2.025}, {2.4, 0, 2.025}},
          {{2.7, 0, 2.4}, {2.7, -.25, 2.4}, {3.3, -.25, 2.4}, {3.3, 0, 2.4}}},
@@ -61,8 +62,8 @@ static inline void teapot_control_point(int patch, int i, int j, double out_poin
     }
 }
 
-/* The point at (u, v) of a patch, u across the four curves. At 0 and 1 the weights of the inner points are exactly 0, so
-   patches that share a border get the same floats there. */
+/* The point at (u, v) of a patch, u across the four curves. At 0 and 1 the weights of the inner points are
+   exactly 0, so patches that share a border get the same floats there. */
 static inline void teapot_point(int patch, double u, double v, float out_point[3]) {
     double wu[4];
     double wv[4];
@@ -93,7 +94,8 @@ static inline void teapot_point(int patch, double u, double v, float out_point[3
     }
 }
 
-/* A quadrilateral as two triangles, less those that have two corners in one place (at the poles of lid and bottom). */
+/* A quadrilateral as two triangles, less those that have two corners in one place (at the poles of lid and
+   bottom). */
 static inline int teapot_add_quad(mesh_reader *r, float corner[4][3]) {
     uint32_t base = (uint32_t)r->out->vertices;
     uint32_t i;
@@ -129,7 +131,8 @@ static inline int teapot_add_patch(mesh_reader *r, int patch, int n) {
     return 1;
 }
 
-/* Closes the gap between the border u of one patch and the border `to_u` of another, or a point in the plane y = 0. */
+/* Closes the gap between the border u of one patch and the border `to_u` of another, or a point in the
+   plane y = 0. */
 static inline int teapot_add_cap(mesh_reader *r, int patch, double u, int to_patch, double to_u, int n) {
     int j;
     int k;
@@ -163,7 +166,8 @@ static inline int teapot_make(mesh *out, int n, int closed, char *error) {
         if (ok && closed && patch < 4) {
             ok = teapot_add_cap(&r, patch, 0, patch + 16, 1, n);        /* rim to lid */
         }
-        if (ok && closed && part >= 0) {        /* parts 0 and 2 begin inside the body, 1 ends there, 3 at the tip */
+        /* parts 0 and 2 begin inside the body, 1 ends there, 3 at the tip */
+        if (ok && closed && part >= 0) {
             ok = teapot_add_cap(&r, patch, part % 2, patch, part % 2, n);
         }
     }

@@ -1,6 +1,7 @@
 /* voxel_io.h - voxels to and from files: binvox (both ways), MagicaVoxel .vox, and .obj of the exposed faces
  *
- * The voxels are the bits of tribox_grid_fill over a tribox_grid. Each writer returns 1, or 0 with a sentence in `error`.
+ * The voxels are the bits of tribox_grid_fill over a tribox_grid. Each writer returns 1, or 0 with a
+ * sentence in `error`.
  */
 #ifndef EXAMPLES_VOXEL_IO_H
 #define EXAMPLES_VOXEL_IO_H
@@ -27,8 +28,8 @@ static inline int voxels_make(voxels *out, const tribox_grid *grid, char *error)
     out->words = tribox_grid_words(grid);
     out->bits = out->words ? (uint64_t *)calloc(out->words, sizeof *out->bits) : NULL;
     if (!out->bits) {
-        snprintf(error, MESH_ERROR, "a grid of %lu x %lu x %lu voxels takes %.1f GB: %s", (unsigned long)out->n[0],
-                 (unsigned long)out->n[1], (unsigned long)out->n[2],
+        snprintf(error, MESH_ERROR, "a grid of %lu x %lu x %lu voxels takes %.1f GB: %s",
+                 (unsigned long)out->n[0], (unsigned long)out->n[1], (unsigned long)out->n[2],
                  (double)out->row_words * (double)out->n[1] * (double)out->n[2] * 8e-9,
                  out->words ? "out of memory" : "no array can hold it");
         return 0;
@@ -51,6 +52,11 @@ static inline int voxels_get(const voxels *v, size_t x, size_t y, size_t z) {
         return 0;
     }
     return (int)(voxels_row(v, y, z)[x >> 6] >> (x & 63) & 1);
+}
+
+/* Where voxel number i begins on axis a, rounded. */
+static inline double voxels_border(const voxels *v, int a, size_t i) {
+    return v->grid.origin[a] + ((double)v->grid.lo[a] + (double)i) * v->grid.size[a];
 }
 
 static inline int voxels_ones(uint64_t word) {
@@ -84,7 +90,8 @@ static inline size_t voxels_count(const voxels *v) {
     return count;
 }
 
-/* Which mesh axis points up. Pictures and MagicaVoxel have z up: upright axis a is mesh axis axis[a], turned if flip[a]. */
+/* Which mesh axis points up. Pictures and MagicaVoxel have z up: upright axis a is mesh axis axis[a],
+   turned if flip[a]. */
 typedef struct upright {
     int axis[3];
     int flip[3];
@@ -123,8 +130,8 @@ static inline int voxels_close(FILE *file, const char *path, char *error) {
 
 /* ---- 3. binvox ------------------------------------------------------------------------------- */
 
-/* binvox: text header, then pairs (value, count) of bytes; y runs fastest, then z, then x. Voxel (i,j,k) of the cube with
-   d voxels a side is translate + (i,j,k) * scale / d. */
+/* binvox: text header, then pairs (value, count) of bytes; y runs fastest, then z, then x. Voxel (i,j,k)
+   of the cube with d voxels a side is translate + (i,j,k) * scale / d. */
 typedef struct binvox_run {
     FILE  *file;
     int    value;
@@ -182,8 +189,8 @@ static inline int binvox_write(const char *path, const voxels *v, char *error) {
     run.value = 0;
     run.length = 0;
     fprintf(file, "#binvox 1\ndim %lu %lu %lu\n", (unsigned long)d, (unsigned long)d, (unsigned long)d);
-    fprintf(file, "translate %.17g %.17g %.17g\n", v->grid.origin[0] + v->grid.lo[0] * v->grid.size[0],
-            v->grid.origin[1] + v->grid.lo[1] * v->grid.size[1], v->grid.origin[2] + v->grid.lo[2] * v->grid.size[2]);
+    fprintf(file, "translate %.17g %.17g %.17g\n", voxels_border(v, 0, 0), voxels_border(v, 1, 0),
+            voxels_border(v, 2, 0));
     fprintf(file, "scale %.17g\ndata\n", v->grid.size[0] * (double)d);
     for (x = 0; x < v->n[0]; x++) {
         for (z = 0; z < v->n[2]; z++) {
@@ -269,8 +276,8 @@ static inline int binvox_read_runs(mesh_reader *r, voxels *v) {
         }
         at += count;
     }
-    return at == total ? 1 : mesh_fail_at(r, r->at, "the file ends after %lu of %lu voxels", (unsigned long)at,
-                                          (unsigned long)total);
+    return at == total ? 1 : mesh_fail_at(r, r->at, "the file ends after %lu of %lu voxels",
+                                          (unsigned long)at, (unsigned long)total);
 }
 
 static inline int binvox_parse(mesh_reader *r, voxels *v, char *error) {
@@ -278,16 +285,17 @@ static inline int binvox_parse(mesh_reader *r, voxels *v, char *error) {
     size_t dim[3] = {0, 0, 0};
     double translate[3] = {0, 0, 0};
     double scale = 1;
+    double promised;
     size_t longest;
     int a;
     if (!binvox_read_header(r, dim, translate, &scale)) {
         return 0;
     }
     r->binary = 1;
-    if ((double)dim[0] * (double)dim[1] * (double)dim[2] > 127.5 * (double)(r->size - r->at)) {
+    promised = (double)dim[0] * (double)dim[1] * (double)dim[2];
+    if (promised > 127.5 * (double)(r->size - r->at)) {
         return mesh_fail_at(r, r->at, "%.0f voxels promised, but the %lu bytes left hold no more than %.0f",
-                            (double)dim[0] * (double)dim[1] * (double)dim[2], (unsigned long)(r->size - r->at),
-                            127.5 * (double)(r->size - r->at));
+                            promised, (unsigned long)(r->size - r->at), 127.5 * (double)(r->size - r->at));
     }
     longest = dim[0] > dim[1] ? dim[0] : dim[1];
     longest = longest > dim[2] ? longest : dim[2];
@@ -329,7 +337,8 @@ static inline int binvox_read(const char *path, voxels *out, char *error) {
 
 /* ---- 4. MagicaVoxel .vox --------------------------------------------------------------------- */
 
-enum { VOX_SIDE = 256 };        /* of the largest model; bigger grids become several models, placed by a scene graph */
+/* Of the largest model. Bigger grids become several models, placed by a scene graph. */
+enum { VOX_SIDE = 256 };
 
 typedef struct vox_model {
     size_t lo[3];               /* upright */
@@ -359,7 +368,8 @@ static inline void vox_chunk(FILE *file, const char *name, size_t content, size_
     vox_int(file, children);
 }
 
-/* Counts the model's voxels, or writes them where `file` is not NULL: x, y, z and a colour that climbs with z. */
+/* Counts the model's voxels, or writes them where `file` is not NULL: x, y, z and a colour that climbs
+   with z. */
 static inline size_t vox_visit(const vox_file *f, const vox_model *model, FILE *file) {
     size_t lo[3];
     size_t hi[3];
@@ -546,11 +556,11 @@ static inline int vox_write(const char *path, const voxels *v, upright turn, cha
 
 /* ---- 5. OBJ of the exposed faces ------------------------------------------------------------- */
 
-/* Corners get their numbers when they are first met, from 1; only two layers of corners are alive at a time. */
+/* Corners are numbered from 1 as they are met; only two layers of corners are alive at a time. */
 typedef struct faces {
     FILE         *file;
     const voxels *v;
-    int           print_corners;        /* the first of two equal walks prints the corners, the second the faces */
+    int           print_corners;        /* the first of two equal walks; the second prints the faces */
     uint32_t     *number[2];            /* of the corners below and above the layer; 0: not met yet */
     size_t        corners;
     size_t        quads;
@@ -558,14 +568,12 @@ typedef struct faces {
 
 static inline size_t faces_corner(faces *f, const size_t at[3], size_t layer) {
     uint32_t *number = f->number[at[2] - layer] + at[1] * (f->v->n[0] + 1) + at[0];
-    const tribox_grid *g = &f->v->grid;
     if (*number == 0) {
         f->corners += 1;
         *number = (uint32_t)f->corners;
         if (f->print_corners) {
-            fprintf(f->file, "v %.9g %.9g %.9g\n", g->origin[0] + ((double)g->lo[0] + (double)at[0]) * g->size[0],
-                    g->origin[1] + ((double)g->lo[1] + (double)at[1]) * g->size[1],
-                    g->origin[2] + ((double)g->lo[2] + (double)at[2]) * g->size[2]);
+            fprintf(f->file, "v %.9g %.9g %.9g\n", voxels_border(f->v, 0, at[0]),
+                    voxels_border(f->v, 1, at[1]), voxels_border(f->v, 2, at[2]));
         }
     }
     return *number;

@@ -29,8 +29,7 @@ typedef struct options {
 static const char usage[] =
     "usage: voxelize [mesh] [resolution] [options]\n"
     "\n"
-    "  mesh            " PROGRAM_MESHES "\n"
-    "                  (default: teapot)\n"
+    "  mesh            " PROGRAM_MESHES " (default: teapot)\n"
     "  resolution      voxels along the mesh's longest side, 1 to 65536 (default: 128)\n"
     "  -o FILE         write FILE; the name's ending chooses the format; may be repeated:\n"
     "                    .binvox  binary voxels, cubic voxels only\n"
@@ -111,9 +110,11 @@ static int read_options(options *o, int argc, char **argv, char *error) {
         }
         if (!o->mesh) {
             o->mesh = argv[i];
-        } else if (o->resolution || !program_int(argv[i], 1, 65536, &o->resolution)) {
-            snprintf(error, MESH_ERROR, o->resolution ? "'%.100s' is one argument too many"
-                                                      : "resolution '%.100s' should be a number from 1 to 65536", argv[i]);
+        } else if (o->resolution) {
+            snprintf(error, MESH_ERROR, "'%.100s' is one argument too many", argv[i]);
+            return 0;
+        } else if (!program_int(argv[i], 1, 65536, &o->resolution)) {
+            snprintf(error, MESH_ERROR, "resolution '%.100s' should be a number from 1 to 65536", argv[i]);
             return 0;
         }
         i += 1;
@@ -138,8 +139,8 @@ static int frame_by_size(tribox_grid *grid, const options *o, const mesh_stats *
         double lo = floor((stats->min[a] - o->origin[a]) / o->size[a]) - 1;
         double hi = floor((stats->max[a] - o->origin[a]) / o->size[a]) + 2;
         if (!(lo > -2147483000.0 && hi < 2147483000.0)) {
-            snprintf(error, MESH_ERROR, "--size %g on a mesh from %g to %g: too many voxels along %c", o->size[a],
-                     stats->min[a], stats->max[a], 'x' + a);
+            snprintf(error, MESH_ERROR, "--size %g on a mesh from %g to %g: too many voxels along %c",
+                     o->size[a], stats->min[a], stats->max[a], 'x' + a);
             return 0;
         }
         grid->origin[a] = o->origin[a];
@@ -165,7 +166,8 @@ static void fill(voxels *v, const tribox_mesh *whole) {
         }
         tribox_grid_fill(&v->grid, &part, v->bits);
         if (program_cpu_seconds() > next) {
-            fprintf(stderr, "  %.0f %% of the triangles\n", 100 * (double)(done + part.triangles) / (double)whole->triangles);
+            fprintf(stderr, "  %.0f %% of the triangles\n",
+                    100 * (double)(done + part.triangles) / (double)whole->triangles);
             next = program_cpu_seconds() + 2;
         }
     }
@@ -199,11 +201,12 @@ static void print_mesh(const mesh *m, const tribox_mesh *view, const mesh_stats 
     if (m->skipped) {
         printf("          %lu faces with fewer than three corners skipped\n", (unsigned long)m->skipped);
     }
-    printf("          x %g to %g, y %g to %g, z %g to %g\n", stats->min[0], stats->max[0], stats->min[1], stats->max[1],
-           stats->min[2], stats->max[2]);
+    printf("          x %g to %g, y %g to %g, z %g to %g\n", stats->min[0], stats->max[0], stats->min[1],
+           stats->max[1], stats->min[2], stats->max[2]);
     if ((o->solid || m->triangles < 200000) && mesh_open_edges(view, &open_edges)) {
         if (open_edges) {
-            printf("          not closed: %lu edges belong to an odd number of triangles\n", (unsigned long)open_edges);
+            printf("          not closed: %lu edges belong to an odd number of triangles\n",
+                   (unsigned long)open_edges);
         } else {
             printf("          closed: every edge belongs to an even number of triangles\n");
         }
@@ -235,7 +238,7 @@ static int voxelize(const options *o, const mesh *m, const tribox_mesh *view, vo
             return 2;
         }
         printf("inside    %lu voxels in %.3f s%s\n", (unsigned long)inside, program_cpu_seconds() - start,
-               inside ? "" : ": the flood went everywhere, so the mesh encloses nothing or has a hole wider than a voxel");
+               inside ? "" : ": the mesh encloses nothing, or has a hole wider than a voxel");
     }
     for (i = 0; i < o->outputs && status == 0; i++) {
         fflush(stdout);
@@ -277,7 +280,8 @@ int main(int argc, char **argv) {
     if (stats.nonfinite == m.triangles) {
         snprintf(error, MESH_ERROR, "%.200s: no triangle is finite", o.mesh);
     } else if (!o.has_size && !tribox_grid_fit(&grid, &view, o.resolution)) {
-        snprintf(error, MESH_ERROR, "%.200s: the mesh is a single point, or too large to frame; give --size", o.mesh);
+        snprintf(error, MESH_ERROR, "%.200s: the mesh is a single point, or too large to frame; give --size",
+                 o.mesh);
     } else if (!o.has_size || frame_by_size(&grid, &o, &stats, error)) {
         grid.flags = o.flags;
         if (voxels_make(&v, &grid, error)) {

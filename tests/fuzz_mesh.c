@@ -1,4 +1,5 @@
-/* The mesh readers of the examples on any bytes: no crash, no overrun, and indices that lie inside the vertices.
+/* The mesh readers of the examples on any bytes: no crash, no overrun, and indices that lie inside the
+ * vertices.
  *
  *   clang -std=c99 -I. -g -O1 -fsanitize=fuzzer,address,undefined tests/fuzz_mesh.c -o build/fuzz_mesh -lm
  *   build/fuzz_mesh -max_total_time=60
@@ -19,7 +20,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (size == 0) {
         return 0;
     }
-    bytes = (unsigned char *)calloc(size + 1, 1);       /* exactly the two zero bytes that the reader asks for */
+    /* exactly the two zero bytes that the reader asks for */
+    bytes = (unsigned char *)calloc(size + 1, 1);
     if (!bytes) {
         return 0;
     }

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs the example programs: output against .out files, every mesh format read alike, bad files refused with their line
-# or byte, voxel files that can be read back, slabs and sparse sets that agree with one fill.
+# Runs the example programs: output against .out files, every mesh format read alike, bad files refused with
+# their line or byte, voxel files that can be read back, slabs and sparse sets that agree with one fill.
 #
 #   sh tests/test_examples.sh build
 
@@ -58,14 +58,17 @@ le0='\000\000\000\000' le1='\000\000\200\077' le2='\000\000\000\100'        # fl
 be0='\000\000\000\000' be1='\077\200\000\000' be2='\100\000\000\000'
 p0="$le0$le0$le0" p1="$le2$le0$le0" p2="$le2$le2$le0" p3="$le0$le2$le0" p4="$le1$le1$le2"
 
-printf 'mtllib x.mtl\n# a comment\nv 0 0 0\nv 2 0 0\nv 2 2 0 1.0\nv 0 2 0\nv 1 1 2\nvt 0 0\nvn 0 0 1\no pyramid
-f 4 3 2 1\nf 1/1 2/1 5/1\nf 2//1 3//1 5//1\nf 3/1/1 4/1/1 5/1/1\nf 4 1 5 # the last\n' > "$tmp/plain.obj"
+printf 'mtllib x.mtl\n# a comment\nv 0 0 0\nv 2 0 0\nv 2 2 0 1.0\nv 0 2 0\nv 1 1 2\nvt 0 0\nvn 0 0 1
+o pyramid\nf 4 3 2 1
+f 1/1 2/1 5/1\nf 2//1 3//1 5//1\nf 3/1/1 4/1/1 5/1/1\nf 4 1 5 # the last\n' > "$tmp/plain.obj"
 printf 'v 0 0 0\r\nv 2 0 0\r\nv 2 \\\r\n 2 0\r\nv 0 2 0\r\nv 1 1 2\r\n' > "$tmp/other.obj"
 printf 'f -2 -3 \\\r\n -4 -5\r\nf -5 -4 -1\r\nf -4 -3 -1\r\nf -3 -2 -1\r\nf -2 -5 -1' >> "$tmp/other.obj"
 
 # facet A B C: one facet of an ASCII STL
 facet() {
-    printf ' facet normal 0 0 -1.#IND\n  outer loop\n   vertex %s\n   vertex %s\n   vertex %s\n  endloop\n endfacet\n' "$@"
+    printf ' facet normal 0 0 -1.#IND\n  outer loop\n'
+    printf '   vertex %s\n' "$@"
+    printf '  endloop\n endfacet\n'
 }
 {
     echo 'solid a pyramid in facets'
@@ -93,8 +96,8 @@ stl 'solid that is binary' > "$tmp/solid.stl"
 ply() {
     printf 'ply\nformat %s 1.0\ncomment a pyramid\nelement vertex 5\nproperty uchar red\n' "$1"
     printf 'property %s x\nproperty float y\nproperty float z\nproperty list uchar short extra\n' "$2"
-    printf 'element face 5\nproperty list uchar %s %s\nproperty int material\nelement edge 1\nproperty short end\n' "$3" "$4"
-    printf 'end_header\n'
+    printf 'element face 5\nproperty list uchar %s %s\nproperty int material\n' "$3" "$4"
+    printf 'element edge 1\nproperty short end\nend_header\n'
 }
 {
     ply ascii double int vertex_index
@@ -106,7 +109,8 @@ ply() {
     for p in "$p0" "$p1" "$p2" "$p3" "$p4"; do
         printf "\\377$p\\001\\007\\000"
     done
-    for f in '\004\003\002\001\000' '\003\000\001\004' '\003\001\002\004' '\003\002\003\004' '\003\003\000\004'; do
+    for f in '\004\003\002\001\000' '\003\000\001\004' '\003\001\002\004' '\003\002\003\004' \
+             '\003\003\000\004'; do
         printf "$f\\011\\000\\000\\000"
     done
     printf '\001\000'
@@ -116,8 +120,8 @@ ply() {
     for p in "$be0$be0$be0" "$be2$be0$be0" "$be2$be2$be0" "$be0$be2$be0" "$be1$be1$be2"; do
         printf "\\377$p\\001\\000\\007"
     done
-    for f in '\004\000\003\000\002\000\001\000\000' '\003\000\000\000\001\000\004' '\003\000\001\000\002\000\004' \
-             '\003\000\002\000\003\000\004' '\003\000\003\000\000\000\004'; do
+    for f in '\004\000\003\000\002\000\001\000\000' '\003\000\000\000\001\000\004' \
+             '\003\000\001\000\002\000\004' '\003\000\002\000\003\000\004' '\003\000\003\000\000\000\004'; do
         printf "$f\\000\\000\\000\\011"
     done
     printf '\000\001'
@@ -194,8 +198,8 @@ text type.ply 'ply\nformat ascii 1.0\nelement vertex 1\nproperty half x\nend_hea
 bad "$tmp/type.ply" "line 4: property type expected, found 'half'"
 text count.ply 'ply\nformat ascii 1.0\nelement vertex -1\nend_header\n'
 bad "$tmp/count.ply" "line 3: element count expected, found '-1'"
-text many.ply 'ply\nformat ascii 1.0\nelement vertex 999999999999\nproperty float x\nproperty float y\nproperty float z
-end_header\n0 0 0\n'
+text many.ply 'ply\nformat ascii 1.0\nelement vertex 999999999999\nproperty float x\nproperty float y
+property float z\nend_header\n0 0 0\n'
 bad "$tmp/many.ply" "line 8: 999999999999 rows of 'vertex' promised"
 text axis.ply 'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n0 0\n'
 bad "$tmp/axis.ply" "lacks one of the properties x, y, z"
@@ -299,11 +303,15 @@ says 'closed: every edge'
 vox() {
     od -An -v -tu1 "$1" | tr -s ' \n' '\n\n' | sed '/^$/d' | awk '
         { byte[NR - 1] = $1 }
-        function word(at) { return byte[at] + 256 * byte[at + 1] + 65536 * byte[at + 2] + 16777216 * byte[at + 3] }
+        function half(at) { return byte[at] + 256 * byte[at + 1] }
+        function word(at) { return half(at) + 65536 * half(at + 2) }
         END {
             if (word(0) != 542658390 || word(16) != NR - 20) { print "bad sizes"; exit }
             for (at = 20; at < NR; at += 12 + word(at + 4)) {
-                if (word(at) == 1163544915) { models++; for (a = 0; a < 3; a++) side[a] = word(at + 12 + 4 * a) }
+                if (word(at) == 1163544915) {
+                    models++
+                    for (a = 0; a < 3; a++) side[a] = word(at + 12 + 4 * a)
+                }
                 if (word(at) == 1230657880) {
                     voxels += word(at + 12)
                     for (i = 0; i < word(at + 12); i++) {
@@ -334,6 +342,19 @@ for threads in 1 2 7; do
 done
 run 0 "$bin/slabs" "$tmp/cube.obj" 5 9
 says 'the same'
+# Triangles in an order that has nothing to do with their place are sorted first.
+awk 'BEGIN {
+    for (i = 0; i < 3000; i++) {
+        s = (s * 16807 + 12345) % 2147483647
+        z = s / 21474836
+        printf "v %d %d %.3f\nv %d %d %.3f\n", i % 7, i % 11, z, i % 5, i % 13, z + i % 3
+        printf "v %d 2 %.3f\nf -1 -2 -3\n", i % 17, z - 1
+    }
+}' > "$tmp/shuffled.obj"
+for threads in 1 2 5; do
+    run 0 "$bin/slabs" "$tmp/shuffled.obj" 80 $threads
+    says 'the same'
+done
 run 0 "$bin/voxelize" teapot 90
 count=$(sed -n 's/^surface *\([0-9]*\) voxels.*/\1/p' "$tmp/out")
 run 0 "$bin/sparse" teapot 90
