@@ -21,6 +21,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "test.h"
+
 /* ---- integers of any length: sign and magnitude, 32-bit limbs ------------------------------------------------- */
 
 /* A coordinate spans 2^-1074 .. 2^1024 and a factor 2^32 for a voxel index, doubled: 2132 bits. A product of three
@@ -51,7 +53,7 @@ static inline void wide_copy(wide *r, const wide *a)
 }
 
 /* mantissa * 2^shift, with the given sign; shift >= 0 */
-static inline void wide_set(wide *r, int sign, uint64_t mantissa, int shift)
+TEST_FN void wide_set(wide *r, int sign, uint64_t mantissa, int shift)
 {
     int      low = shift / 32;
     int      bit = shift % 32;
@@ -72,7 +74,7 @@ static inline void wide_set(wide *r, int sign, uint64_t mantissa, int shift)
     wide_trim(r);
 }
 
-static inline int wide_compare_magnitude(const wide *a, const wide *b)
+TEST_FN int wide_compare_magnitude(const wide *a, const wide *b)
 {
     int i;
 
@@ -88,7 +90,7 @@ static inline int wide_compare_magnitude(const wide *a, const wide *b)
 }
 
 /* |r| = |a| + |b|; r may be a or b, here and below */
-static inline void wide_add_magnitude(wide *r, const wide *a, const wide *b)
+TEST_FN void wide_add_magnitude(wide *r, const wide *a, const wide *b)
 {
     int      count = a->count > b->count ? a->count : b->count;
     uint64_t carry = 0;
@@ -107,7 +109,7 @@ static inline void wide_add_magnitude(wide *r, const wide *a, const wide *b)
 }
 
 /* |r| = |a| - |b|, |a| >= |b| */
-static inline void wide_subtract_magnitude(wide *r, const wide *a, const wide *b)
+TEST_FN void wide_subtract_magnitude(wide *r, const wide *a, const wide *b)
 {
     int      count = a->count;
     uint64_t borrow = 0;
@@ -121,7 +123,7 @@ static inline void wide_subtract_magnitude(wide *r, const wide *a, const wide *b
     r->count = count;
 }
 
-static inline void wide_add_signed(wide *r, const wide *a, const wide *b, int b_sign)
+TEST_FN void wide_add_signed(wide *r, const wide *a, const wide *b, int b_sign)
 {
     int a_sign = a->sign;
 
@@ -155,7 +157,7 @@ static inline void wide_subtract(wide *r, const wide *a, const wide *b)
 }
 
 /* r is neither a nor b */
-static inline void wide_multiply(wide *r, const wide *a, const wide *b)
+TEST_FN void wide_multiply(wide *r, const wide *a, const wide *b)
 {
     int i;
     int j;
@@ -195,7 +197,7 @@ typedef struct oracle_number {
     int      is_infinite;
 } oracle_number;
 
-static inline oracle_number oracle_read(double x)
+TEST_FN oracle_number oracle_read(double x)
 {
     oracle_number r;
     uint64_t      bits;
@@ -234,7 +236,7 @@ static inline int oracle_is_finite(double x)
     return (bits >> 52 & 2047) != 2047;
 }
 
-static inline void oracle_lower_unit(int *unit, double x)
+TEST_FN void oracle_lower_unit(int *unit, double x)
 {
     oracle_number r = oracle_read(x);
 
@@ -243,7 +245,7 @@ static inline void oracle_lower_unit(int *unit, double x)
     }
 }
 
-static inline void oracle_integer(wide *out, double x, int unit)
+TEST_FN void oracle_integer(wide *out, double x, int unit)
 {
     oracle_number r = oracle_read(x);
 
@@ -277,7 +279,7 @@ static inline int oracle_says(unsigned answers, unsigned flags)
 }
 
 /* Where a homogeneous point lies: 0 outside B, else bit 6 and a bit per face that it is strictly inside of. */
-static inline unsigned oracle_place(const oracle_case *c, const wide x[3], const wide *w)
+TEST_FN unsigned oracle_place(const oracle_case *c, const wide x[3], const wide *w)
 {
     unsigned place = 64;
     int      a;
@@ -302,7 +304,7 @@ static inline unsigned oracle_place(const oracle_case *c, const wide x[3], const
     return place;
 }
 
-static inline unsigned oracle_corners(const oracle_case *c)
+TEST_FN unsigned oracle_corners(const oracle_case *c)
 {
     unsigned seen = 0;
     wide     one;
@@ -316,7 +318,7 @@ static inline unsigned oracle_corners(const oracle_case *c)
 }
 
 /* The point of edge pq on the plane x_a = f: p * |q_a - f| + q * |p_a - f| over |q_a - p_a|. */
-static inline unsigned oracle_edge_and_face(const oracle_case *c, const wide p[3], const wide q[3], int a, const wide *f)
+TEST_FN unsigned oracle_edge_and_face(const oracle_case *c, const wide p[3], const wide q[3], int a, const wide *f)
 {
     int  sp = wide_compare(&p[a], f);
     int  sq = wide_compare(&q[a], f);
@@ -344,7 +346,7 @@ static inline unsigned oracle_edge_and_face(const oracle_case *c, const wide p[3
 }
 
 /* Twice the signed area of p, q, r projected along axis a; r is given by its two coordinates. */
-static inline void oracle_area(wide *out, const wide p[3], const wide q[3], int a, const wide *rb, const wide *rc)
+TEST_FN void oracle_area(wide *out, const wide p[3], const wide q[3], int a, const wide *rb, const wide *rc)
 {
     int  b = (a + 1) % 3;
     int  e = (a + 2) % 3;
@@ -362,7 +364,7 @@ static inline void oracle_area(wide *out, const wide p[3], const wide q[3], int 
 }
 
 /* The line along axis a through (yb, yc) cut by T: barycentric weights are areas. T parallel to a: no single point. */
-static inline unsigned oracle_box_edge(const oracle_case *c, int a, const wide *yb, const wide *yc)
+TEST_FN unsigned oracle_box_edge(const oracle_case *c, int a, const wide *yb, const wide *yc)
 {
     int  b = (a + 1) % 3;
     int  e = (a + 2) % 3;
@@ -398,7 +400,7 @@ static inline unsigned oracle_box_edge(const oracle_case *c, int a, const wide *
 }
 
 /* Is the box empty, or are all corners beyond one of its faces, and so all of T? */
-static inline int oracle_beyond_a_face(const oracle_case *c)
+TEST_FN int oracle_beyond_a_face(const oracle_case *c)
 {
     int a;
 
@@ -418,7 +420,7 @@ static inline int oracle_beyond_a_face(const oracle_case *c)
 }
 
 /* Closed, half-open and open answers at once. */
-static inline unsigned oracle_rules(const oracle_case *c)
+TEST_FN unsigned oracle_rules(const oracle_case *c)
 {
     const unsigned upper = 8 + 16 + 32;
     unsigned       seen;
@@ -456,7 +458,7 @@ typedef struct oracle_thin_case {
     wide        centre[3];
 } oracle_thin_case;
 
-static inline void oracle_double(oracle_thin_case *d, const oracle_case *c)
+TEST_FN void oracle_double(oracle_thin_case *d, const oracle_case *c)
 {
     int a;
     int i;
@@ -473,7 +475,7 @@ static inline void oracle_double(oracle_thin_case *d, const oracle_case *c)
 }
 
 /* Does some vertex of the projected diamond lie on the inner side of each projected edge? n_a >= 0 turns left. */
-static inline int oracle_thin_edges(const oracle_thin_case *d, int a)
+TEST_FN int oracle_thin_edges(const oracle_thin_case *d, int a)
 {
     const oracle_case *c = &d->c;
     int                b = (a + 1) % 3;
@@ -501,7 +503,7 @@ static inline int oracle_thin_edges(const oracle_thin_case *d, int a)
 }
 
 /* Do face centres of the voxel lie on both closed sides of T's plane? */
-static inline int oracle_thin_plane(const oracle_thin_case *d)
+TEST_FN int oracle_thin_plane(const oracle_thin_case *d)
 {
     const oracle_case *c = &d->c;
     int                above = 0;
@@ -531,7 +533,7 @@ static inline int oracle_thin_plane(const oracle_thin_case *d)
     return above && below;
 }
 
-static inline int oracle_thin(const oracle_case *c)
+TEST_FN int oracle_thin(const oracle_case *c)
 {
     oracle_thin_case d;
     int              a;
@@ -550,7 +552,7 @@ static inline int oracle_thin(const oracle_case *c)
 
 /* ---- the questions of the interface ---------------------------------------------------------------------------- */
 
-static inline int oracle_triangle_is_a_set(const triangle *t)
+TEST_FN int oracle_triangle_is_a_set(const triangle *t)
 {
     int i;
 
@@ -563,7 +565,7 @@ static inline int oracle_triangle_is_a_set(const triangle *t)
 }
 
 /* An infinite upper (side 1) or lower (side 0) face stands just beyond the triangle: it cuts nothing away. */
-static inline void oracle_face_beyond(oracle_case *c, int side, int a)
+TEST_FN void oracle_face_beyond(oracle_case *c, int side, int a)
 {
     wide one;
     int  i;
@@ -578,7 +580,7 @@ static inline void oracle_face_beyond(oracle_case *c, int side, int a)
     wide_add(&c->face[side][a], &c->face[side][a], &one);
 }
 
-static inline void oracle_set_triangle(oracle_case *c, const triangle *t, int unit)
+TEST_FN void oracle_set_triangle(oracle_case *c, const triangle *t, int unit)
 {
     int i;
 
@@ -587,7 +589,7 @@ static inline void oracle_set_triangle(oracle_case *c, const triangle *t, int un
     }
 }
 
-static inline int oracle_unit(const triangle *t)
+TEST_FN int oracle_unit(const triangle *t)
 {
     int unit = 2000;
     int i;
@@ -599,7 +601,7 @@ static inline int oracle_unit(const triangle *t)
 }
 
 /* The answer set for the box of real points min <= x <= max (the rules: <). No thin bit: that needs a voxel. */
-static inline unsigned oracle_box(const triangle *t, const double box_min[3], const double box_max[3])
+TEST_FN unsigned oracle_box(const triangle *t, const double box_min[3], const double box_max[3])
 {
     oracle_case c;
     int         unit = oracle_unit(t);
@@ -643,7 +645,7 @@ static inline unsigned oracle_box(const triangle *t, const double box_min[3], co
 
 /* The answer set for [p + index*size, p + (index+1)*size], in real numbers. An infinite size (then index is 0) is
  * [p, +inf), under thin too, where the voxel then counts as conservative. */
-static inline unsigned oracle_voxel(const triangle *t, const double p[3], const double size[3], const int index[3])
+TEST_FN unsigned oracle_voxel(const triangle *t, const double p[3], const double size[3], const int index[3])
 {
     oracle_case c;
     unsigned    answers;
@@ -692,7 +694,7 @@ static inline unsigned oracle_voxel(const triangle *t, const double p[3], const 
 }
 
 /* Is the double sum exactly p + size? */
-static inline int oracle_sum_is(double p, double size, double sum)
+TEST_FN int oracle_sum_is(double p, double size, double sum)
 {
     int  unit = 2000;
     wide a;

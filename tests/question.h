@@ -38,7 +38,7 @@ static inline double random_signed(void)
 
 /* ---- floats by their bits --------------------------------------------------------------------------------------- */
 
-static inline double power_of_two(int e)
+TEST_FN double power_of_two(int e)
 {
     double r = 1.0;
 
@@ -52,7 +52,7 @@ static inline double power_of_two(int e)
 }
 
 /* Rounded to float. Volatile: gcc 12 -O2 drops the pair of conversions on neighbouring array elements. */
-static inline double rounded_to_float(double x)
+TEST_FN double rounded_to_float(double x)
 {
     volatile float f = (float)x;
 
@@ -60,7 +60,7 @@ static inline double rounded_to_float(double x)
 }
 
 /* The float `steps` places above x in the order of floats; -0 and +0 are one place apart. */
-static inline float nudge_float(float x, int steps)
+TEST_FN float nudge_float(float x, int steps)
 {
     uint32_t bits;
     int32_t  key;
@@ -73,7 +73,7 @@ static inline float nudge_float(float x, int steps)
     return x;
 }
 
-static inline double nudge_double(double x, int steps)
+TEST_FN double nudge_double(double x, int steps)
 {
     uint64_t bits;
     int64_t  key;
@@ -108,7 +108,7 @@ typedef struct question {
     int      size_is_float;
 } question;
 
-static inline int to_floats(float *out, const double *x, int count)
+TEST_FN int to_floats(float *out, const double *x, int count)
 {
     int same = 1;
     int i;
@@ -122,7 +122,7 @@ static inline int to_floats(float *out, const double *x, int count)
     return same;
 }
 
-static inline void question_floats(question *q)
+TEST_FN void question_floats(question *q)
 {
     float all[9];
     int   i;
@@ -137,7 +137,7 @@ static inline void question_floats(question *q)
 }
 
 /* From t, lo and hi; the voxel form is added where hi - lo is a double exactly. */
-static inline void question_from_box(question *q)
+TEST_FN void question_from_box(question *q)
 {
     int a;
 
@@ -151,7 +151,7 @@ static inline void question_from_box(question *q)
 }
 
 /* From t, lo and size; the one-box form is added where lo + size is a double exactly. */
-static inline void question_from_voxel(question *q)
+TEST_FN void question_from_voxel(question *q)
 {
     int a;
 
@@ -164,14 +164,14 @@ static inline void question_from_voxel(question *q)
     question_floats(q);
 }
 
-static inline unsigned question_truth(const question *q)
+TEST_FN unsigned question_truth(const question *q)
 {
     static const int zero[3] = {0, 0, 0};
 
     return q->has_voxel ? oracle_voxel(&q->t, q->lo, q->size, zero) : oracle_box(&q->t, q->lo, q->hi);
 }
 
-static inline void question_print(const question *q, const char *entry, unsigned flags, int truth)
+TEST_FN void question_print(const question *q, const char *entry, unsigned flags, int truth)
 {
     int i;
 
@@ -189,7 +189,7 @@ static inline void question_print(const question *q, const char *entry, unsigned
     printf("\n");
 }
 
-static inline int question_judge(const question *q, const char *entry, unsigned flags, int answer, int truth)
+TEST_FN int question_judge(const question *q, const char *entry, unsigned flags, int answer, int truth)
 {
     if (answer != truth && test_wants_details()) {
         question_print(q, entry, flags, truth);
@@ -198,7 +198,7 @@ static inline int question_judge(const question *q, const char *entry, unsigned 
 }
 
 /* Every one-box entry against `truth`, the answer under the rule in flags. */
-static inline int ask_box(const question *q, unsigned flags, int truth)
+TEST_FN int ask_box(const question *q, unsigned flags, int truth)
 {
     const double (*d)[3] = (const double (*)[3])q->t.v;
     const float  (*f)[3] = (const float (*)[3])q->ft;
@@ -227,7 +227,7 @@ static inline int ask_box(const question *q, unsigned flags, int truth)
 }
 
 /* Every pair of prepared entries: float and double init, float and double test. */
-static inline int ask_tri(const question *q, unsigned flags, int truth)
+TEST_FN int ask_tri(const question *q, unsigned flags, int truth)
 {
     const double (*d)[3] = (const double (*)[3])q->t.v;
     const float  (*f)[3] = (const float (*)[3])q->ft;
@@ -258,7 +258,7 @@ static inline int ask_tri(const question *q, unsigned flags, int truth)
     return ok;
 }
 
-static inline int question_has_grid(const question *q)
+TEST_FN int question_has_grid(const question *q)
 {
     int a;
     int ok = q->has_voxel;
@@ -270,7 +270,7 @@ static inline int question_has_grid(const question *q)
 }
 
 /* The voxel as the only one of a grid. */
-static inline int ask_grid(const question *q, unsigned flags, int truth)
+TEST_FN int ask_grid(const question *q, unsigned flags, int truth)
 {
     const double (*d)[3] = (const double (*)[3])q->t.v;
     const float  (*f)[3] = (const float (*)[3])q->ft;
@@ -309,7 +309,7 @@ static inline int ask_grid(const question *q, unsigned flags, int truth)
 }
 
 /* All entries, under every rule. One-box entries read TRIBOX_THIN as closed. */
-static inline int ask_all(const question *q)
+TEST_FN int ask_all(const question *q)
 {
     static const unsigned rules[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
     unsigned              truth = question_truth(q);
@@ -345,7 +345,7 @@ enum question_kind {
 };
 
 /* Integers times a step, the product rounded as a user's program would. */
-static inline double stepped(int kind, int i)
+TEST_FN double stepped(int kind, int i)
 {
     switch (kind) {
     case TENTHS:     return i / 10.0;
@@ -355,7 +355,7 @@ static inline double stepped(int kind, int i)
     }
 }
 
-static inline void make_stepped(question *q, int kind)
+TEST_FN void make_stepped(question *q, int kind)
 {
     int n = 3 + random_below(6);
     int a;
@@ -371,7 +371,7 @@ static inline void make_stepped(question *q, int kind)
     }
 }
 
-static inline void make_uniform(question *q)
+TEST_FN void make_uniform(question *q)
 {
     int a;
     int i;
@@ -386,7 +386,7 @@ static inline void make_uniform(question *q)
     }
 }
 
-static inline void make_sliver(question *q)
+TEST_FN void make_sliver(question *q)
 {
     double s = random_signed();
     int    a;
@@ -397,7 +397,7 @@ static inline void make_sliver(question *q)
     }
 }
 
-static inline void make_steep(question *q)
+TEST_FN void make_steep(question *q)
 {
     int    a = random_below(3);
     double s = random_signed();
@@ -410,7 +410,7 @@ static inline void make_steep(question *q)
     }
 }
 
-static inline void make_degenerate(question *q)
+TEST_FN void make_degenerate(question *q)
 {
     int a;
 
@@ -438,7 +438,7 @@ static inline void make_degenerate(question *q)
     }
 }
 
-static inline void make_touching(question *q)
+TEST_FN void make_touching(question *q)
 {
     int    kind = random_below(4);
     double w0 = kind == 0 ? 1.0 : kind == 1 ? 0.5 : kind == 2 ? 0.25 : (random_signed() + 1.0) * 0.5;
@@ -460,7 +460,7 @@ static inline void make_touching(question *q)
     }
 }
 
-static inline void make_mismatch(question *q)
+TEST_FN void make_mismatch(question *q)
 {
     double scale = random_below(2) ? 1e6 : 1e-6;
     int    a;
@@ -476,7 +476,7 @@ static inline void make_mismatch(question *q)
 }
 
 /* Truth is kept by the scaling, so the exponents may be extreme: subnormals to 2^100 as floats, to 2^1000 as doubles. */
-static inline void make_stretched(question *q, int as_float)
+TEST_FN void make_stretched(question *q, int as_float)
 {
     static const int float_base[4] = {-149, -126, -60, 100};
     static const int double_base[4] = {-1074, -1022, -500, 1000};
@@ -495,7 +495,7 @@ static inline void make_stretched(question *q, int as_float)
     }
 }
 
-static inline void make_aligned(question *q)
+TEST_FN void make_aligned(question *q)
 {
     int flat = random_below(3);
     int i;
@@ -510,7 +510,7 @@ static inline void make_aligned(question *q)
     }
 }
 
-static inline void make_mixed(question *q, int as_float)
+TEST_FN void make_mixed(question *q, int as_float)
 {
     int range = random_below(4) ? 20 : as_float ? 120 : random_below(4) ? 200 : 1000;
     int a;
@@ -529,13 +529,13 @@ static inline void make_mixed(question *q, int as_float)
     }
 }
 
-static inline double nudge(double x, int steps, int as_float)
+TEST_FN double nudge(double x, int steps, int as_float)
 {
     return as_float ? (double)nudge_float((float)x, steps) : nudge_double(x, steps);
 }
 
 /* A few numbers of the question, each moved by up to three ulps. */
-static inline void question_walk(question *q, int as_float)
+TEST_FN void question_walk(question *q, int as_float)
 {
     int moves = random_below(4);
 
@@ -552,7 +552,7 @@ static inline void question_walk(question *q, int as_float)
     }
 }
 
-static inline void question_round_to_floats(question *q)
+TEST_FN void question_round_to_floats(question *q)
 {
     int a;
     int i;
@@ -568,7 +568,7 @@ static inline void question_round_to_floats(question *q)
 
 /* One hard question of a kind, all numbers floats if as_float; half of them as a box, half as a voxel whose upper face
  * may be no double. */
-static inline void question_make(question *q, int kind, int as_float)
+TEST_FN void question_make(question *q, int kind, int as_float)
 {
     int a;
 

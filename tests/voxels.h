@@ -18,7 +18,7 @@ typedef struct voxels {
     unsigned char truth[VOXELS_MAX];        /* answer sets */
 } voxels;
 
-static inline void voxels_print(const voxels *v, const char *what, unsigned flags)
+TEST_FN void voxels_print(const voxels *v, const char *what, unsigned flags)
 {
     int i;
 
@@ -35,7 +35,7 @@ static inline void voxels_print(const voxels *v, const char *what, unsigned flag
 }
 
 /* Floats, count and truth, from grid and t. */
-static inline void voxels_finish(voxels *v)
+TEST_FN void voxels_finish(voxels *v)
 {
     float all[9];
     int   i;
@@ -70,7 +70,7 @@ typedef struct walk {
     int           any;
 } walk;
 
-static inline void walk_emit(void *user, int x0, int x1, int y, int z)
+TEST_FN void walk_emit(void *user, int x0, int x1, int y, int z)
 {
     walk              *w = (walk *)user;
     const tribox_grid *g = &w->v->grid;
@@ -94,7 +94,7 @@ static inline void walk_emit(void *user, int x0, int x1, int y, int z)
     w->last_z = z;
 }
 
-static inline void walk_start(walk *w, const voxels *v)
+TEST_FN void walk_start(walk *w, const voxels *v)
 {
     memset(w, 0, sizeof *w);
     w->v = v;
@@ -102,7 +102,7 @@ static inline void walk_start(walk *w, const voxels *v)
 }
 
 /* Is the walk orderly, its count right, and each voxel of the region as the oracle says? */
-static inline int walk_is_right(const walk *w, const char *what, unsigned flags, size_t returned)
+TEST_FN int walk_is_right(const walk *w, const char *what, unsigned flags, size_t returned)
 {
     int ok = w->orderly && w->total == returned;
     int i;
@@ -117,7 +117,7 @@ static inline int walk_is_right(const walk *w, const char *what, unsigned flags,
 }
 
 /* Spans of both types, with and without a callback, under one rule. */
-static inline int voxels_ask_spans(voxels *v, unsigned flags)
+TEST_FN int voxels_ask_spans(voxels *v, unsigned flags)
 {
     walk   w;
     size_t returned;
@@ -138,7 +138,7 @@ static inline int voxels_ask_spans(voxels *v, unsigned flags)
 }
 
 /* The fill of the one triangle, voxel by voxel through tribox_grid_get, if the corners are floats. */
-static inline int voxels_ask_fill(voxels *v, unsigned flags)
+TEST_FN int voxels_ask_fill(voxels *v, unsigned flags)
 {
     uint64_t    bits[VOXELS_MAX];
     tribox_mesh mesh;
@@ -173,7 +173,7 @@ static inline int voxels_ask_fill(voxels *v, unsigned flags)
     return ok;
 }
 
-static inline int voxels_ask_all(voxels *v)
+TEST_FN int voxels_ask_all(voxels *v)
 {
     static const unsigned rules[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
     int                   ok = 1;
@@ -200,14 +200,14 @@ enum voxels_kind {
 };
 
 /* The plane number i of axis a, as a double: rounded as a user would. */
-static inline double grid_plane(const tribox_grid *g, int a, double i)
+TEST_FN double grid_plane(const tribox_grid *g, int a, double i)
 {
     return g->origin[a] + i * g->size[a];
 }
 
 /* Whole, half or tenth steps, a common or a different one per axis; origins plain or awkward; indices small, negative
  * or about a million, so that origin + i*size has many bits. */
-static inline void make_grid(tribox_grid *g, int large)
+TEST_FN void make_grid(tribox_grid *g, int large)
 {
     static const double sizes[8] = {1, 1, 0.5, 0.25, 0.1, 1.0 / 3, 3, 0.7};
     static const double origins[6] = {0, 0, 0.1, -0.3, 1e4 + 0.1, 1.0 / 3};
@@ -227,7 +227,7 @@ static inline void make_grid(tribox_grid *g, int large)
 }
 
 /* A corner on the lattice of grid planes and half planes, up to two steps outside of the region. */
-static inline void make_lattice_corner(const tribox_grid *g, double p[3], int halves)
+TEST_FN void make_lattice_corner(const tribox_grid *g, double p[3], int halves)
 {
     int a;
 
@@ -237,7 +237,7 @@ static inline void make_lattice_corner(const tribox_grid *g, double p[3], int ha
     }
 }
 
-static inline void make_random_corner(const tribox_grid *g, double p[3], double reach)
+TEST_FN void make_random_corner(const tribox_grid *g, double p[3], double reach)
 {
     int a;
 
@@ -247,7 +247,7 @@ static inline void make_random_corner(const tribox_grid *g, double p[3], double 
     }
 }
 
-static inline void make_aligned_corners(voxels *v)
+TEST_FN void make_aligned_corners(voxels *v)
 {
     int flat = random_below(3);
     int i;
@@ -264,7 +264,7 @@ static inline void make_aligned_corners(voxels *v)
     }
 }
 
-static inline void make_tiny_corners(voxels *v)
+TEST_FN void make_tiny_corners(voxels *v)
 {
     double reach = random_below(2) ? 0.1 : 1.5;
     int    a;
@@ -280,7 +280,7 @@ static inline void make_tiny_corners(voxels *v)
     }
 }
 
-static inline void make_steep_corners(voxels *v)
+TEST_FN void make_steep_corners(voxels *v)
 {
     int    a = random_below(3);
     double s = random_signed();
@@ -295,7 +295,7 @@ static inline void make_steep_corners(voxels *v)
 }
 
 /* Corners moved by up to three ulps, half of the time. */
-static inline void walk_corners(voxels *v, int as_float)
+TEST_FN void walk_corners(voxels *v, int as_float)
 {
     int moves = random_below(6);
 
@@ -305,7 +305,7 @@ static inline void walk_corners(voxels *v, int as_float)
     }
 }
 
-static inline void voxels_corners(voxels *v, int kind, int as_float)
+TEST_FN void voxels_corners(voxels *v, int kind, int as_float)
 {
     int a;
     int i;
@@ -348,7 +348,7 @@ static inline void voxels_corners(voxels *v, int kind, int as_float)
     }
 }
 
-static inline void voxels_make(voxels *v, int kind, int as_float)
+TEST_FN void voxels_make(voxels *v, int kind, int as_float)
 {
     v->seed = random_state;
     make_grid(&v->grid, kind == GRID_LINE);

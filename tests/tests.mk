@@ -1,0 +1,65 @@
+# The tests of `make test`: each program twice, with the scalar code and with the best instruction set of CFLAGS.
+# A program's last line is "name: N passed, N failed", N counting test functions; the sum of these lines ends the run.
+# TEST_FLAGS=-DTEST_SCALE=10 asks a tenth of the random questions (emulators, sanitizers).
+
+TEST_TWICE    := overlap tri rule thin sat exact symmetry nan mode field grid fill frame closed issues
+TEST_COMPILES := c99 include_twice two_units hostile_macros
+TEST_HEADERS  := tribox.h $(wildcard tests/*.h)
+
+TEST_PROGRAMS := $(B)/tests/test_oracle $(TEST_COMPILES:%=$(B)/tests/compile/%) \
+                 $(TEST_TWICE:%=$(B)/tests/scalar/test_%) $(TEST_TWICE:%=$(B)/tests/default/test_%) $(B)/tests/test_simd
+TEST_LOGS     := $(TEST_PROGRAMS:%=%.log)
+
+# Two jobs unless make was told how many.
+TEST_JOBS     = $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j2)
+
+.PHONY: build-tests test
+
+build-tests: $(TEST_PROGRAMS) ## build the tests
+
+$(B)/tests/test_oracle: tests/test_oracle.c $(TEST_HEADERS)
+	@mkdir -p $(@D)
+	$(CC_C99) $(TEST_FLAGS) $< -o $@
+
+$(B)/tests/scalar/test_%: tests/test_%.c $(TEST_HEADERS)
+	@mkdir -p $(@D)
+	$(CC_C99) $(TEST_FLAGS) -DTRIBOX_SIMD=0 $< -o $@ -lm
+
+$(B)/tests/default/test_%: tests/test_%.c $(TEST_HEADERS)
+	@mkdir -p $(@D)
+	$(CC_C99) $(TEST_FLAGS) $< -o $@ -lm
+
+# The same file as two units, one scalar, one with the best instruction set.
+$(B)/tests/test_simd: tests/test_simd.c $(TEST_HEADERS)
+	@mkdir -p $(@D)
+	$(CC_C99) $(TEST_FLAGS) -DTRIBOX_SIMD=0 -DSIMD_UNIT=simd_scalar_answers -c $< -o $@_scalar.o
+	$(CC_C99) $(TEST_FLAGS) -DSIMD_UNIT=simd_best_answers -DSIMD_MAIN $< $@_scalar.o -o $@
+
+$(B)/tests/compile/two_units: tests/compile/two_units_a.c tests/compile/two_units_b.c tests/compile/every_function.h tribox.h
+	@mkdir -p $(@D)
+	$(CC_C99) tests/compile/two_units_a.c tests/compile/two_units_b.c -o $@
+
+$(B)/tests/compile/%: tests/compile/%.c tests/compile/every_function.h tribox.h
+	@mkdir -p $(@D)
+	$(CC_C99) $< -o $@
+
+# A program that dies leaves a log without its last line, which counts as a failure.
+$(B)/tests/%.log: $(B)/tests/%
+	@$< > $@ 2>&1 || true
+
+test: ## run the tests: scalar, then best instruction set
+	@rm -f $(TEST_LOGS)
+	@$(MAKE) --no-print-directory $(TEST_JOBS) $(TEST_LOGS)
+	@passed=0; failed=0; \
+	for log in $(TEST_LOGS); do \
+	    sed '$$d' $$log; \
+	    set -- $$(tail -n 1 $$log); \
+	    if [ "$$3 $$5" = "passed, failed" ]; then \
+	        passed=$$((passed + $$2)); failed=$$((failed + $$4)); \
+	        name=$${log#$(B)/tests/}; echo "$${name%.log}: $$2 passed, $$4 failed"; \
+	    else \
+	        tail -n 1 $$log; failed=$$((failed + 1)); echo "FAILED $${log%.log}: ended before its last line"; \
+	    fi; \
+	done; \
+	echo "$$passed passed, $$failed failed"; \
+	[ $$failed -eq 0 ]
