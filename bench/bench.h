@@ -38,6 +38,14 @@
 #define BENCH_NOINLINE
 #endif
 
+/* Hides where a pointer came from: what is read through it can be neither hoisted out of a loop nor
+ * vectorised. */
+#if defined(__GNUC__) || defined(__clang__)
+#define BENCH_HIDE(pointer) __asm__ volatile("" : "+r"(pointer))
+#else
+#define BENCH_HIDE(pointer) ((void)0)
+#endif
+
 /* ---- Options ------------------------------------------------------------------------------------------- */
 
 typedef struct bench_options {
@@ -302,7 +310,8 @@ static inline double bench_warm(bench_row *rows, int count, void *context)
         fastest = rows[i].role == BENCH_RIVAL && seconds < fastest ? seconds : fastest;
     }
     for (i = 0; i < count; i++) {
-        rows[i].again = rows[i].role != BENCH_RIVAL || rows[i].seconds[0] <= 3 * fastest;
+        rows[i].again =
+            rows[i].role != BENCH_RIVAL || rows[i].seconds[0] < 0.1 || rows[i].seconds[0] <= 3 * fastest;
         total += rows[i].again ? rows[i].best : 0;
         for (run = 1; run < BENCH_MAX_RUNS; run++) {
             rows[i].seconds[run] = rows[i].seconds[0];
@@ -315,15 +324,10 @@ static inline double bench_warm(bench_row *rows, int count, void *context)
  * three in any case. Returns the runs made. */
 static inline int bench_measure(bench_row *rows, int count, int runs, double budget, void *context)
 {
-    double round = bench_warm(rows, count, context);
-    double fitting;
+    double fitting = budget / bench_warm(rows, count, context);
     int least = runs < 3 ? runs : 3;
     int run;
     int i;
-    if (round < 0.1 * budget) {
-        round = bench_warm(rows, count, context); /* short rounds are ruled by the cold start */
-    }
-    fitting = budget / round;
     runs = runs < BENCH_MAX_RUNS ? runs : BENCH_MAX_RUNS;
     runs = fitting > runs ? runs : fitting < least ? least : (int)fitting;
     for (run = 0; run < runs; run++) {
