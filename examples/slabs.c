@@ -10,7 +10,7 @@
  * times of one call and of the threads, preparation included, and compares the bits. Exit status: 0 the
  * same bits, 1 not the same, 2 an error.
  */
-#if !defined(_WIN32) && !defined(_POSIX_C_SOURCE)
+#if !defined(_MSC_VER) && !defined(_POSIX_C_SOURCE)
 #define _POSIX_C_SOURCE 200112L
 #endif
 #include "program.h"
@@ -18,7 +18,7 @@
 
 /* ---- 1. Threads of POSIX or of C11 ----------------------------------------------------------- */
 
-#if !defined(_WIN32)
+#if !defined(_MSC_VER)
 #include <pthread.h>
 typedef pthread_t       thread;
 typedef pthread_mutex_t lock;
@@ -46,7 +46,7 @@ typedef mtx_t  lock;
 
 static double wall_seconds(void) {
     struct timespec now;
-#if !defined(_WIN32)
+#if !defined(_MSC_VER)
     clock_gettime(CLOCK_MONOTONIC, &now);
 #else
     timespec_get(&now, TIME_UTC);
@@ -238,7 +238,7 @@ static THREAD_RESULT run_worker(void *user) {
 
 /* Runs one step on all threads, this one among them. */
 static void run_step(worker *workers, void (*run)(worker *w)) {
-    int started[MAX_THREADS];
+    int started[MAX_THREADS] = {0};
     int i;
     for (i = workers[0].job->threads - 1; i >= 0; i--) {
         workers[i].run = run;

@@ -133,21 +133,21 @@ static inline int voxels_close(FILE *file, const char *path, char *error) {
 /* binvox: text header, then pairs (value, count) of bytes; y runs fastest, then z, then x. Voxel (i,j,k)
    of the cube with d voxels a side is translate + (i,j,k) * scale / d. */
 typedef struct binvox_run {
-    FILE  *file;
-    int    value;
-    size_t length;
+    FILE    *file;
+    int      value;
+    uint64_t length;
 } binvox_run;
 
 static inline void binvox_flush(binvox_run *run) {
     while (run->length > 0) {
-        size_t count = run->length < 255 ? run->length : 255;
+        int count = run->length < 255 ? (int)run->length : 255;
         fputc(run->value, run->file);
-        fputc((int)count, run->file);
-        run->length -= count;
+        fputc(count, run->file);
+        run->length -= (uint64_t)count;
     }
 }
 
-static inline void binvox_add(binvox_run *run, int value, size_t count) {
+static inline void binvox_add(binvox_run *run, int value, uint64_t count) {
     if (value != run->value) {
         binvox_flush(run);
         run->value = value;
@@ -203,9 +203,9 @@ static inline int binvox_write(const char *path, const voxels *v, char *error) {
             }
             binvox_add(&run, 0, d - v->n[1]);
         }
-        binvox_add(&run, 0, (d - v->n[2]) * d);
+        binvox_add(&run, 0, (uint64_t)(d - v->n[2]) * d);
     }
-    binvox_add(&run, 0, (d - v->n[0]) * d * d);
+    binvox_add(&run, 0, (uint64_t)(d - v->n[0]) * d * d);
     binvox_flush(&run);
     free(column);
     return voxels_close(file, path, error);
@@ -250,18 +250,18 @@ static inline int binvox_read_header(mesh_reader *r, size_t dim[3], double trans
 }
 
 /* Sets `count` voxels from `at` on in the file's order. */
-static inline void binvox_set(voxels *v, size_t at, size_t count) {
+static inline void binvox_set(voxels *v, uint64_t at, size_t count) {
     for (; count > 0; count--, at++) {
-        size_t y = at % v->n[1];
-        size_t z = at / v->n[1] % v->n[2];
-        size_t x = at / v->n[1] / v->n[2];
+        size_t y = (size_t)(at % v->n[1]);
+        size_t z = (size_t)(at / v->n[1] % v->n[2]);
+        size_t x = (size_t)(at / v->n[1] / v->n[2]);
         voxels_row(v, y, z)[x >> 6] |= (uint64_t)1 << (x & 63);
     }
 }
 
 static inline int binvox_read_runs(mesh_reader *r, voxels *v) {
-    size_t total = v->n[0] * v->n[1] * v->n[2];
-    size_t at = 0;
+    uint64_t total = (uint64_t)v->n[0] * v->n[1] * v->n[2];
+    uint64_t at = 0;
     for (; r->at + 1 < r->size && at < total; r->at += 2) {
         size_t count = r->data[r->at + 1];
         if (count > total - at) {
@@ -639,6 +639,7 @@ static inline int faces_write(const char *path, const voxels *v, char *error) {
     if (!numbers) {
         return voxels_fail(path, "out of memory", error);
     }
+    memset(&f, 0, sizeof f);
     f.v = v;
     f.number[0] = numbers;
     f.number[1] = numbers + plane / sizeof *numbers;
