@@ -23,6 +23,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#if defined(_WIN32)
+#include <fcntl.h>
+#include <io.h>
+#endif
 
 #define MESH_ERROR 512
 
@@ -817,6 +821,9 @@ static inline unsigned char *mesh_load_bytes(const char *path, size_t *out_size,
     r.path = path;
     r.error = error;
     if (strcmp(path, "-") == 0) {
+#if defined(_WIN32)
+        _setmode(_fileno(stdin), _O_BINARY);
+#endif
         bytes = mesh_load_stream(stdin, &r);
     } else {
         FILE *file = fopen(path, "rb");
