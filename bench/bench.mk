@@ -12,7 +12,7 @@ BENCH_ARGS    = $(if $(CSV),--csv $(CSV))
 
 BENCH_BINS   := $(BENCHES:%=$(B)/o2/bench_%) $(BENCHES:%=$(B)/native/bench_%)
 
-.PHONY: bench bench-quick bench-build bench-data bench-stack
+.PHONY: bench bench-quick bench-build bench-data bench-results bench-stack
 
 bench-build: $(BENCH_BINS)
 
@@ -29,11 +29,20 @@ $(B)/o2/bench_%: bench/bench_%.c $(BENCH_DEPS) $(B)/bench.stamp
 $(B)/native/bench_%: bench/bench_%.c $(BENCH_DEPS) $(B)/bench.stamp
 	$(BENCH_CC) $(BENCH_NATIVE) -DBENCH_FLAGS='"$(BENCH_NATIVE)"' $< -o $@ -lm -pthread
 
-bench: bench-build ## time everything against the float tests of today, at -O2 and -O3 -march=native
+bench: bench-build ## time all against the float tests of today, at -O2 and -O3 -march=native
 	@for b in $(BENCH_BINS); do echo; $$b $(BENCH_ARGS) || exit 1; done
 
 bench-quick: bench-build ## bench with fewer runs and sizes: under a minute
 	@for b in $(BENCH_BINS); do echo; $$b --quick $(BENCH_ARGS) || exit 1; done
+
+# A file per processor and compiler; each line carries its flags, instruction set and commit.
+BENCH_RESULT = bench/results/$(shell { sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1; $(CC) --version | head -1; } \
+  | tr -cs 'A-Za-z0-9.\n' '-' | sed 's/-$$//' | paste -sd_ -).csv
+
+bench-results: ## bench, recorded in bench/results/
+	@mkdir -p bench/results
+	@rm -f '$(BENCH_RESULT)'
+	$(MAKE) bench CSV='$(BENCH_RESULT)'
 
 bench-stack: | $(B)/bench.stamp ## bytes of stack on each function's deepest chain of calls (needs gcc)
 	$(CC) -std=c99 -I. $(BENCH_O2) $(if $(COMPANIONS),-DSTACK_COMPANIONS) -fcallgraph-info=su -c bench/stack.c -o $(B)/stack.o

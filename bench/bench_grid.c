@@ -380,7 +380,7 @@ int main(int argc, char **argv)
     static const int all[] = {64, 128, 256, 512, 1024, 2048, 0};
     static const int quick[] = {128, 512, 0};
     static const int some[] = {128, 512, 1024, 0};
-    static const int aligned[] = {128, 512, 1024, 0};
+    static const int coarse[] = {128, 512, 0};
     bench_options options;
     const int *sizes;
     mesh scan;
@@ -417,14 +417,13 @@ int main(int argc, char **argv)
     }
 
     print_heading(&options, "On grid planes and through grid corners, against the same meshes tilted");
-    sizes = options.quick ? quick : aligned;
     if (any_wanted(&options, "terraces")) {
         mesh_gen_terraces(&m, 128);
         bench_lattice(&options, "terraces", &m, sizes);
     }
     if (any_wanted(&options, "blocks")) {
         mesh_gen_terraces(&m, 16);
-        bench_lattice(&options, "blocks", &m, sizes);
+        bench_lattice(&options, "blocks", &m, coarse);
     }
     if (any_wanted(&options, "octahedron")) {
         mesh_gen_octahedron(&m, 64);
@@ -432,7 +431,7 @@ int main(int argc, char **argv)
     }
     if (any_wanted(&options, "diamond")) {
         mesh_gen_octahedron(&m, 8);
-        bench_lattice(&options, "diamond", &m, sizes);
+        bench_lattice(&options, "diamond", &m, coarse);
     }
 
     view = mesh_view(&scan);
