@@ -375,7 +375,7 @@ GOLDEN_FN void golden_make_grid(uint64_t index, golden_grid *g)
     /* corners within the region or around it, in whole, half, quarter or eighth steps */
     for (i = 0; i < 18; ++i) {
         int fraction = golden_between(&state, 0, 3);
-        int64_t eighths = (int64_t)golden_between(&state, -24, 72) >> fraction << fraction;
+        int64_t eighths = (int64_t)golden_between(&state, -24, 72) & ~(((int64_t)1 << fraction) - 1);
         int fits = kind != 1; /* a decimal step leaves no room for eighths */
         int64_t at = fits ? step[i % 3] * eighths : step[i % 3] * (eighths / 8);
         g->v[i] = golden_encode(at, fits ? e - 3 : e, g->f64);
