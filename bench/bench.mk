@@ -7,7 +7,7 @@ COMPANIONS   := $(shell grep -l tribox_mesh_query tribox.h)
 BENCHES      := overlap tri spans grid $(if $(COMPANIONS),companions)
 BENCH_COMMIT  = $(eval BENCH_COMMIT := $(shell git describe --always --dirty --exclude '*' 2>/dev/null || echo unknown))$(BENCH_COMMIT)
 BENCH_CC      = $(CC) -std=c99 -Ibench -Iexamples -I. $(WARN_C) -DBENCH_COMMIT='"$(BENCH_COMMIT)"'
-BENCH_DEPS   := tribox.h $(wildcard bench/*.h)
+BENCH_DEPS   := tribox.h examples/mesh_io.h $(wildcard bench/*.h)
 BENCH_ARGS    = $(if $(CSV),--csv $(CSV))
 
 BENCH_BINS   := $(BENCHES:%=$(B)/o2/bench_%) $(BENCHES:%=$(B)/native/bench_%)
