@@ -1474,7 +1474,7 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
  * leaves room for second-order terms and for its own rounding. A and D are scaled by a power of two 1/S, E <= S,
  * so that values below -1 are misses and from 1 on hits. Underflow and subnormals read as zero: R is taken as at
  * least 2^-60 (2^-300), so |A|/S <= 2^80 (2^352), which multiplies errors of 2^-126 (2^-1022) at most; outside
- * R <= 2^60 (2^300) and 2^-900 <= E <= 2^900 a condition is all zeros, which is unsure for every p. */
+ * R <= 2^60 (2^300) and 2^-600 <= E <= 2^900 a condition is all zeros, which is unsure for every p. */
 
 /* Orders as floats do; +0 and -0 are 0. */
 TRIBOX_IMPL_FN int32_t tribox_impl_key32(const float *x)
@@ -1575,12 +1575,65 @@ TRIBOX_IMPL_FN void tribox_impl_tri_keys(tribox_tri *tri, int k, int lo_is_open,
     tri->key_min[k] = key;
 }
 
+TRIBOX_IMPL_COLD int tribox_impl_normal_sign_exact(const double v0[3], const double v1[3], const double v2[3], int b,
+                                                   int c)
+{
+    tribox_impl_exact f;
+    int row;
+    tribox_impl_exact_corners(&f, v0, v1, v2);
+    for (row = TRIBOX_IMPL_LO; row < TRIBOX_IMPL_ROWS; row++) {     /* unused */
+        f.x[row][0] = f.x[0][0];
+        f.x[row][1] = f.x[0][1];
+        f.x[row][2] = f.x[0][2];
+    }
+    tribox_impl_exact_finish(&f);
+    return tribox_impl_orient2(&f, b, c, 0, 1, 2, 2);
+}
+
+/* The triangle's edges: differences, and their signs, which are exact. */
+typedef struct tribox_impl_edges {
+    double e[3][3];
+    int    e_sign[3][3];
+    int    n_sign[3];       /* of n_a = e0_b e1_c - e0_c e1_b: exact too */
+} tribox_impl_edges;
+
+/* n's sign from the difference where that is certain, else exactly. A product with a zero factor is zero. */
+TRIBOX_IMPL_FN void tribox_impl_edges_init(tribox_impl_edges *t, const double v0[3], const double v1[3],
+                                           const double v2[3])
+{
+    int a;
+    for (a = 0; a < 3; a++) {
+        const int64_t k0 = tribox_impl_key64(v0[a]);
+        const int64_t k1 = tribox_impl_key64(v1[a]);
+        const int64_t k2 = tribox_impl_key64(v2[a]);
+        t->e[0][a] = v1[a] - v0[a];
+        t->e[1][a] = v2[a] - v1[a];
+        t->e[2][a] = v0[a] - v2[a];
+        t->e_sign[0][a] = (k1 > k0) - (k1 < k0);
+        t->e_sign[1][a] = (k2 > k1) - (k2 < k1);
+        t->e_sign[2][a] = (k0 > k2) - (k0 < k2);
+    }
+    TRIBOX_IMPL_KEEP(t->e);
+    for (a = 0; a < 3; a++) {
+        const int b = (a + 1) % 3;
+        const int c = (a + 2) % 3;
+        const double p = t->e[0][b] * t->e[1][c];
+        const double q = t->e[0][c] * t->e[1][b];
+        const double error = (tribox_impl_abs(p) + tribox_impl_abs(q)) * (8.0 * TRIBOX_IMPL_U64);
+        if ((t->e_sign[0][b] == 0 || t->e_sign[1][c] == 0) && (t->e_sign[0][c] == 0 || t->e_sign[1][b] == 0)) {
+            t->n_sign[a] = 0;
+        } else if (error > 1e-280 && error < 1e280 && (p - q > error || p - q < -error)) {
+            t->n_sign[a] = p - q > 0.0 ? 1 : -1;
+        } else {
+            t->n_sign[a] = tribox_impl_normal_sign_exact(v0, v1, v2, b, c);
+        }
+    }
+}
+
 /* What setup knows of the triangle, in a frame at ref. */
 typedef struct tribox_impl_setup {
+    tribox_impl_edges t;
     double v[3][3];         /* corners - ref */
-    double e[3][3];         /* edges */
-    int    e_sign[3][3];
-    int    n_sign[3];
     double half[3];         /* half the boxes' size */
     double reach[3];        /* R */
     int    thin;
@@ -1626,7 +1679,7 @@ TRIBOX_IMPL_FN double tribox_impl_condition_scale(const tribox_impl_condition *c
         made += c->m[k] * reach;
     }
     bound = 8.0 * u * terms + 16.0 * TRIBOX_IMPL_U64 * made;
-    if (!(in_range && bound >= 1.1830521861667747e-271 && bound <= 8.452712498170644e+270)) {  /* 2^-900, 2^900 */
+    if (!(in_range && bound >= 2.409919865102884e-181 && bound <= 8.452712498170644e+270)) {  /* 2^-600, 2^900 */
         return 0.0;
     }
     return tribox_impl_from_bits64((uint64_t)(2045 - (tribox_impl_bits64(&bound) >> 52)) << 52);
@@ -1664,15 +1717,15 @@ TRIBOX_IMPL_FN void tribox_impl_store_edge(tribox_tri *tri, const tribox_impl_se
 {
     const int b = (a + 1) % 3;
     const int c = (a + 2) % 3;
-    const double inward = s->n_sign[a] >= 0 ? 1.0 : -1.0;
+    const double inward = s->t.n_sign[a] >= 0 ? 1.0 : -1.0;
     tribox_impl_condition edge;
-    if (s->e_sign[i][b] == 0 || s->e_sign[i][c] == 0) {
+    if (s->t.e_sign[i][b] == 0 || s->t.e_sign[i][c] == 0) {
         tribox_impl_store_true(tri, 3 * a + i);
         return;
     }
     edge.a[a] = 0.0;
-    edge.a[b] = -inward * s->e[i][c];
-    edge.a[c] = inward * s->e[i][b];
+    edge.a[b] = -inward * s->t.e[i][c];
+    edge.a[c] = inward * s->t.e[i][b];
     edge.m[a] = 0.0;
     edge.m[b] = tribox_impl_abs(edge.a[b]);
     edge.m[c] = tribox_impl_abs(edge.a[c]);
@@ -1691,7 +1744,7 @@ TRIBOX_IMPL_FN void tribox_impl_store_plane(tribox_tri *tri, const tribox_impl_s
     tribox_impl_condition plane;
     int positive = 0;
     int k;
-    if ((s->n_sign[0] != 0) + (s->n_sign[1] != 0) + (s->n_sign[2] != 0) < 2) {
+    if ((s->t.n_sign[0] != 0) + (s->t.n_sign[1] != 0) + (s->t.n_sign[2] != 0) < 2) {
         tribox_impl_store_true(tri, i);
         return;
     }
@@ -1700,49 +1753,18 @@ TRIBOX_IMPL_FN void tribox_impl_store_plane(tribox_tri *tri, const tribox_impl_s
     for (k = 0; k < 3; k++) {
         const int b = (k + 1) % 3;
         const int c = (k + 2) % 3;
-        const double p = s->e[0][b] * s->e[1][c];
-        const double q = s->e[0][c] * s->e[1][b];
+        const double p = s->t.e[0][b] * s->t.e[1][c];
+        const double q = s->t.e[0][c] * s->t.e[1][b];
         plane.a[k] = side * (p - q);
         plane.m[k] = tribox_impl_abs(p) + tribox_impl_abs(q);
         plane.d -= plane.a[k] * s->v[0][k];
         plane.m_d += plane.m[k] * tribox_impl_abs(s->v[0][k]);
-        positive |= side * s->n_sign[k] > 0;
+        positive |= side * s->t.n_sign[k] > 0;
     }
     tribox_impl_add_support(&plane, s);
     tribox_impl_store(tri, i, &plane, s);
     tri->strict |= (unsigned)((tri->flags & TRIBOX_OPEN) != 0 ||
                               ((tri->flags & TRIBOX_HALF_OPEN) != 0 && positive)) << i;
-}
-
-TRIBOX_IMPL_COLD int tribox_impl_tri_normal_exact(const tribox_tri *tri, int b, int c)
-{
-    tribox_impl_exact f;
-    int row;
-    tribox_impl_exact_corners(&f, tri->v[0], tri->v[1], tri->v[2]);
-    for (row = TRIBOX_IMPL_LO; row < TRIBOX_IMPL_ROWS; row++) {
-        f.x[row][0] = f.x[0][0];
-        f.x[row][1] = f.x[0][1];
-        f.x[row][2] = f.x[0][2];
-    }
-    tribox_impl_exact_finish(&f);
-    return tribox_impl_orient2(&f, b, c, 0, 1, 2, 2);
-}
-
-/* The sign of n_a: from e0 x e1 where that is certain, else exactly. */
-TRIBOX_IMPL_FN int tribox_impl_normal_sign(const tribox_tri *tri, const tribox_impl_setup *s, int a)
-{
-    const int b = (a + 1) % 3;
-    const int c = (a + 2) % 3;
-    const double p = s->e[0][b] * s->e[1][c];
-    const double q = s->e[0][c] * s->e[1][b];
-    const double error = (tribox_impl_abs(p) + tribox_impl_abs(q)) * (8.0 * TRIBOX_IMPL_U64);
-    if ((s->e_sign[0][b] == 0 || s->e_sign[1][c] == 0) && (s->e_sign[0][c] == 0 || s->e_sign[1][b] == 0)) {
-        return 0;
-    }
-    if (error > 1e-280 && error < 1e280 && (p - q > error || p - q < -error)) {
-        return p - q > 0.0 ? 1 : -1;
-    }
-    return tribox_impl_tri_normal_exact(tri, b, c);
 }
 
 /* 2^14 and more units in the longest reach, if all that conditions are made of is whole in them; else 0. Sums of
@@ -1755,7 +1777,7 @@ TRIBOX_IMPL_FN double tribox_impl_tri_lattice(const tribox_tri *tri, const tribo
     int i;
     int k;
     longest = s->reach[2] > longest ? s->reach[2] : longest;
-    if (!(longest > 1e-80 && longest < 1e80)) {      /* so that no condition was left zero by its range */
+    if (!(longest > 1e-40 && longest < 1e40)) {      /* so that no condition was left zero by its range */
         return 0.0;
     }
     scale = tribox_impl_lattice_scale(longest);
@@ -1817,13 +1839,10 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
         tri->ref[k] = float_range ? tribox_impl_key32_float(tribox_impl_key32_below(v0[k])) : 0.0f;
         for (i = 0; i < 3; i++) {
             s.v[i][k] = tri->v[i][k] - (double)tri->ref[k];
-            s.e[i][k] = tri->v[(i + 1) % 3][k] - tri->v[i][k];
-            s.e_sign[i][k] = (tribox_impl_key64(tri->v[(i + 1) % 3][k]) > tribox_impl_key64(tri->v[i][k])) -
-                             (tribox_impl_key64(tri->v[(i + 1) % 3][k]) < tribox_impl_key64(tri->v[i][k]));
         }
     }
     TRIBOX_IMPL_KEEP(s.v);
-    TRIBOX_IMPL_KEEP(s.e);
+    tribox_impl_edges_init(&s.t, v0, v1, v2);
     for (k = 0; k < 3; k++) {
         const double r0 = tribox_impl_abs(s.v[0][k]);
         const double r1 = tribox_impl_abs(s.v[1][k]);
@@ -1831,9 +1850,6 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
         const double r = r0 > r1 ? r0 : r1;
         s.half[k] = size[k] * 0.5;
         s.reach[k] = (r > r2 ? r : r2) + size[k];
-    }
-    for (k = 0; k < 3; k++) {
-        s.n_sign[k] = tribox_impl_normal_sign(tri, &s, k);
     }
     if (!finite || !tribox_impl_finite3(s.reach)) {
         for (i = 0; i < 11; i++) {
@@ -1992,25 +2008,57 @@ TRIBOX_IMPL_FN int tribox_impl_grid_valid(const tribox_grid *grid)
     return 1;
 }
 
-/* The sign of grid plane i of axis k against x. */
+/* The sign of grid plane i of axis k against x, |i| < 2^33. */
 TRIBOX_IMPL_FN int tribox_impl_plane_compare(const tribox_grid *grid, int k, int64_t i, double x)
 {
-    const tribox_impl_coord plane = tribox_impl_at(grid->origin[k], grid->size[k], 2 * i);
-    const tribox_impl_coord point = tribox_impl_at(x, 0.0, 0);
-    return tribox_impl_compare(&plane, &point);
+    const double along = (double)i * grid->size[k];
+    const double value = (grid->origin[k] - x) + along;
+    const double error = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(x) + tribox_impl_abs(along)) *
+                         (8.0 * TRIBOX_IMPL_U64);
+    if (tribox_impl_is_finite(error) && error > 1e-290 && (value > error || value < -error)) {
+        return value > 0.0 ? 1 : -1;
+    } else {
+        const tribox_impl_coord plane = tribox_impl_at(grid->origin[k], grid->size[k], 2 * i);
+        const tribox_impl_coord point = tribox_impl_at(x, 0.0, 0);
+        return tribox_impl_compare(&plane, &point);
+    }
 }
 
-/* The least plane i in [lo, hi] with plane(i) > x (strict) or >= x; hi if none in [lo, hi - 1]. */
+/* The integer at or below x, moved into [lo, hi]. Only ever a guess: any x, from any division, will do. */
+TRIBOX_IMPL_FN int64_t tribox_impl_guess(double x, int64_t lo, int64_t hi)
+{
+    int64_t i = lo;
+    if (x >= (double)hi) {
+        return hi;
+    }
+    if (x > (double)lo) {
+        i = (int64_t)x;
+        i -= (double)i > x;
+    }
+    return i < lo ? lo : i > hi ? hi : i;
+}
+
+/* The least plane i in [lo, hi] with plane(i) > x (strict) or >= x; hi if none below hi. */
 TRIBOX_IMPL_FN int64_t tribox_impl_plane_search(const tribox_grid *grid, int k, int64_t lo, int64_t hi, double x,
                                                 int strict)
 {
-    while (lo < hi) {
-        const int64_t mid = lo + (hi - lo) / 2;
-        const int order = tribox_impl_plane_compare(grid, k, mid, x);
-        if (order > 0 || (order == 0 && !strict)) {
-            hi = mid;
+    int64_t i = tribox_impl_guess((x - grid->origin[k]) / grid->size[k] + 1.0, lo, hi);
+    int steps;
+    for (steps = 0; steps < 3; steps++) {
+        if (i < hi && tribox_impl_plane_compare(grid, k, i, x) < strict) {
+            lo = ++i;
+        } else if (i > lo && tribox_impl_plane_compare(grid, k, i - 1, x) >= strict) {
+            hi = --i;
         } else {
+            return i;
+        }
+    }
+    while (lo < hi) {       /* a far guess: numbers of very different size */
+        const int64_t mid = lo + (hi - lo) / 2;
+        if (tribox_impl_plane_compare(grid, k, mid, x) < strict) {
             lo = mid + 1;
+        } else {
+            hi = mid;
         }
     }
     return lo;
@@ -2021,58 +2069,381 @@ TRIBOX_IMPL_FN size_t tribox_impl_saturating_add(size_t a, size_t b)
     return a + b < a ? (size_t)-1 : a + b;
 }
 
-TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
-                                       const double v2[3], tribox_span_fn emit, void *user)
+/* One condition on voxels, A.index + D >= 0, or > 0 if strict; index counts from the walk's base. Edge conditions
+ * have no term in their plane's axis. Beyond +-bound the value's sign is certain. */
+typedef struct tribox_impl_limit {
+    double a[3];
+    double d;
+    double bound;
+    double inverse;         /* about 1 / a[axis] */
+    int    axis;            /* the index it limits */
+    int    sign;            /* of a[axis], exact */
+    int    id;              /* 3*plane + edge; 9, 10: the two sides of the triangle's plane */
+} tribox_impl_limit;
+
+/* A triangle over a region of a grid, cut to the triangle's index box. */
+typedef struct tribox_impl_walk {
+    const tribox_grid *grid;
+    const double      *corner[3];
+    unsigned           flags;
+    int64_t            base[3];     /* the box's first voxel */
+    int64_t            count[3];    /* voxels per axis */
+    int                n_sign[3];
+    int                on_lattice;  /* all values are exact, and shifted off zero: see tribox_impl_walk_add */
+    double             size[3];
+    double             v[3][3];     /* corners from the base's minimum corner */
+    double             slack[3];    /* bound of error in a difference of coordinates */
+    double             quantum;     /* on the lattice: its unit */
+    int                limits;
+    tribox_impl_limit  limit[11];
+} tribox_impl_walk;
+
+/* The exact sign behind a limit. */
+TRIBOX_IMPL_COLD int tribox_impl_walk_exact(const tribox_impl_walk *w, int id, const int64_t index[3])
 {
-    const unsigned flags = (grid->flags & TRIBOX_THIN) != 0 ? (unsigned)TRIBOX_THIN : grid->flags;
+    const tribox_grid *grid = w->grid;
+    const unsigned open_lo = (w->flags & TRIBOX_OPEN) != 0 ? 7u : 0u;
+    const unsigned open_hi = (w->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0 ? 7u : 0u;
     tribox_impl_exact f;
-    int64_t first[3];
-    int64_t end[3];
-    int64_t index[3];
-    size_t count = 0;
     int k;
-    if (!tribox_impl_grid_valid(grid) || !tribox_impl_corners_finite(v0, v1, v2)) {
+    tribox_impl_exact_corners(&f, w->corner[0], w->corner[1], w->corner[2]);
+    for (k = 0; k < 3; k++) {
+        const int64_t half = 2 * (w->base[k] + index[k]);
+        f.x[TRIBOX_IMPL_LO][k] = tribox_impl_at(grid->origin[k], grid->size[k], half);
+        f.x[TRIBOX_IMPL_MID][k] = tribox_impl_at(grid->origin[k], grid->size[k], half + 1);
+        f.x[TRIBOX_IMPL_HI][k] = tribox_impl_at(grid->origin[k], grid->size[k], half + 2);
+    }
+    tribox_impl_exact_finish(&f);
+    if ((w->flags & TRIBOX_THIN) != 0) {
+        return id < 9 ? tribox_impl_exact_thin_edge(&f, id / 3, id % 3, w->n_sign[id / 3])
+                      : tribox_impl_exact_thin_plane(&f, w->n_sign, id == 9 ? 1 : -1);
+    }
+    return id < 9 ? tribox_impl_exact_edge(&f, id / 3, id % 3, w->n_sign[id / 3], open_lo, open_hi)
+                  : tribox_impl_exact_plane(&f, w->n_sign, id == 9 ? 1 : -1, open_lo, open_hi);
+}
+
+/* Does the limit hold at this voxel? */
+TRIBOX_IMPL_FN int tribox_impl_limit_holds(const tribox_impl_walk *w, const tribox_impl_limit *c,
+                                           const int64_t index[3])
+{
+    const double value = c->a[0] * (double)index[0] + c->a[1] * (double)index[1] + c->a[2] * (double)index[2] + c->d;
+    if (value > c->bound) {
+        return 1;
+    }
+    if (value < -c->bound) {
         return 0;
     }
+    return tribox_impl_walk_exact(w, c->id, index);
+}
+
+/* Narrows [*lo, *hi] to the indices along c->axis that the limit allows, the other two being index[]. The quotient is a
+ * guess; what counts is that the value is certain on both sides of it. */
+TRIBOX_IMPL_FN void tribox_impl_limit_narrow(const tribox_impl_walk *w, const tribox_impl_limit *c, int64_t index[3],
+                                             int64_t *lo, int64_t *hi)
+{
+    const double a = c->a[c->axis];
+    int64_t least = *lo;
+    int64_t end = *hi + 1;
+    double rest;
+    double value;
+    int64_t i;
+    index[c->axis] = 0;
+    if (c->sign == 0) {
+        if (!tribox_impl_limit_holds(w, c, index)) {
+            *hi = *lo - 1;
+        }
+        return;
+    }
+    rest = c->a[0] * (double)index[0] + c->a[1] * (double)index[1] + c->a[2] * (double)index[2] + c->d;
+    i = tribox_impl_guess(1.0 - rest * c->inverse, least, end);
+    /* i should be the first index at which the limit's truth is (sign > 0), the last but one being the other */
+    value = rest + a * (double)i;
+    if (c->sign > 0) {
+        if ((i == end || value > c->bound) && (i == least || value - a < -c->bound)) {
+            *lo = i;
+            return;
+        }
+    } else if ((i == end || value < -c->bound) && (i == least || value - a > c->bound)) {
+        *hi = i - 1;
+        return;
+    }
+    while (least < end) {
+        index[c->axis] = least + (end - least) / 2;
+        if (tribox_impl_limit_holds(w, c, index) == (c->sign > 0)) {
+            end = index[c->axis];
+        } else {
+            least = index[c->axis] + 1;
+        }
+    }
+    if (c->sign > 0) {
+        *lo = least;
+    } else {
+        *hi = least - 1;
+    }
+}
+
+/* Completes a limit whose a holds n in units per length and d the value at the base's minimum corner: adds the
+ * voxel's support, goes over to indices, and bounds the error (m: magnitudes that a was made of).
+ *
+ * Bound. a is within 4 u m_k; a coordinate difference is within slack_k and a few u of reach_k, the largest
+ * magnitude it can have here; three products and five sums: sum m_k (slack_k + 16 u reach_k). On the lattice all this is
+ * exact; half a quantum up (or down, where zero does not satisfy the limit) and no value is zero. */
+TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, int sign, const double n[3],
+                                         const double m[3], double d)
+{
+    const int degree = id < 9 ? 2 : 3;
+    tribox_impl_limit *c = &w->limit[w->limits++];
+    double sum = 0.0;
+    double largest = 0.0;
+    int strict = 0;
+    int in_range = 1;
+    int k;
+    c->bound = 0.0;
     for (k = 0; k < 3; k++) {
-        const double t_min = tribox_impl_min(tribox_impl_min(v0[k], v1[k]), v2[k]);
-        const double t_max = tribox_impl_max(tribox_impl_max(v0[k], v1[k]), v2[k]);
-        const int lo_open = (flags & TRIBOX_OPEN) != 0;
-        const int hi_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
-        first[k] = tribox_impl_plane_search(grid, k, (int64_t)grid->lo[k] + 1, (int64_t)grid->hi[k] + 1, t_min,
-                                            hi_open) - 1;
-        end[k] = tribox_impl_plane_search(grid, k, first[k], grid->hi[k], t_max, !lo_open);
-        if (first[k] >= end[k]) {
+        const double v0 = tribox_impl_abs(w->v[0][k]);
+        const double v1 = tribox_impl_abs(w->v[1][k]);
+        const double v2 = tribox_impl_abs(w->v[2][k]);
+        const double reach = v0 + v1 + v2 + (double)(w->count[k] + 1) * w->size[k];
+        const double along = n[k] * w->size[k];
+        c->a[k] = along;
+        d += along * 0.5;
+        sum += tribox_impl_abs(along) * 0.5;
+        largest = tribox_impl_abs(along) * 0.5 > largest ? tribox_impl_abs(along) * 0.5 : largest;
+        in_range &= reach >= 4.909093465297727e-91 && reach <= 2.037035976334486e+90;       /* 2^-300, 2^300 */
+        c->bound += m[k] * (w->slack[k] + 16.0 * TRIBOX_IMPL_U64 * reach);
+        strict |= (w->flags & TRIBOX_OPEN) != 0 || ((w->flags & TRIBOX_HALF_OPEN) != 0 && along > 0.0);
+    }
+    c->d = d + ((w->flags & TRIBOX_THIN) != 0 ? largest : sum);
+    c->id = id;
+    c->axis = axis;
+    c->sign = sign;
+    c->inverse = 0.0;
+    if (!(in_range && c->bound >= 2.409919865102884e-181 && c->bound <= 8.452712498170644e+270)) {  /* 2^-600, 2^900 */
+        c->a[0] = c->a[1] = c->a[2] = c->d = 0.0;       /* exact signs alone */
+        c->bound = 1.0;
+        return;
+    }
+    if (tribox_impl_abs(c->a[axis]) * 1048576.0 > c->bound) {
+        c->inverse = 1.0 / c->a[axis];
+    }
+    if (w->on_lattice) {
+        const double half = 0.5 * w->quantum * w->quantum * (degree == 3 ? w->quantum : 1.0);
+        c->d += strict ? -half : half;
+        c->bound = 0.0;
+    }
+}
+
+/* Puts corners and voxels into one frame; finds out whether that frame is exact. */
+TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
+{
+    const tribox_grid *grid = w->grid;
+    double longest = 0.0;
+    double scale;
+    int i;
+    int k;
+    for (k = 0; k < 3; k++) {
+        const double base = (double)w->base[k] * grid->size[k];
+        double far = 0.0;
+        w->size[k] = grid->size[k];
+        for (i = 0; i < 3; i++) {
+            const double x = w->corner[i][k];
+            w->v[i][k] = (x - grid->origin[k]) - base;
+            far = tribox_impl_abs(x) > far ? tribox_impl_abs(x) : far;
+        }
+        w->slack[k] = (far + tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) * (4.0 * TRIBOX_IMPL_U64);
+    }
+    TRIBOX_IMPL_KEEP(w->v);
+    for (k = 0; k < 3; k++) {
+        double reach = (double)(w->count[k] + 1) * w->size[k];
+        for (i = 0; i < 3; i++) {
+            reach = tribox_impl_abs(w->v[i][k]) > reach ? tribox_impl_abs(w->v[i][k]) : reach;
+        }
+        longest = reach > longest ? reach : longest;
+    }
+    w->on_lattice = 0;
+    if (!(longest > 1e-80 && longest < 1e80)) {
+        return;
+    }
+    /* half units, for the centres of thin voxels: differences are below 2^15, degree-3 values below 2^51 of them */
+    scale = tribox_impl_lattice_scale(longest);
+    w->quantum = 1.0 / scale;
+    w->on_lattice = 1;
+    for (k = 0; k < 3 && w->on_lattice; k++) {
+        w->on_lattice = tribox_impl_on_lattice(grid->origin[k], scale) &&
+                        tribox_impl_on_lattice(grid->size[k], scale * 0.5) &&
+                        tribox_impl_on_lattice((double)w->base[k] * grid->size[k], scale);
+        for (i = 0; i < 3; i++) {
+            w->on_lattice &= tribox_impl_on_lattice(w->corner[i][k], scale);
+        }
+    }
+}
+
+/* All limits but those that the index box implies: edges parallel to an axis, planes along two axes. In the order
+ * in which the walk asks them: per row y, per layer z (first x, then y), per row and layer. */
+TRIBOX_IMPL_FN void tribox_impl_walk_limits(tribox_impl_walk *w, const tribox_impl_edges *t, int first[5])
+{
+    int group;
+    int i;
+    int k;
+    w->limits = 0;
+    for (group = 0; group < 3; group++) {
+        const int a = 2 - group;            /* planes xy, zx, yz */
+        const int b = (a + 1) % 3;
+        const int c = (a + 2) % 3;
+        const double inward = t->n_sign[a] >= 0 ? 1.0 : -1.0;
+        const int axis = a == 0 ? 1 : 0;    /* xy and zx limit x, yz limits y */
+        first[group] = w->limits;
+        for (i = 0; i < 3; i++) {
+            double n[3];
+            double m[3];
+            if (t->e_sign[i][b] == 0 || t->e_sign[i][c] == 0) {
+                continue;
+            }
+            n[a] = 0.0;
+            n[b] = -inward * t->e[i][c];
+            n[c] = inward * t->e[i][b];
+            for (k = 0; k < 3; k++) {
+                m[k] = tribox_impl_abs(n[k]);
+            }
+            tribox_impl_walk_add(w, 3 * a + i, axis, (t->n_sign[a] >= 0 ? 1 : -1) *
+                                 (axis == b ? -t->e_sign[i][c] : t->e_sign[i][b]), n, m,
+                                 -(n[b] * w->v[i][b] + n[c] * w->v[i][c]));
+        }
+    }
+    first[3] = w->limits;
+    if ((t->n_sign[0] != 0) + (t->n_sign[1] != 0) + (t->n_sign[2] != 0) >= 2) {
+        int side;
+        for (side = 1; side >= -1; side -= 2) {
+            double n[3];
+            double m[3];
+            double d = 0.0;
+            for (k = 0; k < 3; k++) {
+                const int b = (k + 1) % 3;
+                const int c = (k + 2) % 3;
+                const double p = t->e[0][b] * t->e[1][c];
+                const double q = t->e[0][c] * t->e[1][b];
+                n[k] = side * (p - q);
+                m[k] = tribox_impl_abs(p) + tribox_impl_abs(q);
+                d -= n[k] * w->v[0][k];
+            }
+            tribox_impl_walk_add(w, side > 0 ? 9 : 10, 0, side * t->n_sign[0], n, m, d);
+        }
+    }
+    first[4] = w->limits;
+}
+
+#define TRIBOX_IMPL_ROWS_AT_ONCE 64
+
+/* Cuts the region to the voxels whose faces hold. Returns 0 if none is left. */
+TRIBOX_IMPL_FN int tribox_impl_walk_box(tribox_impl_walk *w)
+{
+    const int lo_is_open = (w->flags & TRIBOX_OPEN) != 0;
+    const int hi_is_open = (w->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        const double x0 = w->corner[0][k];
+        const double x1 = w->corner[1][k];
+        const double x2 = w->corner[2][k];
+        const int64_t lo = w->grid->lo[k];
+        const int64_t hi = w->grid->hi[k];
+        w->base[k] = tribox_impl_plane_search(w->grid, k, lo + 1, hi + 1, tribox_impl_min(tribox_impl_min(x0, x1), x2),
+                                              hi_is_open) - 1;
+        w->count[k] = tribox_impl_plane_search(w->grid, k, lo, hi, tribox_impl_max(tribox_impl_max(x0, x1), x2),
+                                               !lo_is_open) - w->base[k];
+        if (w->count[k] <= 0) {
             return 0;
         }
     }
-    for (index[2] = first[2]; index[2] < end[2]; index[2]++) {
-        for (index[1] = first[1]; index[1] < end[1]; index[1]++) {
-            int64_t run = 0;
-            for (index[0] = first[0]; index[0] <= end[0]; index[0]++) {
-                int hit = 0;
-                if (index[0] < end[0]) {
-                    tribox_impl_exact_corners(&f, v0, v1, v2);
-                    for (k = 0; k < 3; k++) {
-                        f.x[TRIBOX_IMPL_LO][k] = tribox_impl_at(grid->origin[k], grid->size[k], 2 * index[k]);
-                        f.x[TRIBOX_IMPL_MID][k] = tribox_impl_at(grid->origin[k], grid->size[k], 2 * index[k] + 1);
-                        f.x[TRIBOX_IMPL_HI][k] = tribox_impl_at(grid->origin[k], grid->size[k], 2 * index[k] + 2);
+    return 1;
+}
+
+/* The row walk: for a fixed row (y, z) every limit is a bound on x, so the voxels of a row are one span. The xy edges
+ * bound x per y, the zx edges x per z, the yz edges y per z; only the plane's two sides depend on both. */
+TRIBOX_IMPL_FN size_t tribox_impl_walk_rows(const tribox_grid *grid, const double v0[3], const double v1[3],
+                                            const double v2[3], tribox_span_fn emit, void *user)
+{
+    int64_t tile_lo[TRIBOX_IMPL_ROWS_AT_ONCE];
+    int64_t tile_hi[TRIBOX_IMPL_ROWS_AT_ONCE];
+    int64_t tile = -1;          /* the tile of rows that the xy bounds are of */
+    tribox_impl_walk w;
+    tribox_impl_edges t;
+    int first[5];
+    int64_t index[3];
+    int64_t y;
+    int64_t z;
+    size_t count = 0;
+    int i;
+    w.grid = grid;
+    w.flags = (grid->flags & TRIBOX_THIN) != 0 ? (unsigned)TRIBOX_THIN : grid->flags;
+    w.corner[0] = v0;
+    w.corner[1] = v1;
+    w.corner[2] = v2;
+    if (!tribox_impl_corners_finite(v0, v1, v2) || !tribox_impl_walk_box(&w)) {
+        return 0;
+    }
+    tribox_impl_edges_init(&t, v0, v1, v2);
+    for (i = 0; i < 3; i++) {
+        w.n_sign[i] = t.n_sign[i];
+    }
+    tribox_impl_walk_frame(&w);
+    tribox_impl_walk_limits(&w, &t, first);
+    for (z = 0; z < w.count[2]; z++) {
+        int64_t y_lo = 0;
+        int64_t y_hi = w.count[1] - 1;
+        int64_t z_lo = 0;
+        int64_t z_hi = w.count[0] - 1;
+        index[0] = 0;
+        index[1] = 0;
+        index[2] = z;
+        for (i = first[1]; i < first[2]; i++) {
+            tribox_impl_limit_narrow(&w, &w.limit[i], index, &z_lo, &z_hi);
+        }
+        for (i = first[2]; i < first[3]; i++) {
+            tribox_impl_limit_narrow(&w, &w.limit[i], index, &y_lo, &y_hi);
+        }
+        if (z_lo > z_hi) {
+            continue;
+        }
+        for (y = y_lo; y <= y_hi; y++) {
+            const int row = (int)(y % TRIBOX_IMPL_ROWS_AT_ONCE);
+            int64_t x_lo;
+            int64_t x_hi;
+            if (y / TRIBOX_IMPL_ROWS_AT_ONCE != tile) {
+                int64_t tile_y = y - row;
+                int r;
+                tile = y / TRIBOX_IMPL_ROWS_AT_ONCE;
+                for (r = 0; r < TRIBOX_IMPL_ROWS_AT_ONCE && tile_y < w.count[1]; r++, tile_y++) {
+                    tile_lo[r] = 0;
+                    tile_hi[r] = w.count[0] - 1;
+                    index[0] = 0;
+                    index[1] = tile_y;
+                    for (i = first[0]; i < first[1]; i++) {
+                        tribox_impl_limit_narrow(&w, &w.limit[i], index, &tile_lo[r], &tile_hi[r]);
                     }
-                    hit = tribox_impl_exact_overlap(&f, flags);
                 }
-                if (hit) {
-                    run++;
-                } else if (run > 0) {
-                    count = tribox_impl_saturating_add(count, (size_t)run);
-                    if (emit != NULL) {
-                        emit(user, (int)(index[0] - run), (int)(index[0] - 1), (int)index[1], (int)index[2]);
-                    }
-                    run = 0;
+            }
+            x_lo = tile_lo[row] > z_lo ? tile_lo[row] : z_lo;
+            x_hi = tile_hi[row] < z_hi ? tile_hi[row] : z_hi;
+            index[1] = y;
+            for (i = first[3]; i < first[4] && x_lo <= x_hi; i++) {
+                tribox_impl_limit_narrow(&w, &w.limit[i], index, &x_lo, &x_hi);
+            }
+            if (x_lo <= x_hi) {
+                count = tribox_impl_saturating_add(count, (size_t)(x_hi - x_lo + 1));
+                if (emit != NULL) {
+                    emit(user, (int)(w.base[0] + x_lo), (int)(w.base[0] + x_hi), (int)(w.base[1] + y),
+                         (int)(w.base[2] + z));
                 }
             }
         }
     }
     return count;
+}
+
+TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
+                                       const double v2[3], tribox_span_fn emit, void *user)
+{
+    return tribox_impl_grid_valid(grid) ? tribox_impl_walk_rows(grid, v0, v1, v2, emit, user) : 0;
 }
 
 TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], const float v1[3],
@@ -2174,7 +2545,7 @@ TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh
         for (k = 0; k < 3; k++) {
             tribox_impl_mesh_corner(mesh, t, k, v[k]);
         }
-        tribox_grid_spans_f64(grid, v[0], v[1], v[2], tribox_impl_set_span, &target);
+        tribox_impl_walk_rows(grid, v[0], v[1], v[2], tribox_impl_set_span, &target);
     }
 }
 
@@ -2266,6 +2637,7 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
     double t_max[3];
     double longest = 0.0;
     double size;
+    double bump = 0.0;      /* doubles, for a mesh that is small beside its coordinates */
     int fits = 0;
     int k;
     grid->flags = 0;
@@ -2288,7 +2660,8 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
     while (!fits) {
         double q;
         q = tribox_impl_floor_pow2(size) * (1.0 / 8388608.0);       /* 2^-23: 24 bits of size */
-        size = tribox_impl_floor_to(size, q) + q;
+        size = tribox_impl_floor_to(size + bump, q) + q;
+        bump = 2.0 * bump + q;
         q = tribox_impl_floor_pow2(size) * (1.0 / 4096.0);
         fits = 1;
         for (k = 0; k < 3; k++) {
