@@ -36,7 +36,7 @@ static void one_setup_answers_at_many_places(void)
             unsigned truth;
             for (a = 0; a < 3; a++) {
                 int step = (a == 0 ? j % 3 : a == 1 ? j / 3 % 3 : j / 9) - 1;
-                q.lo[a] = (double)(start[a] + (float)step * q.fsize[a]);
+                q.lo[a] = rounded_to_float((double)start[a] + step * (double)q.fsize[a]);
             }
             question_from_voxel(&q);
             truth = oracle_voxel(&q.t, q.lo, q.size, zero);
@@ -84,16 +84,16 @@ static void upper_face_is_the_real_sum(void)
     CHECK(above > 0 && below > 0);
 }
 
-/* The same in double, where no wider type holds the sum: 0.1 + 0.2 rounds up, so its rounded sum lies outside. */
+/* The same in double, where no wider type holds the sum: 0.1 + 0.2 rounds up, to the number below, which lies outside. */
 static void upper_face_is_the_real_sum_in_double(void)
 {
-    volatile double sum = 0.1 + 0.2;
-    const double    size[3] = {0.2, 1, 1};
-    const double    p[3] = {0.1, 0, 0};
-    const double    v1[3] = {2, 0.5, 0.5};
-    const double    v2[3] = {2, 0.25, 0.5};
-    double          v0[3] = {0, 0.5, 0.5};
-    tribox_tri      tri;
+    const double sum = 0x1.3333333333334p-2;
+    const double size[3] = {0.2, 1, 1};
+    const double p[3] = {0.1, 0, 0};
+    const double v1[3] = {2, 0.5, 0.5};
+    const double v2[3] = {2, 0.25, 0.5};
+    double       v0[3] = {0, 0.5, 0.5};
+    tribox_tri   tri;
 
     v0[0] = sum;
     tribox_tri_init_f64(&tri, v0, v1, v2, size, 0);

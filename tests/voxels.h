@@ -14,6 +14,7 @@ typedef struct voxels {
     int         is_float;
     uint64_t    seed;
     int         n[3];
+    int         valid;                      /* 0: some size is not positive (-Ofast may flush it to zero) */
     int         count;                      /* n[0]*n[1]*n[2] <= VOXELS_MAX */
     unsigned char truth[VOXELS_MAX];        /* answer sets */
 } voxels;
@@ -41,12 +42,14 @@ TEST_FN void voxels_finish(voxels *v)
     int   i;
     int   a;
 
+    v->valid = 1;
     v->is_float = to_floats(all, &v->t.v[0][0], 9);
     for (i = 0; i < 9; i++) {
         v->ft[i / 3][i % 3] = all[i];
     }
     for (a = 0; a < 3; a++) {
-        v->n[a] = (int)((unsigned)v->grid.hi[a] - (unsigned)v->grid.lo[a]);
+        v->n[a] = v->grid.hi[a] - v->grid.lo[a];
+        v->valid = v->valid && oracle_read(v->grid.size[a]).sign > 0;
     }
     v->count = v->n[0] * v->n[1] * v->n[2];
     for (i = 0; i < v->count; i++) {
@@ -54,7 +57,7 @@ TEST_FN void voxels_finish(voxels *v)
         index[0] = v->grid.lo[0] + i % v->n[0];
         index[1] = v->grid.lo[1] + i / v->n[0] % v->n[1];
         index[2] = v->grid.lo[2] + i / v->n[0] / v->n[1];
-        v->truth[i] = (unsigned char)oracle_voxel(&v->t, v->grid.origin, v->grid.size, index);
+        v->truth[i] = v->valid ? (unsigned char)oracle_voxel(&v->t, v->grid.origin, v->grid.size, index) : 0;
     }
 }
 
@@ -163,7 +166,7 @@ TEST_FN int voxels_ask_fill(voxels *v, unsigned flags)
         int z = v->grid.lo[2] + i / v->n[0] / v->n[1];
         ok &= tribox_grid_get(&v->grid, bits, x, y, z) == oracle_says(v->truth[i], flags);
     }
-    ok &= words == (size_t)((v->n[0] + 63) / 64 * v->n[1] * v->n[2]);
+    ok &= words == (v->valid ? (size_t)((v->n[0] + 63) / 64 * v->n[1] * v->n[2]) : 0);
     for (i = (int)words; i < VOXELS_MAX; i++) {
         ok &= bits[i] == 0;
     }
@@ -232,7 +235,7 @@ TEST_FN void make_lattice_corner(const tribox_grid *g, double p[3], int halves)
     int a;
 
     for (a = 0; a < 3; a++) {
-        double i = g->lo[a] - 2 + random_below(g->hi[a] - g->lo[a] + 5);
+        double i = (double)g->lo[a] - 2 + random_below(g->hi[a] - g->lo[a] + 5);
         p[a] = grid_plane(g, a, i + (halves && random_below(2) ? 0.5 : 0));
     }
 }
