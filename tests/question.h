@@ -86,6 +86,12 @@ TEST_FN double nudge_double(double x, int steps)
     return x;
 }
 
+/* The rules, one flag value each. */
+static const unsigned every_rule[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
+
+/* The type of all numbers of a question. */
+enum { DOUBLES, FLOATS };
+
 /* ---- the question ------------------------------------------------------------------------------------------------ */
 
 typedef struct question {
@@ -312,13 +318,12 @@ TEST_FN int ask_grid(const question *q, unsigned flags, int truth)
 /* All entries, under every rule. One-box entries read TRIBOX_THIN as closed. */
 TEST_FN int ask_all(const question *q)
 {
-    static const unsigned rules[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
     unsigned              truth = question_truth(q);
     int                   ok = 1;
     int                   i;
 
     for (i = 0; i < 4; i++) {
-        unsigned flags = rules[i];
+        unsigned flags = every_rule[i];
         ok &= ask_box(q, flags, oracle_says(truth, flags == TRIBOX_THIN ? 0 : flags));
         ok &= ask_tri(q, flags, oracle_says(truth, flags));
         ok &= ask_grid(q, flags, oracle_says(truth, flags));

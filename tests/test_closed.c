@@ -258,7 +258,6 @@ static void box_on_grid_planes_sets_the_documented_layers(void)
     static const float    p[24] = {2, 2, 2, 6, 2, 2, 2, 6, 2, 6, 6, 2, 2, 2, 6, 6, 2, 6, 2, 6, 6, 6, 6, 6};
     static const uint32_t t[36] = {0, 1, 2, 1, 3, 2, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                                    2, 3, 6, 3, 7, 6, 0, 2, 4, 2, 6, 4, 1, 3, 5, 3, 7, 5};
-    static const unsigned rules[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
     static const int      lower[4] = {1, 0, 0, 1};
     static const int      upper[4] = {1, 1, 0, 1};
     tribox_grid           grid = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {8, 8, 8}, 0};
@@ -273,7 +272,7 @@ static void box_on_grid_planes_sets_the_documented_layers(void)
     mesh.indices = t;
     mesh.triangles = 12;
     for (k = 0; k < 4; k++) {
-        grid.flags = rules[k];
+        grid.flags = every_rule[k];
         memset(bits, 0, sizeof bits);
         tribox_grid_fill(&grid, &mesh, bits);
         CHECK(tribox_grid_get(&grid, bits, 3, 3, 1) == lower[k]);

@@ -4,8 +4,6 @@
 
 #include "question.h"
 
-enum { DOUBLES, FLOATS };
-
 static void every_entry_agrees_with_the_oracle(int kind, int as_float, int count)
 {
     question q;

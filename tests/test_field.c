@@ -131,7 +131,6 @@ static void wall_on_a_grid_plane(void)
     static const float    v0[3] = {.25f, .25f, 1};
     static const float    v1[3] = {.75f, .25f, 1};
     static const float    v2[3] = {.25f, .75f, 1};
-    static const unsigned rules[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
     static const int      lower[4] = {1, 0, 0, 1};
     static const int      upper[4] = {1, 1, 0, 1};
     static const float    one[3] = {1, 1, 1};
@@ -144,7 +143,7 @@ static void wall_on_a_grid_plane(void)
         static const float w1[3] = {4, -2, 1};
         static const float w2[3] = {-2, 4, 1};
         tribox_tri         tri;
-        tribox_tri_init(&tri, w0, w1, w2, one, rules[i]);
+        tribox_tri_init(&tri, w0, w1, w2, one, every_rule[i]);
         CHECK(tribox_tri_test(&tri, p_lower) == lower[i]);
         CHECK(tribox_tri_test(&tri, p_upper) == upper[i]);
     }

@@ -6,8 +6,6 @@
 
 #include "voxels.h"
 
-static const unsigned rules[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
-
 enum { FILL_TRIANGLES = 70, FILL_WORDS = 3 * 9 * 9, GUARD = 4 };
 
 /* A mesh of triangles of all sizes about a region up to 3 words wide, and the bits it should set, by spans. */
@@ -48,7 +46,7 @@ static void fill_make(fill_case *c)
         c->grid.lo[a] = random_below(9) - 5;
         c->grid.hi[a] = c->grid.lo[a] + c->n[a];
     }
-    c->grid.flags = rules[random_below(4)];
+    c->grid.flags = every_rule[random_below(4)];
     c->triangles = random_below(3) ? random_below(FILL_TRIANGLES + 1) : 1 + random_below(9);
     for (i = 0; i < 9 * c->triangles; i++) {
         double centre = grid_plane(&c->grid, i % 3, c->grid.lo[i % 3] + c->n[i % 3] * 0.5);

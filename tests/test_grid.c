@@ -6,8 +6,6 @@
 
 #include "voxels.h"
 
-enum { DOUBLES, FLOATS };
-
 static void every_voxel_agrees_with_the_oracle(int kind, int as_float, int count)
 {
     static voxels v;
@@ -133,10 +131,9 @@ static void spans_agree_with_the_prepared_test(void)
 
     random_seed(93);
     for (i = 0; i < TEST_LOOPS(500); i++) {
-        static const unsigned rules[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
         walk                  w;
         tribox_tri            tri;
-        unsigned              flags = rules[i % 4];
+        unsigned              flags = every_rule[i % 4];
         int                   ok = 1;
         int                   a;
         int                   k;
@@ -176,7 +173,6 @@ static void cut_regions_emit_their_part_of_the_whole(void)
 
     random_seed(94);
     for (i = 0; i < TEST_LOOPS(600); i++) {
-        static const unsigned rules[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
         tribox_grid           part;
         size_t                whole;
         size_t                sum = 0;
@@ -186,7 +182,7 @@ static void cut_regions_emit_their_part_of_the_whole(void)
         v.seed = random_state;
         make_grid(&v.grid, 1);
         voxels_corners(&v, i % GRID_KINDS, 0);
-        v.grid.flags = rules[random_below(4)];
+        v.grid.flags = every_rule[random_below(4)];
         for (a = 0; a < 3; a++) {
             v.grid.hi[a] += 20;
             cut[a] = v.grid.lo[a] + random_below(v.grid.hi[a] - v.grid.lo[a] + 1);

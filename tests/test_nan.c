@@ -36,8 +36,6 @@ static float odd_float(int i)
     return float_from_bits(bits[i]);
 }
 
-static const unsigned rules[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
-
 /* The same numbers in both types; a number is replaced in both at once. */
 typedef struct odd_case {
     double d[18];       /* three corners, min or p, max, size */
@@ -127,9 +125,9 @@ static void plain_case_overlaps_everywhere(void)
 
     plain_case(&c);
     for (k = 0; k < 4; k++) {
-        CHECK(one_box(&c, rules[k]) == 1);
-        CHECK(prepared(&c, rules[k]) == 1);
-        CHECK(grid_voxel(&c, rules[k]) == 1);
+        CHECK(one_box(&c, every_rule[k]) == 1);
+        CHECK(prepared(&c, every_rule[k]) == 1);
+        CHECK(grid_voxel(&c, every_rule[k]) == 1);
     }
 }
 
@@ -147,19 +145,19 @@ static void triangle_with_an_odd_corner_is_no_set(void)
                 int      a;
                 plain_case(&c);
                 put_odd(&c, CORNERS + i, odd);
-                CHECK(one_box(&c, rules[k]) == 0);
-                CHECK(prepared(&c, rules[k]) == 0);
-                CHECK(grid_voxel(&c, rules[k]) == 0);
+                CHECK(one_box(&c, every_rule[k]) == 0);
+                CHECK(prepared(&c, every_rule[k]) == 0);
+                CHECK(grid_voxel(&c, every_rule[k]) == 0);
                 for (a = 0; a < 3; a++) {
                     put_odd(&c, SIZE + a, 0);
                     put_odd(&c, LOWER + a, 1);
                     put_odd(&c, UPPER + a, 0);
                 }
-                CHECK(one_box(&c, rules[k]) == 0);
+                CHECK(one_box(&c, every_rule[k]) == 0);
                 for (a = 0; a < 3; a++) {
                     put(&c, LOWER + a, -100);
                 }
-                CHECK(prepared(&c, rules[k]) == 0);
+                CHECK(prepared(&c, every_rule[k]) == 0);
             }
         }
     }
@@ -178,16 +176,16 @@ static void inverted_box_is_empty(void)
             plain_case(&c);
             put(&c, LOWER + a, 1);
             put(&c, UPPER + a, 0);
-            CHECK(one_box(&c, rules[k]) == 0);
+            CHECK(one_box(&c, every_rule[k]) == 0);
             for (i = 0; i < 9; i++) {
                 put(&c, CORNERS + i, .5);
             }
-            CHECK(one_box(&c, rules[k]) == 0);
+            CHECK(one_box(&c, every_rule[k]) == 0);
             put(&c, LOWER + a, (double)nudge_float(.5f, 1));
             put(&c, UPPER + a, .5);
-            CHECK(one_box(&c, rules[k]) == 0);
+            CHECK(one_box(&c, every_rule[k]) == 0);
             put(&c, LOWER + a, .5);
-            CHECK(one_box(&c, rules[k]) == (k == 0 || k == 3));
+            CHECK(one_box(&c, every_rule[k]) == (k == 0 || k == 3));
         }
     }
 }
@@ -205,16 +203,16 @@ static void nan_in_the_box_is_empty(void)
                 odd_case c;
                 plain_case(&c);
                 put_odd(&c, LOWER + i, odd);
-                CHECK(one_box(&c, rules[k]) == 0);
-                CHECK(prepared(&c, rules[k]) == 0);
-                CHECK(grid_voxel(&c, rules[k]) == 0);
+                CHECK(one_box(&c, every_rule[k]) == 0);
+                CHECK(prepared(&c, every_rule[k]) == 0);
+                CHECK(grid_voxel(&c, every_rule[k]) == 0);
                 plain_case(&c);
                 put_odd(&c, UPPER + i, odd);
-                CHECK(one_box(&c, rules[k]) == 0);
+                CHECK(one_box(&c, every_rule[k]) == 0);
                 plain_case(&c);
                 put_odd(&c, SIZE + i, odd);
-                CHECK(prepared(&c, rules[k]) == 0);
-                CHECK(grid_voxel(&c, rules[k]) == 0);
+                CHECK(prepared(&c, every_rule[k]) == 0);
+                CHECK(grid_voxel(&c, every_rule[k]) == 0);
             }
         }
     }
@@ -255,8 +253,8 @@ static void infinite_face_is_a_half_space(void)
         q.has_voxel = 0;
         truth = oracle_box(&q.t, q.lo, q.hi);
         for (k = 0; k < 4; k++) {
-            unsigned rule = rules[k] == TRIBOX_THIN ? 0 : rules[k];
-            CHECK(question_judge(&q, "half-space", rules[k], one_box(&c, rules[k]), oracle_says(truth, rule)));
+            unsigned rule = every_rule[k] == TRIBOX_THIN ? 0 : every_rule[k];
+            CHECK(question_judge(&q, "half-space", every_rule[k], one_box(&c, every_rule[k]), oracle_says(truth, rule)));
         }
     }
 }
@@ -274,19 +272,19 @@ static void space_is_full_and_infinity_is_empty(void)
             put_odd(&c, LOWER + a, 1);
             put_odd(&c, UPPER + a, 0);
         }
-        CHECK(one_box(&c, rules[k]) == 1);
+        CHECK(one_box(&c, every_rule[k]) == 1);
         for (a = 0; a < 9; a++) {
             put(&c, CORNERS + a, a & 1 ? 3.4028234663852886e38 : -3.4028234663852886e38);
         }
-        CHECK(one_box(&c, rules[k]) == 1);
+        CHECK(one_box(&c, every_rule[k]) == 1);
         for (a = 0; a < 3; a++) {
             put_odd(&c, LOWER + a, 0);
-            CHECK(one_box(&c, rules[k]) == 0);
+            CHECK(one_box(&c, every_rule[k]) == 0);
             put_odd(&c, LOWER + a, 1);
             put_odd(&c, UPPER + a, 1);
-            CHECK(one_box(&c, rules[k]) == 0);
+            CHECK(one_box(&c, every_rule[k]) == 0);
             put_odd(&c, LOWER + a, 0);
-            CHECK(one_box(&c, rules[k]) == 0);
+            CHECK(one_box(&c, every_rule[k]) == 0);
             put_odd(&c, LOWER + a, 1);
             put_odd(&c, UPPER + a, 0);
         }
@@ -310,11 +308,11 @@ static void flat_box_counts_when_closed(void)
             for (i = 0; i < 9; i++) {
                 put(&c, CORNERS + i, .5);
             }
-            CHECK(one_box(&c, rules[k]) == (k == 0 || k == 3));
-            CHECK(prepared(&c, rules[k]) == (k == 0 || k == 3));
+            CHECK(one_box(&c, every_rule[k]) == (k == 0 || k == 3));
+            CHECK(prepared(&c, every_rule[k]) == (k == 0 || k == 3));
             put(&c, SIZE + a, -0.0);
-            CHECK(prepared(&c, rules[k]) == (k == 0 || k == 3));
-            CHECK(grid_voxel(&c, rules[k]) == 0);
+            CHECK(prepared(&c, every_rule[k]) == (k == 0 || k == 3));
+            CHECK(grid_voxel(&c, every_rule[k]) == 0);
         }
     }
 }
@@ -332,11 +330,11 @@ static void infinite_place_is_empty(void)
                 odd_case c;
                 plain_case(&c);
                 put_odd(&c, LOWER + a, odd);
-                CHECK(prepared(&c, rules[k]) == 0);
-                CHECK(grid_voxel(&c, rules[k]) == 0);
+                CHECK(prepared(&c, every_rule[k]) == 0);
+                CHECK(grid_voxel(&c, every_rule[k]) == 0);
                 put_odd(&c, SIZE + a, 0);
-                CHECK(prepared(&c, rules[k]) == 0);
-                CHECK(grid_voxel(&c, rules[k]) == 0);
+                CHECK(prepared(&c, every_rule[k]) == 0);
+                CHECK(grid_voxel(&c, every_rule[k]) == 0);
             }
         }
     }
@@ -353,16 +351,16 @@ static void negative_size_is_empty(void)
             odd_case c;
             plain_case(&c);
             put(&c, SIZE + a, -1);
-            CHECK(prepared(&c, rules[k]) == 0);
-            CHECK(grid_voxel(&c, rules[k]) == 0);
+            CHECK(prepared(&c, every_rule[k]) == 0);
+            CHECK(grid_voxel(&c, every_rule[k]) == 0);
             put(&c, SIZE + a, (double)float_from_bits(0x80000001u));
-            CHECK(prepared(&c, rules[k]) == 0);
-            CHECK(grid_voxel(&c, rules[k]) == 0);
+            CHECK(prepared(&c, every_rule[k]) == 0);
+            CHECK(grid_voxel(&c, every_rule[k]) == 0);
             put_odd(&c, SIZE + a, 1);
-            CHECK(prepared(&c, rules[k]) == 0);
-            CHECK(grid_voxel(&c, rules[k]) == 0);
+            CHECK(prepared(&c, every_rule[k]) == 0);
+            CHECK(grid_voxel(&c, every_rule[k]) == 0);
             put_odd(&c, SIZE + a, 0);
-            CHECK(grid_voxel(&c, rules[k]) == 0);
+            CHECK(grid_voxel(&c, every_rule[k]) == 0);
         }
     }
 }
@@ -399,7 +397,7 @@ static void infinite_size_is_a_half_space(void)
         q.has_voxel = 1;
         truth = oracle_voxel(&q.t, q.lo, q.size, zero);
         for (k = 0; k < 4; k++) {
-            CHECK(question_judge(&q, "infinite size", rules[k], prepared(&c, rules[k]), oracle_says(truth, rules[k])));
+            CHECK(question_judge(&q, "infinite size", every_rule[k], prepared(&c, every_rule[k]), oracle_says(truth, every_rule[k])));
         }
     }
 }
@@ -413,14 +411,14 @@ static void infinite_size_does_not_mend_an_empty_one(void)
         odd_case c;
         plain_case(&c);
         put_odd(&c, SIZE + 0, 0);
-        CHECK(prepared(&c, rules[k]) == 1);
+        CHECK(prepared(&c, every_rule[k]) == 1);
         put(&c, SIZE + 1, -1);
-        CHECK(prepared(&c, rules[k]) == 0);
+        CHECK(prepared(&c, every_rule[k]) == 0);
         put_odd(&c, SIZE + 1, 2);
-        CHECK(prepared(&c, rules[k]) == 0);
+        CHECK(prepared(&c, every_rule[k]) == 0);
         put(&c, SIZE + 1, 0);
         put(&c, LOWER + 1, .5);
-        CHECK(prepared(&c, rules[k]) == (k == 0 || k == 3));
+        CHECK(prepared(&c, every_rule[k]) == (k == 0 || k == 3));
     }
 }
 
@@ -443,9 +441,9 @@ static void minus_zero_is_zero(void)
             }
         }
         for (k = 0; k < 4; k++) {
-            CHECK(one_box(&c, rules[k]) == one_box(&m, rules[k]));
-            CHECK(prepared(&c, rules[k]) == prepared(&m, rules[k]));
-            CHECK(grid_voxel(&c, rules[k]) == grid_voxel(&m, rules[k]));
+            CHECK(one_box(&c, every_rule[k]) == one_box(&m, every_rule[k]));
+            CHECK(prepared(&c, every_rule[k]) == prepared(&m, every_rule[k]));
+            CHECK(grid_voxel(&c, every_rule[k]) == grid_voxel(&m, every_rule[k]));
         }
     }
 }
@@ -498,7 +496,7 @@ static void odd_grid_emits_nothing(void)
         for (k = 0; k < 4; k++) {
             tribox_grid plain = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {1, 1, 1}, 0};
             tribox_grid grid;
-            plain.flags = rules[k];
+            plain.flags = every_rule[k];
             for (odd = 0; odd < 5; odd++) {
                 grid = plain;
                 grid.origin[a] = odd_double(odd);

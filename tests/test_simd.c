@@ -11,8 +11,6 @@ void SIMD_UNIT(unsigned char *out);
 void simd_scalar_answers(unsigned char *out);
 void simd_best_answers(unsigned char *out);
 
-static const unsigned rules[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
-
 static unsigned char simd_tri_answers(const question *q, unsigned flags)
 {
     tribox_tri    t32;
@@ -73,11 +71,11 @@ void SIMD_UNIT(unsigned char *out)
         question_make(&q, i % QUESTION_KINDS, i / QUESTION_KINDS & 1);
         i++;
         for (k = 0; k < 4 && q.has_box && q.has_voxel; k++) {
-            out[used++] = simd_tri_answers(&q, rules[k]);
+            out[used++] = simd_tri_answers(&q, every_rule[k]);
         }
     }
     for (i = 0; used + 16 * SIMD_ROWS <= SIMD_ANSWERS; i++) {
-        simd_fill_answers(out + used, i % SIMD_MESH + 1, rules[i % 4]);
+        simd_fill_answers(out + used, i % SIMD_MESH + 1, every_rule[i % 4]);
         used += 16 * SIMD_ROWS;
     }
     for (; used < SIMD_ANSWERS; used++) {

@@ -21,7 +21,6 @@ static unsigned all_answers(const question *q, const unsigned *rules, int count)
     return result;
 }
 
-static const unsigned every_rule[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
 static const unsigned even_rules[3] = {0, TRIBOX_OPEN, TRIBOX_THIN};      /* those a mirror keeps */
 
 static void symmetry_question(question *q, int i)

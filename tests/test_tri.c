@@ -12,7 +12,6 @@ static void one_setup_answers_at_many_places(void)
 
     random_seed(11);
     for (i = 0; i < TEST_LOOPS(800); i++) {
-        static const unsigned rules[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
         static const int      zero[3] = {0, 0, 0};
         static const int      kinds[4] = {LATTICE, TENTHS, UNIFORM, STEEP};
         question              q;
@@ -30,7 +29,7 @@ static void one_setup_answers_at_many_places(void)
         question_from_voxel(&q);
         memcpy(start, q.flo, sizeof start);
         for (k = 0; k < 4; k++) {
-            tribox_tri_init(&tri[k], q.ft[0], q.ft[1], q.ft[2], q.fsize, rules[k]);
+            tribox_tri_init(&tri[k], q.ft[0], q.ft[1], q.ft[2], q.fsize, every_rule[k]);
         }
         for (j = 0; j < 27; j++) {
             unsigned truth;
@@ -41,11 +40,11 @@ static void one_setup_answers_at_many_places(void)
             question_from_voxel(&q);
             truth = oracle_voxel(&q.t, q.lo, q.size, zero);
             for (k = 0; k < 4; k++) {
-                int expected = oracle_says(truth, rules[k]);
+                int expected = oracle_says(truth, every_rule[k]);
                 copy = tri[k];
-                CHECK(question_judge(&q, "copy, tribox_tri_test", rules[k], tribox_tri_test(&copy, q.flo),
+                CHECK(question_judge(&q, "copy, tribox_tri_test", every_rule[k], tribox_tri_test(&copy, q.flo),
                                      expected));
-                CHECK(question_judge(&q, "copy, tribox_tri_test_f64", rules[k],
+                CHECK(question_judge(&q, "copy, tribox_tri_test_f64", every_rule[k],
                                      tribox_tri_test_f64(&copy, q.lo), expected));
             }
         }

@@ -1,13 +1,14 @@
-# The tests of `make test`: each program twice, with the scalar code and with the best instruction set of CFLAGS.
+# The tests of `make test`: the suite twice, with the scalar code and with the best instruction set of CFLAGS.
 # A program's last line is "name: N passed, N failed", N counting test functions; the sum of these lines ends the run.
+# One file alone: make build/tests/default/test_grid, then run it.
 # TEST_FLAGS=-DTEST_SCALE=10 asks a tenth of the random questions (emulators, sanitizers).
 
-TEST_TWICE    := overlap tri rule thin sat exact symmetry nan mode field grid fill frame closed issues
 TEST_COMPILES := c99 include_twice two_units hostile_macros
-TEST_HEADERS  := tribox.h $(wildcard tests/*.h)
+TEST_HEADERS  := tribox.h tests/test.h tests/oracle.h tests/question.h tests/voxels.h
+TEST_SOURCES  := $(wildcard tests/test_*.c)
 
-TEST_PROGRAMS := $(B)/tests/test_oracle $(TEST_COMPILES:%=$(B)/tests/compile/%) \
-                 $(TEST_TWICE:%=$(B)/tests/scalar/test_%) $(TEST_TWICE:%=$(B)/tests/default/test_%) $(B)/tests/test_simd
+TEST_PROGRAMS := $(B)/tests/scalar/suite $(B)/tests/default/suite $(B)/tests/test_oracle $(B)/tests/test_simd \
+                 $(TEST_COMPILES:%=$(B)/tests/compile/%)
 TEST_LOGS     := $(TEST_PROGRAMS:%=%.log)
 
 # Two jobs unless make was told how many.
@@ -21,11 +22,11 @@ $(B)/tests/test_oracle: tests/test_oracle.c $(TEST_HEADERS)
 	@mkdir -p $(@D)
 	$(CC_C99) $(TEST_FLAGS) $< -o $@
 
-$(B)/tests/scalar/test_%: tests/test_%.c $(TEST_HEADERS)
+$(B)/tests/scalar/%: tests/%.c $(TEST_HEADERS) $(TEST_SOURCES)
 	@mkdir -p $(@D)
 	$(CC_C99) $(TEST_FLAGS) -DTRIBOX_SIMD=0 $< -o $@ -lm
 
-$(B)/tests/default/test_%: tests/test_%.c $(TEST_HEADERS)
+$(B)/tests/default/%: tests/%.c $(TEST_HEADERS) $(TEST_SOURCES)
 	@mkdir -p $(@D)
 	$(CC_C99) $(TEST_FLAGS) $< -o $@ -lm
 

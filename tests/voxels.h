@@ -178,13 +178,12 @@ TEST_FN int voxels_ask_fill(voxels *v, unsigned flags)
 
 TEST_FN int voxels_ask_all(voxels *v)
 {
-    static const unsigned rules[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_THIN};
     int                   ok = 1;
     int                   i;
 
     for (i = 0; i < 4; i++) {
-        ok &= voxels_ask_spans(v, rules[i]);
-        ok &= voxels_ask_fill(v, rules[i]);
+        ok &= voxels_ask_spans(v, every_rule[i]);
+        ok &= voxels_ask_fill(v, every_rule[i]);
     }
     return ok;
 }
