@@ -1,10 +1,19 @@
-# The checks that need more than cc and make: verification, proofs, other platforms, mutation, fuzzing.
+# The checks that need more than cc and make: verification, golden answers, other platforms, fuzzing, mutation, proofs,
+# coverage, CUDA. A missing tool is named by a SKIP line.
 
-VERIFY_THOUSANDS ?= 1000
+VERIFY_THOUSANDS ?= 4000
 VERIFY_SEED      ?= 1
 VERIFY_JOBS      ?= 2
+FUZZ_SECONDS     ?= 60
+FUZZ_TARGETS     := overlap tri grid mesh
+FUZZ_FLAGS       := -std=c99 -I. -O1 -g -fno-sanitize-recover=all \
+                    -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow
+CHECK_PARTS      := verify golden-check platforms headers sanitize proofs mutate cuda fuzz coverage
 
-.PHONY: verify
+.PHONY: check verify golden golden-check platforms headers sanitize proofs mutate cuda fuzz coverage
+
+check: ## all checks below, one after the other, and their sum
+	@bash tests/check.sh $(CHECK_PARTS)
 
 $(B)/verify: tests/verify.c tests/verify_cases.h tests/verify_exact.h tribox.h
 	@mkdir -p $(B)
@@ -12,3 +21,49 @@ $(B)/verify: tests/verify.c tests/verify_cases.h tests/verify_exact.h tribox.h
 
 verify: $(B)/verify ## every answer against GMP, by two methods, on millions of hard cases
 	$(B)/verify $(VERIFY_THOUSANDS) $(VERIFY_SEED) $(VERIFY_JOBS)
+
+$(B)/gen_golden: tests/gen_golden.c tests/golden_cases.h tests/verify_exact.h
+	@mkdir -p $(B)
+	$(CC_C99) -o $@ tests/gen_golden.c -lgmp
+
+golden: $(B)/gen_golden ## write tests/golden_overlap.h anew, with answers from GMP
+	$(B)/gen_golden > $(B)/golden_overlap.h
+	mv $(B)/golden_overlap.h tests/golden_overlap.h
+
+golden-check: $(B)/gen_golden ## the committed golden answers are those of GMP
+	$(B)/gen_golden | cmp - tests/golden_overlap.h
+
+platforms: ## one hash of all answers: compilers, flags, modes, emulated machines, Windows, WebAssembly
+	@bash tests/check_platforms.sh
+
+headers: ## warnings, includes, macros, symbols, stack, static analysis
+	@bash tests/check_header.sh
+
+sanitize: ## the suite under the address, undefined-behaviour and memory sanitizers
+	@bash tests/check_sanitize.sh
+
+proofs: ## the filter's error constants, proved by Gappa
+	@bash tests/check_proofs.sh
+
+mutate: ## break the header in many ways: the tests must notice each
+	@bash tests/mutate.sh
+
+cuda: ## device code for several architectures; run where there is a GPU
+	@bash tests/check_cuda.sh
+
+fuzz: $(FUZZ_TARGETS:%=$(B)/fuzz_%) ## fuzz each target for FUZZ_SECONDS, against the exact judge
+	@mkdir -p $(FUZZ_TARGETS:%=$(B)/corpus_%)
+	@for target in $(FUZZ_TARGETS); do \
+	    echo "fuzz_$$target, $(FUZZ_SECONDS) s"; \
+	    $(B)/fuzz_$$target -max_total_time=$(FUZZ_SECONDS) -max_len=512 -print_final_stats=1 \
+	        -artifact_prefix=$(B)/crash_$${target}_ $(B)/corpus_$$target > $(B)/fuzz_$$target.log 2>&1 || \
+	        { tail -n 40 $(B)/fuzz_$$target.log; exit 1; }; \
+	    grep number_of_executed_units $(B)/fuzz_$$target.log; \
+	done
+
+$(B)/fuzz_%: tests/fuzz_%.c $(wildcard tests/*.h examples/*.h) tribox.h
+	@mkdir -p $(B)
+	clang $(FUZZ_FLAGS) -o $@ $< -lgmp -lm
+
+coverage: ## lines and branches of the header that make test reaches; fails below every line
+	@bash tests/check_coverage.sh

@@ -5,6 +5,7 @@
 CHECK_DIR=${CHECK_DIR:-build/check}
 CHECK_JOBS=${CHECK_JOBS:-2}
 CHECK_LIMIT=${CHECK_LIMIT:-900} # seconds a job may take
+export CHECK_DIR
 
 mkdir -p "$CHECK_DIR"
 check_results=$(mktemp "$CHECK_DIR/results.XXXXXX")

@@ -38,10 +38,10 @@ typedef struct golden_grid {
 } golden_grid;
 
 /* The answers, as words to be hashed. */
-static uint32_t golden_ask_single(const golden_single *c);
-static uint64_t golden_ask_grid(const golden_grid *g, unsigned flags);
-static uint64_t golden_ask_fill(const golden_grid *g, unsigned flags);
-static uint64_t golden_ask_locate(const golden_grid *g);
+GOLDEN_FN uint32_t golden_ask_single(const golden_single *c);
+GOLDEN_FN uint64_t golden_ask_grid(const golden_grid *g, unsigned flags);
+GOLDEN_FN uint64_t golden_ask_fill(const golden_grid *g, unsigned flags);
+GOLDEN_FN uint64_t golden_ask_locate(const golden_grid *g);
 
 /* ---- hash: FNV-1a, 64 bits -------------------------------------------------------------------- */
 

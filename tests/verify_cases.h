@@ -33,7 +33,7 @@ typedef struct dice {
 
 /* ---- numbers ---------------------------------------------------------------------------------- */
 
-static uint64_t dice_bits(dice *d)
+static inline uint64_t dice_bits(dice *d)
 {
     uint64_t z = d->state += UINT64_C(0x9e3779b97f4a7c15);
     z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
@@ -41,34 +41,34 @@ static uint64_t dice_bits(dice *d)
     return z ^ (z >> 31);
 }
 
-static int dice_below(dice *d, int n)
+static inline int dice_below(dice *d, int n)
 {
     return (int)(dice_bits(d) % (uint64_t)n);
 }
 
-static int dice_between(dice *d, int lo, int hi)
+static inline int dice_between(dice *d, int lo, int hi)
 {
     return lo + dice_below(d, hi - lo + 1);
 }
 
-static int dice_once_in(dice *d, int n)
+static inline int dice_once_in(dice *d, int n)
 {
     return dice_below(d, n) == 0;
 }
 
 /* in [0, 1) */
-static double dice_unit(dice *d)
+static inline double dice_unit(dice *d)
 {
     return (double)(dice_bits(d) >> 11) / 9007199254740992.0;
 }
 
 /* in [-1, 1) */
-static double dice_signed(dice *d)
+static inline double dice_signed(dice *d)
 {
     return 2.0 * dice_unit(d) - 1.0;
 }
 
-static double bits_double(uint64_t u)
+static inline double bits_double(uint64_t u)
 {
     double d;
     memcpy(&d, &u, sizeof d);
@@ -76,7 +76,7 @@ static double bits_double(uint64_t u)
 }
 
 /* 2^e for any e, saturating at 0 and infinity */
-static double power_of_two(int e)
+static inline double power_of_two(int e)
 {
     if (e > 1023) {
         return bits_double(UINT64_C(0x7ff) << 52);
@@ -88,7 +88,7 @@ static double power_of_two(int e)
 }
 
 /* order-preserving integers of the numbers of one format */
-static int64_t number_key(double d, int f64)
+static inline int64_t number_key(double d, int f64)
 {
     if (f64) {
         int64_t k;
@@ -102,7 +102,7 @@ static int64_t number_key(double d, int f64)
     }
 }
 
-static double key_number(int64_t key, int f64)
+static inline double key_number(int64_t key, int f64)
 {
     if (f64) {
         double d;
@@ -119,14 +119,14 @@ static double key_number(int64_t key, int f64)
 
 /* The nearest float, as a double. Through memory: gcc 12 drops neighbouring (double)(float) pairs when it
  * vectorises. */
-static double nearest_float(double d)
+static inline double nearest_float(double d)
 {
     volatile float f = (float)d;
     return (double)f;
 }
 
 /* d rounded to the format; what is too large for it becomes its largest number */
-static double number_fit(double d, int f64)
+static inline double number_fit(double d, int f64)
 {
     double most = 0x1.fffffep127;
     if (f64) {
@@ -136,7 +136,7 @@ static double number_fit(double d, int f64)
 }
 
 /* the number `ulps` places further up in its format; stays finite */
-static double number_step(double d, int ulps, int f64)
+static inline double number_step(double d, int ulps, int f64)
 {
     int64_t most = f64 ? INT64_C(0x7fefffffffffffff) : INT64_C(0x7f7fffff);
     int64_t key = number_key(d, f64);
@@ -147,7 +147,7 @@ static double number_step(double d, int ulps, int f64)
     return key_number(key > most ? most : key < -most ? -most : key, f64);
 }
 
-static int is_float(double d)
+static inline int is_float(double d)
 {
     if (!is_finite(d)) {
         return 1;
@@ -157,7 +157,7 @@ static int is_float(double d)
 
 /* ---- shapes ----------------------------------------------------------------------------------- */
 
-static void shape_triangle(dice *d, double v[9], double reach)
+static inline void shape_triangle(dice *d, double v[9], double reach)
 {
     int i;
     for (i = 0; i < 9; ++i) {
@@ -166,7 +166,7 @@ static void shape_triangle(dice *d, double v[9], double reach)
 }
 
 /* the third corner close to the line through the first two, or the second close to the first */
-static void shape_sliver(dice *d, double v[9], int f64)
+static inline void shape_sliver(dice *d, double v[9], int f64)
 {
     double t = dice_once_in(d, 2) ? dice_unit(d) : 3.0 * dice_signed(d);
     double thin = power_of_two(-dice_between(d, 4, f64 ? 60 : 30));
@@ -182,7 +182,7 @@ static void shape_sliver(dice *d, double v[9], int f64)
 }
 
 /* a segment (two equal corners, or a third one on the line) or a point */
-static void shape_degenerate(dice *d, double v[9])
+static inline void shape_degenerate(dice *d, double v[9])
 {
     int how = dice_below(d, 4);
     int from = dice_below(d, 3);
@@ -205,7 +205,7 @@ static void shape_degenerate(dice *d, double v[9])
 }
 
 /* the triangle in an axis plane, or with an edge along an axis or a diagonal */
-static void shape_aligned(dice *d, double v[9])
+static inline void shape_aligned(dice *d, double v[9])
 {
     int a = dice_below(d, 3);
     int b = (a + 1) % 3;
@@ -231,7 +231,7 @@ static void shape_aligned(dice *d, double v[9])
     }
 }
 
-static void shape_normal(const double v[9], double n[3])
+static inline void shape_normal(const double v[9], double n[3])
 {
     int a;
     for (a = 0; a < 3; ++a) {
@@ -241,13 +241,13 @@ static void shape_normal(const double v[9], double n[3])
     }
 }
 
-static int sign_of(double x)
+static inline int sign_of(double x)
 {
     return (x > 0.0) - (x < 0.0);
 }
 
 /* a point of the triangle: a corner, a point of an edge, or an inner point */
-static void shape_point(dice *d, const double v[9], int corners, double out[3])
+static inline void shape_point(dice *d, const double v[9], int corners, double out[3])
 {
     double w[3];
     int i, k, first = dice_below(d, 3);
@@ -269,7 +269,7 @@ static void shape_point(dice *d, const double v[9], int corners, double out[3])
 }
 
 /* lays a box against the point on the sides s: +1 above it, -1 below, 0 around it */
-static void box_against(dice *d, const double point[3], const int s[3], double reach, double box[6])
+static inline void box_against(dice *d, const double point[3], const int s[3], double reach, double box[6])
 {
     int k;
     for (k = 0; k < 3; ++k) {
@@ -282,7 +282,7 @@ static void box_against(dice *d, const double point[3], const int s[3], double r
 
 /* A box that touches the triangle, up to rounding: its corner at the plane, its edge at an edge, its face at
  * a corner, or any of its features at any point. */
-static void box_touching(dice *d, const double v[9], double reach, double box[6])
+static inline void box_touching(dice *d, const double v[9], double reach, double box[6])
 {
     double n[3], point[3];
     int s[3];
@@ -329,7 +329,7 @@ static void box_touching(dice *d, const double v[9], double reach, double box[6]
     box_against(d, point, s, reach, box);
 }
 
-static void box_anywhere(dice *d, double reach, double box[6])
+static inline void box_anywhere(dice *d, double reach, double box[6])
 {
     int k;
     for (k = 0; k < 3; ++k) {
@@ -338,7 +338,7 @@ static void box_anywhere(dice *d, double reach, double box[6])
     }
 }
 
-static void scale_all(double x[15], double factor)
+static inline void scale_all(double x[15], double factor)
 {
     int i;
     for (i = 0; i < 15; ++i) {
@@ -346,7 +346,7 @@ static void scale_all(double x[15], double factor)
     }
 }
 
-static void nudge_some(dice *d, double x[15], int f64)
+static inline void nudge_some(dice *d, double x[15], int f64)
 {
     int times = dice_below(d, 4);
     while (times-- > 0) {
@@ -357,7 +357,7 @@ static void nudge_some(dice *d, double x[15], int f64)
 
 /* ---- one question of a class ------------------------------------------------------------------ */
 
-static void case_lattice(dice *d, double x[15])
+static inline void case_lattice(dice *d, double x[15])
 {
     int i;
     int most = dice_once_in(d, 2) ? 8 : 3;
@@ -370,7 +370,7 @@ static void case_lattice(dice *d, double x[15])
 }
 
 /* multiples of a step that binary has no exact form for, with an offset, each rounded */
-static void case_decimal(dice *d, double x[15], int f64)
+static inline void case_decimal(dice *d, double x[15], int f64)
 {
     static const double steps[6] = {0.1, 1.0 / 3.0, 0.01, 0.7, 0.3, 1e-3};
     static const double offsets[5] = {0.0, 0.0, 1e4 + 0.1, -5.5, 123.456};
@@ -386,7 +386,7 @@ static void case_decimal(dice *d, double x[15], int f64)
     }
 }
 
-static double special_number(dice *d, int f64)
+static inline double special_number(dice *d, int f64)
 {
     double most = f64 ? 0x1.fffffffffffffp1023 : 0x1.fffffep127;
     double least = f64 ? 0x1p-1074 : 0x1p-149;
@@ -405,7 +405,7 @@ static double special_number(dice *d, int f64)
     return table[dice_below(d, 10)];
 }
 
-static double any_bits(dice *d, int f64)
+static inline double any_bits(dice *d, int f64)
 {
     if (f64) {
         return bits_double(dice_bits(d));
@@ -418,7 +418,7 @@ static double any_bits(dice *d, int f64)
 }
 
 /* fills x with a question of the class; kind ASK_BOX */
-static void case_make(dice *d, int which, int f64, double x[15])
+static inline void case_make(dice *d, int which, int f64, double x[15])
 {
     double *box = x + 9;
     double reach = power_of_two(dice_between(d, -4, 2));
@@ -519,7 +519,7 @@ static void case_make(dice *d, int which, int f64, double x[15])
 
 /* turns [min, max] into p and size. The size has the given format; what does not come out finite stays as it
  * is. */
-static void case_as_tri(question *ask, int f64)
+static inline void case_as_tri(question *ask, int f64)
 {
     int i;
     ask->kind = ASK_TRI;
@@ -532,7 +532,7 @@ static void case_as_tri(question *ask, int f64)
 }
 
 /* turns [min, max] into a voxel of a grid: a box of about that place and size */
-static void case_as_grid(dice *d, question *ask)
+static inline void case_as_grid(dice *d, question *ask)
 {
     int i;
     int reach = dice_once_in(d, 4) ? 2000000000 : 40;

@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# Breaks tribox.h on purpose, in one way after another, and shows that the tests of `make test` notice.
+#
+#   tests/mutate.sh [number of a mutant]...
+#
+# tests/mutants.txt lists the ways. A mutant whose text is no longer found exactly once is stale and counts as a failure,
+# so that the list follows the header. A mutant is caught by the first program that does not compile, fails, crashes or
+# hangs. Run from the repository's root.
+set -u
+. tests/check_lib.sh
+
+out=$CHECK_DIR/mutate
+programs=${MUTATE_PROGRAMS:-"overlap rule tri exact thin grid fill nan mode symmetry field frame closed issues"}
+limit=${MUTATE_LIMIT:-60}
+cc=${MUTATE_CC:-gcc -std=c99 -O1}
+export programs limit cc
+mkdir -p "$out"
+
+# 0 if some test program notices the broken header in the folder
+caught() { # folder
+    local name folder=$1
+    for name in $programs; do
+        [ -e "tests/test_$name.c" ] || continue
+        for variant in "" "-DTRIBOX_SIMD=0"; do
+            # shellcheck disable=SC2086 # the compiler and flags are a list
+            $cc $variant -w -I"$folder" "$folder/tests/test_$name.c" -o "$folder/test" -lm || return 0
+            if ! timeout "$limit" "$folder/test" >"$folder/log" 2>&1; then
+                echo "caught by test_$name $variant"
+                return 0
+            fi
+        done
+    done
+    echo "not caught"
+    return 1
+}
+
+# makes a folder with the broken header and the tests; the text must occur exactly once
+mutant() { # number, old, new
+    local folder=$CHECK_DIR/mutate/$1 old=$2 new=$3 text rest
+    text=$(cat tribox.h; echo .)
+    text=${text%.}
+    rest=${text#*"$old"}
+    if [ "$rest" = "$text" ] || [ "${rest#*"$old"}" != "$rest" ]; then
+        echo "stale: the text is not found exactly once: $old"
+        return 1
+    fi
+    rm -rf "$folder"
+    mkdir -p "$folder"
+    printf '%s' "${text%%"$old"*}$new$rest" >"$folder/tribox.h"
+    cp -r tests "$folder/"
+    caught "$folder"
+    local status=$?
+    rm -rf "$folder"
+    return $status
+}
+# the header as it is, on the same terms: else "caught" would mean nothing
+unbroken() {
+    local folder=$CHECK_DIR/mutate/0 status
+    mkdir -p "$folder"
+    cp -r tribox.h tests "$folder/"
+    ! caught "$folder"
+    status=$?
+    tail -n 5 "$folder/log"
+    rm -rf "$folder"
+    return $status
+}
+export -f caught mutant unbroken
+job "the header as it is passes" unbroken
+
+# The list: "# name", then "- old" lines, then "+ new" lines; several lines of one kind are joined.
+number=0
+name=
+old=
+new=
+finish() {
+    if [ -n "$old" ]; then
+        number=$((number + 1))
+        if [ "$#" -eq 0 ] || [[ " $* " == *" $number "* ]]; then
+            job "mutant $number: $name" mutant "$number" "$old" "$new"
+        fi
+    fi
+    old=
+    new=
+}
+newline=$'\n'
+while IFS= read -r line || [ -n "$line" ]; do
+    case $line in
+    '# '*) finish "$@"; name=${line#\# } ;;
+    '- '*) old=${old:+$old$newline}${line#- } ;;
+    '+ '*) new=${new:+$new$newline}${line#+ } ;;
+    '+') new= ;;
+    esac
+done <tests/mutants.txt
+finish "$@"
+
+echo "$number mutants"
+check_end
