@@ -1,20 +1,24 @@
 /* Exact truth for the tests, by another method than the header's: no axes, no filter.
  *
- * T is a triangle, B a box, P = T n B. P is convex and compact, so it is empty iff it has no extreme point, and each
- * extreme point is one of three kinds: a corner of T; an edge of T cut by the plane of a face of B; an edge line of B
- * cut by T. All candidates are formed as exact rational points (homogeneous, W > 0) and kept if they lie in B.
- *   Why these are all: let x be extreme, F and G the least faces of T and B that hold it. If the affine hulls of F
- *   and G shared a line, x could move along it both ways; so they share x only. F a corner: first kind. F an edge:
- *   one of the face planes that G lies on is not parallel to F, second kind. F the triangle: two of G's face planes
- *   and T's plane meet in x alone, third kind. A degenerate T is a segment or a point and ends with the first two.
- * Touching rules: a point of P strictly inside every open face exists iff each open face has an extreme point strictly
- * inside it (the mean of the extreme points is then strictly inside all of them).
- * Thin [SS10]: T's plane against the octahedron of the voxel's face centres, each projected edge against the diamond
- * of the projected voxel's edge midpoints, and the whole voxel's faces.
+ * T is a triangle, B a box, P = T n B. P is convex and compact, so it is empty iff it has no extreme
+ * point, and each extreme point is one of three kinds: a corner of T; an edge of T cut by the plane of a
+ * face of B; an edge line of B cut by T. All candidates are formed as exact rational points (homogeneous,
+ * W > 0) and kept if they lie in B.
+ *   Why these are all: let x be extreme, F and G the least faces of T and B that hold it. If the affine
+ * hulls of F
+ *   and G shared a line, x could move along it both ways; so they share x only. F a corner: first kind. F
+ * an edge:
+ *   one of the face planes that G lies on is not parallel to F, second kind. F the triangle: two of G's
+ * face planes
+ *   and T's plane meet in x alone, third kind. A degenerate T is a segment or a point and ends with the
+ * first two. Touching rules: a point of P strictly inside every open face exists iff each open face has an
+ * extreme point strictly inside it (the mean of the extreme points is then strictly inside all of them).
+ * Thin [SS10]: T's plane against the octahedron of the voxel's face centres, each projected edge against
+ * the diamond of the projected voxel's edge midpoints, and the whole voxel's faces.
  *
- * Numbers are integers in units of the least bit of all inputs, of any length up to the full range of double, so the
- * answers hold for every finite input. The oracle reads bits and uses integers only: no rounding mode, flush-to-zero
- * or compiler flag changes it. */
+ * Numbers are integers in units of the least bit of all inputs, of any length up to the full range of
+ * double, so the answers hold for every finite input. The oracle reads bits and uses integers only: no
+ * rounding mode, flush-to-zero or compiler flag changes it. */
 #ifndef ORACLE_H
 #define ORACLE_H
 
@@ -23,10 +27,10 @@
 
 #include "test.h"
 
-/* ---- integers of any length: sign and magnitude, 32-bit limbs ------------------------------------------------- */
+/* ---- integers of any length: sign and magnitude, 32-bit limbs ------------------------------------------ */
 
-/* A coordinate spans 2^-1074 .. 2^1024 and a factor 2^32 for a voxel index, doubled: 2132 bits. A product of three
- * differences, summed: 3 * 2133 + 3 = 6402 bits = 201 limbs. */
+/* A coordinate spans 2^-1074 .. 2^1024 and a factor 2^32 for a voxel index, doubled: 2132 bits. A product
+ * of three differences, summed: 3 * 2133 + 3 = 6402 bits = 201 limbs. */
 #define WIDE_LIMBS 204
 
 typedef struct wide {
@@ -187,7 +191,7 @@ static inline int wide_compare(const wide *a, const wide *b)
     return a->sign * wide_compare_magnitude(a, b);
 }
 
-/* ---- doubles by their bits ------------------------------------------------------------------------------------- */
+/* ---- doubles by their bits ----------------------------------------------------------------------------- */
 
 typedef struct oracle_number {
     int      sign;
@@ -257,7 +261,7 @@ typedef struct triangle {
     double v[3][3];
 } triangle;
 
-/* ---- one question: a triangle and a box in integers ------------------------------------------------------------ */
+/* ---- one question: a triangle and a box in integers ---------------------------------------------------- */
 
 /* Bit f of an answer set is the truth under flag value f: closed 0, half-open 1, open 2, thin 4. */
 #define ORACLE_CLOSED    (1u << 0)
@@ -278,7 +282,8 @@ static inline int oracle_says(unsigned answers, unsigned flags)
     return (int)(answers >> rule & 1u);
 }
 
-/* Where a homogeneous point lies: 0 outside B, else bit 6 and a bit per face that it is strictly inside of. */
+/* Where a homogeneous point lies: 0 outside B, else bit 6 and a bit per face that it is strictly inside
+ * of. */
 TEST_FN unsigned oracle_place(const oracle_case *c, const wide x[3], const wide *w)
 {
     unsigned place = 64;
@@ -318,7 +323,8 @@ TEST_FN unsigned oracle_corners(const oracle_case *c)
 }
 
 /* The point of edge pq on the plane x_a = f: p * |q_a - f| + q * |p_a - f| over |q_a - p_a|. */
-TEST_FN unsigned oracle_edge_and_face(const oracle_case *c, const wide p[3], const wide q[3], int a, const wide *f)
+TEST_FN unsigned oracle_edge_and_face(const oracle_case *c, const wide p[3], const wide q[3], int a,
+                                      const wide *f)
 {
     int  sp = wide_compare(&p[a], f);
     int  sq = wide_compare(&q[a], f);
@@ -363,7 +369,8 @@ TEST_FN void oracle_area(wide *out, const wide p[3], const wide q[3], int a, con
     wide_subtract(out, out, &u);
 }
 
-/* The line along axis a through (yb, yc) cut by T: barycentric weights are areas. T parallel to a: no single point. */
+/* The line along axis a through (yb, yc) cut by T: barycentric weights are areas. T parallel to a: no
+ * single point. */
 TEST_FN unsigned oracle_box_edge(const oracle_case *c, int a, const wide *yb, const wide *yc)
 {
     int  b = (a + 1) % 3;
@@ -450,7 +457,7 @@ TEST_FN unsigned oracle_rules(const oracle_case *c)
     return ORACLE_CLOSED | ((seen & upper) == upper ? ORACLE_HALF_OPEN : 0) | (seen == 127 ? ORACLE_OPEN : 0);
 }
 
-/* ---- thin ------------------------------------------------------------------------------------------------------ */
+/* ---- thin ---------------------------------------------------------------------------------------------- */
 
 /* The case doubled, so that the voxel's centre is an integer point too. */
 typedef struct oracle_thin_case {
@@ -474,7 +481,8 @@ TEST_FN void oracle_double(oracle_thin_case *d, const oracle_case *c)
     }
 }
 
-/* Does some vertex of the projected diamond lie on the inner side of each projected edge? n_a >= 0 turns left. */
+/* Does some vertex of the projected diamond lie on the inner side of each projected edge? n_a >= 0 turns
+ * left. */
 TEST_FN int oracle_thin_edges(const oracle_thin_case *d, int a)
 {
     const oracle_case *c = &d->c;
@@ -550,7 +558,7 @@ TEST_FN int oracle_thin(const oracle_case *c)
     return oracle_thin_plane(&d);
 }
 
-/* ---- the questions of the interface ---------------------------------------------------------------------------- */
+/* ---- the questions of the interface -------------------------------------------------------------------- */
 
 TEST_FN int oracle_triangle_is_a_set(const triangle *t)
 {
@@ -600,7 +608,8 @@ TEST_FN int oracle_unit(const triangle *t)
     return unit;
 }
 
-/* The answer set for the box of real points min <= x <= max (the rules: <). No thin bit: that needs a voxel. */
+/* The answer set for the box of real points min <= x <= max (the rules: <). No thin bit: that needs a
+ * voxel. */
 TEST_FN unsigned oracle_box(const triangle *t, const double box_min[3], const double box_max[3])
 {
     oracle_case c;
@@ -635,7 +644,8 @@ TEST_FN unsigned oracle_box(const triangle *t, const double box_min[3], const do
         } else {
             oracle_face_beyond(&c, 1, a);
         }
-        /* A box wholly beyond the triangle on an axis with an infinite face: both replacements would cross. */
+        /* A box wholly beyond the triangle on an axis with an infinite face: both replacements would
+         * cross. */
         if (wide_compare(&c.face[0][a], &c.face[1][a]) > 0) {
             return 0;
         }
@@ -643,8 +653,8 @@ TEST_FN unsigned oracle_box(const triangle *t, const double box_min[3], const do
     return oracle_rules(&c);
 }
 
-/* The answer set for [p + index*size, p + (index+1)*size], in real numbers. An infinite size (then index is 0) is
- * [p, +inf), under thin too, where the voxel then counts as conservative. */
+/* The answer set for [p + index*size, p + (index+1)*size], in real numbers. An infinite size (then index
+ * is 0) is [p, +inf), under thin too, where the voxel then counts as conservative. */
 TEST_FN unsigned oracle_voxel(const triangle *t, const double p[3], const double size[3], const int index[3])
 {
     oracle_case c;
@@ -674,7 +684,8 @@ TEST_FN unsigned oracle_voxel(const triangle *t, const double p[3], const double
             wide count;
             wide offset;
             oracle_integer(&step, size[a], unit);
-            wide_set(&count, index[a] < 0 ? -1 : 1, index[a] < 0 ? 0 - (uint64_t)index[a] : (uint64_t)index[a], 0);
+            wide_set(&count, index[a] < 0 ? -1 : 1,
+                     index[a] < 0 ? 0 - (uint64_t)index[a] : (uint64_t)index[a], 0);
             wide_multiply(&offset, &step, &count);
             wide_add(&c.face[0][a], &c.face[0][a], &offset);
             wide_add(&c.face[1][a], &c.face[0][a], &step);

@@ -6,7 +6,7 @@
 #include "oracle.h"
 #include "test.h"
 
-/* ---- random numbers (SplitMix64) -------------------------------------------------------------------------------- */
+/* ---- random numbers (SplitMix64) ----------------------------------------------------------------------- */
 
 static uint64_t random_state;
 
@@ -36,7 +36,7 @@ static inline double random_signed(void)
     return (double)(int64_t)(random_bits() & 0xFFFFFFFFFFFFFu) / 2251799813685248.0 - 1.0;
 }
 
-/* ---- floats by their bits --------------------------------------------------------------------------------------- */
+/* ---- floats by their bits ------------------------------------------------------------------------------ */
 
 TEST_FN double power_of_two(int e)
 {
@@ -92,7 +92,7 @@ static const unsigned every_rule[4] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_
 /* The type of all numbers of a question. */
 enum { DOUBLES, FLOATS };
 
-/* ---- the question ------------------------------------------------------------------------------------------------ */
+/* ---- the question -------------------------------------------------------------------------------------- */
 
 typedef struct question {
     triangle t;
@@ -114,7 +114,8 @@ typedef struct question {
     int      size_is_float;
 } question;
 
-/* Are all numbers floats? Compared by bits, so that a start with subnormals flushed (-Ofast) finds them to be none. */
+/* Are all numbers floats? Compared by bits, so that a start with subnormals flushed (-Ofast) finds them to
+ * be none. */
 TEST_FN int to_floats(float *out, const double *x, int count)
 {
     int same = 1;
@@ -331,7 +332,7 @@ TEST_FN int ask_all(const question *q)
     return ok;
 }
 
-/* ---- generators --------------------------------------------------------------------------------------------------- */
+/* ---- generators ---------------------------------------------------------------------------------------- */
 
 enum question_kind {
     LATTICE,        /* small integers: many exact touches */
@@ -481,7 +482,8 @@ TEST_FN void make_mismatch(question *q)
     }
 }
 
-/* Truth is kept by the scaling, so the exponents may be extreme: subnormals to 2^100 as floats, to 2^1000 as doubles. */
+/* Truth is kept by the scaling, so the exponents may be extreme: subnormals to 2^100 as floats, to 2^1000
+ * as doubles. */
 TEST_FN void make_stretched(question *q, int as_float)
 {
     static const int float_base[4] = {-149, -126, -60, 100};
@@ -529,7 +531,8 @@ TEST_FN void make_mixed(question *q, int as_float)
             q->t.v[i][a] = random_signed() * power_of_two(random_below(2 * range) - range);
         }
         x = random_signed() * power_of_two(random_below(2 * range) - range);
-        y = random_below(3) ? q->t.v[random_below(3)][a] : random_signed() * power_of_two(random_below(2 * range) - range);
+        y = random_below(3) ? q->t.v[random_below(3)][a]
+                            : random_signed() * power_of_two(random_below(2 * range) - range);
         q->lo[a] = x < y ? x : y;
         q->hi[a] = x < y ? y : x;
     }
@@ -572,8 +575,8 @@ TEST_FN void question_round_to_floats(question *q)
     }
 }
 
-/* One hard question of a kind, all numbers floats if as_float; half of them as a box, half as a voxel whose upper face
- * may be no double. */
+/* One hard question of a kind, all numbers floats if as_float; half of them as a box, half as a voxel
+ * whose upper face may be no double. */
 TEST_FN void question_make(question *q, int kind, int as_float)
 {
     int a;

@@ -1,5 +1,6 @@
-/* All tests as one program: the header and the oracle are compiled once, which is most of the time that a test program
- * takes to build. Each file is a program of its own too: `make build/tests/default/test_grid`. */
+/* All tests as one program: the header and the oracle are compiled once, which is most of the time that a
+ * test program takes to build. Each file is a program of its own too: `make
+ * build/tests/default/test_grid`. */
 
 int test_overlap_main(void);
 int test_tri_main(void);

@@ -1,10 +1,10 @@
-/* Closed meshes: the thin voxels part inside from outside along face-connected paths, the conservative ones along paths
- * through edges and corners too, for cubic and other voxels.
+/* Closed meshes: the thin voxels part inside from outside along face-connected paths, the conservative
+ * ones along paths through edges and corners too, for cubic and other voxels.
  *
- * Why thin does: a path of free voxels joins centres of face neighbours. Such a step runs within the two voxels' crosses
- * (centre to face centres). Where it meets the surface at a point of triangle T, that voxel's cross meets T, so the
- * octahedron of its face centres meets T's plane, its diamonds meet T's projections, and its faces hold T's point: all
- * conditions of thin are met, and the voxel was not free. */
+ * Why thin does: a path of free voxels joins centres of face neighbours. Such a step runs within the two
+ * voxels' crosses (centre to face centres). Where it meets the surface at a point of triangle T, that
+ * voxel's cross meets T, so the octahedron of its face centres meets T's plane, its diamonds meet T's
+ * projections, and its faces hold T's point: all conditions of thin are met, and the voxel was not free. */
 #include "tribox.h"
 
 #include <math.h>
@@ -112,8 +112,8 @@ static void flood(const int n[3], int through_corners)
             if (!through_corners && dx * dx + dy * dy + dz * dz != 1) {
                 continue;
             }
-            if (x + dx >= 0 && x + dx < n[0] && y + dy >= 0 && y + dy < n[1] && z + dz >= 0 && z + dz < n[2] &&
-                closed_state[next] == 0) {
+            if (x + dx >= 0 && x + dx < n[0] && y + dy >= 0 && y + dy < n[1] && z + dz >= 0 &&
+                z + dz < n[2] && closed_state[next] == 0) {
                 closed_state[next] = 2;
                 closed_queue[tail++] = next;
             }
@@ -144,8 +144,10 @@ static void frame_closed_mesh(const closed_mesh *m, tribox_grid *g, const double
     }
 }
 
-/* Voxels that are surely inside: those holding a point of the surface shrunk by half. None of them may be reached. */
-static int count_leaks(const closed_mesh *m, const tribox_grid *g, const int n[3], const double turn[3], int *inner)
+/* Voxels that are surely inside: those holding a point of the surface shrunk by half. None of them may be
+ * reached. */
+static int count_leaks(const closed_mesh *m, const tribox_grid *g, const int n[3], const double turn[3],
+                       int *inner)
 {
     int leaks = 0;
     int ring;
@@ -251,8 +253,8 @@ static void closed_meshes_hold_tight_in_other_voxels(void)
     closed_meshes_hold_tight(0);
 }
 
-/* A closed box with faces on grid planes: both layers of each face are set, closed and thin alike; half-open sets the
- * upper layer, open none; and the thin shell is tight. */
+/* A closed box with faces on grid planes: both layers of each face are set, closed and thin alike;
+ * half-open sets the upper layer, open none; and the thin shell is tight. */
 static void box_on_grid_planes_sets_the_documented_layers(void)
 {
     static const float    p[24] = {2, 2, 2, 6, 2, 2, 2, 6, 2, 6, 6, 2, 2, 2, 6, 6, 2, 6, 2, 6, 6, 6, 6, 6};

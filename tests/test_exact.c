@@ -1,5 +1,5 @@
-/* Every entry under every rule against the exact oracle, on seeded hard questions of each kind. A failing question is
- * printed with its seed and its numbers in hex, ready to paste into test_issues.c. */
+/* Every entry under every rule against the exact oracle, on seeded hard questions of each kind. A failing
+ * question is printed with its seed and its numbers in hex, ready to paste into test_issues.c. */
 #include "tribox.h"
 
 #include "question.h"
@@ -71,7 +71,8 @@ static void degenerate_triangles_are_exact(void)
     every_entry_agrees_with_the_oracle(DEGENERATE, DOUBLES, 5000);
 }
 
-/* One-ulp walks round contacts of a box corner, edge or face with a corner, an edge or the inside of the triangle. */
+/* One-ulp walks round contacts of a box corner, edge or face with a corner, an edge or the inside of the
+ * triangle. */
 static void contacts_within_ulps_are_exact(void)
 {
     every_entry_agrees_with_the_oracle(TOUCHING, FLOATS, 30000);
@@ -85,7 +86,8 @@ static void mismatched_scales_are_exact(void)
     every_entry_agrees_with_the_oracle(MISMATCH, DOUBLES, 10000);
 }
 
-/* Powers of two per axis keep the truth: subnormals and the largest numbers of both types answer like the lattice. */
+/* Powers of two per axis keep the truth: subnormals and the largest numbers of both types answer like the
+ * lattice. */
 static void extreme_exponents_are_exact(void)
 {
     every_entry_agrees_with_the_oracle(STRETCHED, FLOATS, 10000);
@@ -106,8 +108,8 @@ static void mixed_exponents_are_exact(void)
     every_entry_agrees_with_the_oracle(MIXED, DOUBLES, 2000);
 }
 
-/* Neighbouring floats between which the answer changes, found by bisection along one coordinate of a corner: the
- * header must change its answer between the same two. */
+/* Neighbouring floats between which the answer changes, found by bisection along one coordinate of a
+ * corner: the header must change its answer between the same two. */
 static void answers_flip_between_the_right_neighbours(void)
 {
     int i;

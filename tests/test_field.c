@@ -1,5 +1,5 @@
-/* The inputs that broke other implementations, one function per row, each with its exact truth. Decimals stand for
- * the nearest float; the oracle confirms every truth below. */
+/* The inputs that broke other implementations, one function per row, each with its exact truth. Decimals
+ * stand for the nearest float; the oracle confirms every truth below. */
 #include "tribox.h"
 
 #include "question.h"
@@ -54,7 +54,8 @@ static void swapped_extents_in_the_zx_plane(void)
     field_row(t, lo, hi, 1);
 }
 
-/* 1: the triangle touches the face x = 1 of the unit box by one corner; lost by a box that is half-open by accident. */
+/* 1: the triangle touches the face x = 1 of the unit box by one corner; lost by a box that is half-open by
+ * accident. */
 static void corner_on_the_upper_face(void)
 {
     static const float t[9] = {1, .25f, .25f, 2, .25f, .25f, 2, .75f, .5f};
@@ -75,7 +76,8 @@ static void fourth_diagonal(void)
     field_row(t, lo, hi, 1);
 }
 
-/* 0: the edge x + y = .06 passes the corner (.02, .02); an absolute epsilon on an axis' length drops that axis. */
+/* 0: the edge x + y = .06 passes the corner (.02, .02); an absolute epsilon on an axis' length drops that
+ * axis. */
 static void short_axis_under_an_absolute_epsilon(void)
 {
     static const float t[9] = {.06f, 0, 0, 0, .06f, 0, .06f, .06f, 0};

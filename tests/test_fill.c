@@ -1,5 +1,5 @@
-/* The fill of a mesh into a bit array: the union of its triangles' spans, at the documented bit, in any slabs, from any
- * stride, alignment and index list, and nothing beside. */
+/* The fill of a mesh into a bit array: the union of its triangles' spans, at the documented bit, in any
+ * slabs, from any stride, alignment and index list, and nothing beside. */
 #include "tribox.h"
 
 #include <limits.h>
@@ -8,7 +8,8 @@
 
 enum { FILL_TRIANGLES = 70, FILL_WORDS = 3 * 9 * 9, GUARD = 4 };
 
-/* A mesh of triangles of all sizes about a region up to 3 words wide, and the bits it should set, by spans. */
+/* A mesh of triangles of all sizes about a region up to 3 words wide, and the bits it should set, by
+ * spans. */
 typedef struct fill_case {
     tribox_grid grid;
     int         n[3];
@@ -23,7 +24,7 @@ static void set_expected(void *user, int x0, int x1, int y, int z)
 {
     fill_case *c = (fill_case *)user;
     size_t     row_words = (size_t)(c->n[0] + 63) / 64;
-    size_t     row = ((size_t)(z - c->grid.lo[2]) * (size_t)c->n[1] + (size_t)(y - c->grid.lo[1])) * row_words;
+    size_t row = ((size_t)(z - c->grid.lo[2]) * (size_t)c->n[1] + (size_t)(y - c->grid.lo[1])) * row_words;
     int        x;
 
     for (x = x0 - c->grid.lo[0]; x <= x1 - c->grid.lo[0]; x++) {
@@ -81,7 +82,8 @@ static int same_bits(const fill_case *c, const uint64_t *bits, const char *what)
     int same = memcmp(bits, c->expected, c->words * sizeof bits[0]) == 0;
 
     if (!same && test_wants_details()) {
-        printf("  %s, flags %u, %d triangles, seed %llu\n", what, c->grid.flags, c->triangles, (unsigned long long)c->seed);
+        printf("  %s, flags %u, %d triangles, seed %llu\n", what, c->grid.flags, c->triangles,
+               (unsigned long long)c->seed);
     }
     return same;
 }
@@ -305,12 +307,13 @@ static void get_reads_the_documented_bit(void)
     CHECK(tribox_grid_get(&grid, bits, -71, 0, 5) == 0 && tribox_grid_get(&grid, bits, 60, 0, 5) == 0);
     CHECK(tribox_grid_get(&grid, bits, 0, -3, 5) == 0 && tribox_grid_get(&grid, bits, 0, 1, 5) == 0);
     CHECK(tribox_grid_get(&grid, bits, 0, 0, 4) == 0 && tribox_grid_get(&grid, bits, 0, 0, 7) == 0);
-    CHECK(tribox_grid_get(&grid, bits, INT_MAX, 0, 5) == 0 && tribox_grid_get(&grid, bits, INT_MIN, 0, 5) == 0);
+    CHECK(tribox_grid_get(&grid, bits, INT_MAX, 0, 5) == 0 &&
+          tribox_grid_get(&grid, bits, INT_MIN, 0, 5) == 0);
     CHECK(tribox_grid_get(&grid, bits, 0, INT_MAX, INT_MIN) == 0);
 }
 
-/* words is row_words * ny * nz, or 0 if that many words are more than SIZE_MAX bytes: the true product by the oracle's
- * integers, for regions up to the whole index range. */
+/* words is row_words * ny * nz, or 0 if that many words are more than SIZE_MAX bytes: the true product by
+ * the oracle's integers, for regions up to the whole index range. */
 static void words_are_exact_or_zero(void)
 {
     static const int ends[10] = {INT_MIN, INT_MIN + 1, -65536, -1, 0, 1, 63, 65535, INT_MAX - 1, INT_MAX};
@@ -356,11 +359,25 @@ static void words_are_exact_or_zero(void)
     CHECK(nonzero > 0);
 }
 
-/* A region that is empty, invalid or too large for an array: the fill touches nothing, not even a null array. */
+/* The largest region of whole layers of 2^31 words whose bytes a size_t counts, and one layer more. */
+static void words_end_at_the_last_size_that_fits(void)
+{
+    tribox_grid    grid = {{0, 0, 0}, {1, 1, 1}, {-64, INT_MIN, 0}, {0, 0, 0}, 0};
+    const uint64_t layer = (uint64_t)1 << 31;
+    const uint64_t most = SIZE_MAX / 8 / layer;
+
+    grid.hi[2] = (int)most;
+    CHECK((uint64_t)tribox_grid_words(&grid) == most * layer);
+    grid.hi[2] = (int)most + 1;
+    CHECK(tribox_grid_words(&grid) == 0);
+}
+
+/* A region that is empty, invalid or too large for an array: the fill touches nothing, not even a null
+ * array. */
 static void fill_of_no_words_does_nothing(void)
 {
     static const float t[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-    tribox_grid        grid = {{0, 0, 0}, {1, 1, 1}, {INT_MIN, INT_MIN, INT_MIN}, {INT_MAX, INT_MAX, INT_MAX}, 0};
+    tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {INT_MIN, INT_MIN, INT_MIN}, {INT_MAX, INT_MAX, INT_MAX}, 0};
     tribox_mesh        mesh;
 
     mesh.positions = t;
@@ -407,6 +424,7 @@ int main(void)
     RUN(cut_regions_hold_the_same_voxels);
     RUN(get_reads_the_documented_bit);
     RUN(words_are_exact_or_zero);
+    RUN(words_end_at_the_last_size_that_fits);
     RUN(fill_of_no_words_does_nothing);
     RUN(empty_mesh_sets_nothing);
     return test_report("test_fill");

@@ -1,4 +1,5 @@
-/* Where a grid stands: the frame that tribox_grid_fit puts round a mesh, and the voxel that tribox_grid_locate finds. */
+/* Where a grid stands: the frame that tribox_grid_fit puts round a mesh, and the voxel that
+ * tribox_grid_locate finds. */
 #include "tribox.h"
 
 #include <float.h>
@@ -28,7 +29,7 @@ static int plane_against(const tribox_grid *g, int a, int i, double x)
     return wide_compare(&plane, &number);
 }
 
-/* ---- fit ----------------------------------------------------------------------------------------------------------- */
+/* ---- fit ----------------------------------------------------------------------------------------------- */
 
 enum { FIT_TRIANGLES = 5 };
 
@@ -39,16 +40,16 @@ static void print_frame(const tribox_grid *g, const float *p, int corners, int n
     if (!test_wants_details()) {
         return;
     }
-    printf("  n %d, origin {%a, %a, %a}, size %a, hi {%d, %d, %d}, corners", n, g->origin[0], g->origin[1], g->origin[2],
-           g->size[0], g->hi[0], g->hi[1], g->hi[2]);
+    printf("  n %d, origin {%a, %a, %a}, size %a, hi {%d, %d, %d}, corners", n, g->origin[0], g->origin[1],
+           g->origin[2], g->size[0], g->hi[0], g->hi[1], g->hi[2]);
     for (i = 0; i < 3 * corners; i++) {
         printf(" %a", (double)p[i]);
     }
     printf("\n");
 }
 
-/* Cubic voxels, flags 0, n along the longest side, and each corner strictly between the region's outermost planes: so
- * no voxel outside is touched. */
+/* Cubic voxels, flags 0, n along the longest side, and each corner strictly between the region's outermost
+ * planes: so no voxel outside is touched. */
 static int frame_is_right(const tribox_grid *g, const float *p, int corners, int n)
 {
     int    ok = g->flags == 0;
@@ -61,8 +62,9 @@ static int frame_is_right(const tribox_grid *g, const float *p, int corners, int
     for (a = 0; a < 3; a++) {
         float least = p[a];
         float greatest = p[a];
-        ok = ok && oracle_is_finite(g->origin[a]) && oracle_is_finite(g->size[a]) && oracle_read(g->size[a]).sign > 0 &&
-             memcmp(&g->size[a], &g->size[0], sizeof g->size[0]) == 0 && g->lo[a] < g->hi[a];
+        ok = ok && oracle_is_finite(g->origin[a]) && oracle_is_finite(g->size[a]) &&
+             oracle_read(g->size[a]).sign > 0 && memcmp(&g->size[a], &g->size[0], sizeof g->size[0]) == 0 &&
+             g->lo[a] < g->hi[a];
         for (i = 0; ok && i < corners; i++) {
             double x = (double)p[3 * i + a];
             least = p[3 * i + a] < least ? p[3 * i + a] : least;
@@ -111,7 +113,8 @@ static void frame_holds_the_mesh_strictly_inside(void)
             CHECK(tribox_grid_fit(&grid, &mesh, n) == 0);
             continue;
         }
-        if (!CHECK(tribox_grid_fit(&grid, &mesh, n) == 1) || !CHECK(frame_is_right(&grid, p, 3 * triangles, n))) {
+        if (!CHECK(tribox_grid_fit(&grid, &mesh, n) == 1) ||
+            !CHECK(frame_is_right(&grid, p, 3 * triangles, n))) {
             print_frame(&grid, p, 3 * triangles, n);
         }
     }
@@ -167,7 +170,8 @@ static void frame_leaves_its_surroundings_untouched(void)
             around.lo[k]--;
             around.hi[k]++;
         }
-        CHECK(tribox_grid_spans(&around, p, p + 3, p + 6, 0, 0) == tribox_grid_spans(&grid, p, p + 3, p + 6, 0, 0));
+        CHECK(tribox_grid_spans(&around, p, p + 3, p + 6, 0, 0) ==
+              tribox_grid_spans(&grid, p, p + 3, p + 6, 0, 0));
     }
 }
 
@@ -185,8 +189,8 @@ static void expect_no_frame(const float *p, size_t triangles, int n)
     CHECK(grid.flags == 0);
 }
 
-/* A mesh without finite extent, of no triangles, of one point, or of triangles that are no sets, and n < 1: 0 and an
- * empty region. */
+/* A mesh without finite extent, of no triangles, of one point, or of triangles that are no sets, and
+ * n < 1: 0 and an empty region. */
 static void mesh_without_extent_has_no_frame(void)
 {
     const uint32_t infinite = 0x7F800000u;
@@ -204,10 +208,10 @@ static void mesh_without_extent_has_no_frame(void)
     expect_no_frame(good, 1, INT_MIN);
 }
 
-/* ---- locate -------------------------------------------------------------------------------------------------------- */
+/* ---- locate -------------------------------------------------------------------------------------------- */
 
-/* Points on grid planes as a user computes them, give or take ulps, and anywhere: planes i and i + 1 enclose the point,
- * the lower included, and the answer says whether the voxel lies in the region. */
+/* Points on grid planes as a user computes them, give or take ulps, and anywhere: planes i and i + 1
+ * enclose the point, the lower included, and the answer says whether the voxel lies in the region. */
 static void located_voxel_holds_the_point(void)
 {
     int found = 0;
@@ -229,7 +233,8 @@ static void located_voxel_holds_the_point(void)
         }
         answer = tribox_grid_locate(&grid, p, index);
         for (a = 0; a < 3; a++) {
-            CHECK(plane_against(&grid, a, index[a], p[a]) <= 0 && plane_against(&grid, a, index[a] + 1, p[a]) > 0);
+            CHECK(plane_against(&grid, a, index[a], p[a]) <= 0 &&
+                  plane_against(&grid, a, index[a] + 1, p[a]) > 0);
             inside = inside && index[a] >= grid.lo[a] && index[a] < grid.hi[a];
         }
         CHECK(answer == inside);
@@ -256,7 +261,8 @@ static void point_triangle_sets_exactly_the_located_voxel(void)
         v.grid.flags = TRIBOX_HALF_OPEN;
         for (a = 0; a < 3; a++) {
             v.n[a] = v.grid.hi[a] - v.grid.lo[a];
-            v.t.v[0][a] = grid_plane(&v.grid, a, v.grid.lo[a] + random_below(v.n[a] + 1) + (random_below(4) ? 0 : 0.3));
+            v.t.v[0][a] =
+                grid_plane(&v.grid, a, v.grid.lo[a] + random_below(v.n[a] + 1) + (random_below(4) ? 0 : 0.3));
             v.t.v[0][a] = nudge_double(v.t.v[0][a], random_below(7) - 3);
             v.t.v[1][a] = v.t.v[2][a] = v.t.v[0][a];
         }
@@ -270,11 +276,12 @@ static void point_triangle_sets_exactly_the_located_voxel(void)
     }
 }
 
-/* The ends of the index range: voxel INT_MAX - 1 is the last of the largest region, INT_MIN the first, and points
- * beyond lie in no region. */
+/* The ends of the index range: voxel INT_MAX - 1 is the last of the largest region, INT_MIN the first, and
+ * points beyond lie in no region. */
 static void locate_reaches_the_ends_of_the_index_range(void)
 {
-    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {INT_MIN, INT_MIN, INT_MIN}, {INT_MAX, INT_MAX, INT_MAX}, 0};
+    const tribox_grid grid = {
+        {0, 0, 0}, {1, 1, 1}, {INT_MIN, INT_MIN, INT_MIN}, {INT_MAX, INT_MAX, INT_MAX}, 0};
     double            p[3] = {0.5, 0.5, 0.5};
     int               index[3];
     int               a;

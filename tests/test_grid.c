@@ -1,5 +1,5 @@
-/* The grid walk: every voxel of a region against the oracle, for spans of both types and for the fill, under every
- * rule; order, disjointness, maximality and counts of the spans; the ends of the index range. */
+/* The grid walk: every voxel of a region against the oracle, for spans of both types and for the fill,
+ * under every rule; order, disjointness, maximality and counts of the spans; the ends of the index range. */
 #include "tribox.h"
 
 #include <limits.h>
@@ -39,9 +39,10 @@ static void degenerate_triangles_are_exact_on_every_voxel(void)
     every_voxel_agrees_with_the_oracle(GRID_DEGENERATE, DOUBLES, 500);
 }
 
-/* Triangles of up to a few voxels take the small paths: within one voxel it is set; one voxel thick on two axes, every
- * voxel of the index box is set (the box is a row, and a connected set that reaches both ends of a row passes all of
- * it); one voxel thick on one axis, the other two axes' conditions are implied. Thin takes none of these. */
+/* Triangles of up to a few voxels take the small paths: within one voxel it is set; one voxel thick on two
+ * axes, every voxel of the index box is set (the box is a row, and a connected set that reaches both ends
+ * of a row passes all of it); one voxel thick on one axis, the other two axes' conditions are implied.
+ * Thin takes none of these. */
 static void tiny_triangles_are_exact_on_every_voxel(void)
 {
     every_voxel_agrees_with_the_oracle(GRID_TINY, FLOATS, 1500);
@@ -69,7 +70,8 @@ static void narrow_triangles_are_exact_on_every_voxel(void)
     every_voxel_agrees_with_the_oracle(GRID_LINE, DOUBLES, 200);
 }
 
-/* Lattice grids scaled by a power of two per axis, from subnormal sizes to 2^900: the truth is that of the unscaled. */
+/* Lattice grids scaled by a power of two per axis, from subnormal sizes to 2^900: the truth is that of the
+ * unscaled. */
 static void extreme_scales_are_exact_on_every_voxel(void)
 {
     static const int exponents[6] = {-1070, -600, -140, 90, 600, 1000};
@@ -165,7 +167,8 @@ static void spans_agree_with_the_prepared_test(void)
     }
 }
 
-/* Every region of a partition of a large region emits its part of the large region's voxels: cuts on all sides. */
+/* Every region of a partition of a large region emits its part of the large region's voxels: cuts on all
+ * sides. */
 static void cut_regions_emit_their_part_of_the_whole(void)
 {
     static voxels v;
@@ -238,7 +241,8 @@ static void one_row_through_all_indices_is_one_span(void)
     CHECK(tribox_grid_spans_f64(&grid, v0, v1, v1, 0, 0) == (size_t)4294967295u);
 }
 
-/* More voxels than size_t counts saturate it: a sheet of 2^32 - 1 by 3 voxels, twice set as its plane is shared. */
+/* More voxels than size_t counts saturate it: a sheet of 2^32 - 1 by 3 voxels, twice set as its plane is
+ * shared. */
 static void counts_saturate(void)
 {
     tribox_grid       grid = {{0, 0, 0}, {1, 1, 1}, {INT_MIN, 0, -1}, {INT_MAX, 3, 1}, 0};
@@ -278,8 +282,9 @@ static void huge_triangle_over_a_small_region_is_cheap(void)
     }
 }
 
-/* A plane almost parallel to x: the exact crossing is 200.00000000000006 voxels along, plain double arithmetic says
- * something else entirely. Found as: v1 - v0 and v2 - v0 nearly parallel to x, differing in their last bits. */
+/* A plane almost parallel to x: the exact crossing is 200.00000000000006 voxels along, plain double
+ * arithmetic says something else entirely. Found as: v1 - v0 and v2 - v0 nearly parallel to x, differing
+ * in their last bits. */
 static void plane_almost_parallel_to_x_is_exact(void)
 {
     static voxels v;

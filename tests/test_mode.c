@@ -1,5 +1,5 @@
-/* The processor's floating-point modes change no answer: rounding directions, subnormals flushed to zero. Questions and
- * truths are made in the default mode; only the header runs in the other. */
+/* The processor's floating-point modes change no answer: rounding directions, subnormals flushed to zero.
+ * Questions and truths are made in the default mode; only the header runs in the other. */
 #include "tribox.h"
 
 #include <fenv.h>
@@ -139,7 +139,8 @@ static void make_subnormal(question *q, int as_float)
     question_from_box(q);
 }
 
-/* Subnormal faces, corners and sizes decide by their bits: 2^-149 is not 0, and a box of that size is not empty. */
+/* Subnormal faces, corners and sizes decide by their bits: 2^-149 is not 0, and a box of that size is not
+ * empty. */
 static void flushed_subnormals_still_decide(void)
 {
     static question batch[MODE_QUESTIONS];

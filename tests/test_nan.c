@@ -1,5 +1,6 @@
-/* The odd inputs, decided by sets: NaN, infinities, empty and flat boxes, half-spaces, -0.0; for the one-box test, the
- * prepared test and the grid. NaN and infinity are made from bits, so that -ffast-math folds nothing here. */
+/* The odd inputs, decided by sets: NaN, infinities, empty and flat boxes, half-spaces, -0.0; for the
+ * one-box test, the prepared test and the grid. NaN and infinity are made from bits, so that -ffast-math
+ * folds nothing here. */
 #include "tribox.h"
 
 #include "question.h"
@@ -23,8 +24,8 @@ static float float_from_bits(uint32_t bits)
 /* +inf, -inf, a quiet NaN, the same negative, and the least (signalling) NaN */
 static double odd_double(int i)
 {
-    static const uint64_t bits[5] = {0x7FF0000000000000u, 0xFFF0000000000000u, 0x7FF8000000000000u, 0xFFF8000000000001u,
-                                     0x7FF0000000000001u};
+    static const uint64_t bits[5] = {0x7FF0000000000000u, 0xFFF0000000000000u, 0x7FF8000000000000u,
+                                     0xFFF8000000000001u, 0x7FF0000000000001u};
 
     return from_bits(bits[i]);
 }
@@ -218,7 +219,8 @@ static void nan_in_the_box_is_empty(void)
     }
 }
 
-/* An infinite face is a half-space: every choice of infinite faces, against the oracle, on lattice triangles. */
+/* An infinite face is a half-space: every choice of infinite faces, against the oracle, on lattice
+ * triangles. */
 static void infinite_face_is_a_half_space(void)
 {
     int i;
@@ -254,7 +256,8 @@ static void infinite_face_is_a_half_space(void)
         truth = oracle_box(&q.t, q.lo, q.hi);
         for (k = 0; k < 4; k++) {
             unsigned rule = every_rule[k] == TRIBOX_THIN ? 0 : every_rule[k];
-            CHECK(question_judge(&q, "half-space", every_rule[k], one_box(&c, every_rule[k]), oracle_says(truth, rule)));
+            CHECK(question_judge(&q, "half-space", every_rule[k], one_box(&c, every_rule[k]),
+                                 oracle_says(truth, rule)));
         }
     }
 }
@@ -397,7 +400,8 @@ static void infinite_size_is_a_half_space(void)
         q.has_voxel = 1;
         truth = oracle_voxel(&q.t, q.lo, q.size, zero);
         for (k = 0; k < 4; k++) {
-            CHECK(question_judge(&q, "infinite size", every_rule[k], prepared(&c, every_rule[k]), oracle_says(truth, every_rule[k])));
+            CHECK(question_judge(&q, "infinite size", every_rule[k], prepared(&c, every_rule[k]),
+                                 oracle_says(truth, every_rule[k])));
         }
     }
 }

@@ -1,10 +1,12 @@
-/* The oracle itself, against a second method: the separating axes in plain integers, written out here for small
- * lattices, and a box shrunk by 1/4096 for the touching rules. */
+/* The oracle itself, against a second method: the separating axes in plain integers, written out here for
+ * small lattices, and a box shrunk by 1/4096 for the touching rules. */
 #include "oracle.h"
 
 #include "test.h"
 
-enum { SHRINK = 4096 };     /* conditions are integers and change by at most 96 e: at e = 1/4096 none skips a tie */
+enum {
+    SHRINK = 4096
+}; /* conditions are integers and change by at most 96 e: at e = 1/4096 none skips a tie */
 
 typedef struct small_case {
     int v[3][3];
@@ -44,8 +46,8 @@ static int axis_separates(const long v[3][3], const long lo[3], const long hi[3]
     return t_max < b_min || t_min > b_max;
 }
 
-/* Thirteen axes, the axes in lattice units (<= 32), the points in units of 1/SHRINK (<= 2^15): no product overflows
- * a 32-bit long. */
+/* Thirteen axes, the axes in lattice units (<= 32), the points in units of 1/SHRINK (<= 2^15): no product
+ * overflows a 32-bit long. */
 static int axes_meet(const small_case *c, int shrink_lo, int shrink_hi)
 {
     long v[3][3];
@@ -125,7 +127,8 @@ static int thin_by_formula(const small_case *c)
             int w_d = n[a] >= 0 ? e[i][b] : -e[i][b];
             int s_b = (w_b < 0 ? -w_b : w_b) * (c->hi[b] - c->lo[b]);
             int s_d = (w_d < 0 ? -w_d : w_d) * (c->hi[d] - c->lo[d]);
-            int at = w_b * (c->lo[b] + c->hi[b] - 2 * c->v[i][b]) + w_d * (c->lo[d] + c->hi[d] - 2 * c->v[i][d]);
+            int at =
+                w_b * (c->lo[b] + c->hi[b] - 2 * c->v[i][b]) + w_d * (c->lo[d] + c->hi[d] - 2 * c->v[i][d]);
             if (at + (s_b > s_d ? s_b : s_d) < 0) {
                 return 0;
             }
@@ -172,8 +175,8 @@ static unsigned small_case_oracle(const small_case *c)
     return oracle_voxel(&t, lo, size, zero);
 }
 
-/* The candidate points of the oracle and the thirteen axes are two proofs of one answer; all dimensions of triangle
- * and box occur on a lattice of 2 to 5 points a side. */
+/* The candidate points of the oracle and the thirteen axes are two proofs of one answer; all dimensions of
+ * triangle and box occur on a lattice of 2 to 5 points a side. */
 static void oracle_agrees_with_integer_axes(void)
 {
     int i;
@@ -217,8 +220,10 @@ static void wide_integers_obey_the_square_rule(void)
         wide a2;
         wide b2;
 
-        wide_set(&a, small_below(2) ? 1 : -1, (uint64_t)0xFFFFFFFFFFFFFFFFu >> small_below(60), small_below(1000));
-        wide_set(&b, small_below(2) ? 1 : -1, (uint64_t)0xFFFFFFFFFFFFFFFFu >> small_below(60), small_below(1000));
+        wide_set(&a, small_below(2) ? 1 : -1, (uint64_t)0xFFFFFFFFFFFFFFFFu >> small_below(60),
+                 small_below(1000));
+        wide_set(&b, small_below(2) ? 1 : -1, (uint64_t)0xFFFFFFFFFFFFFFFFu >> small_below(60),
+                 small_below(1000));
         wide_add(&sum, &a, &b);
         wide_subtract(&difference, &a, &b);
         wide_multiply(&left, &sum, &difference);

@@ -1,4 +1,5 @@
-/* The one-box test: contacts at each feature of triangle and box, walked by ulps, and every small lattice question. */
+/* The one-box test: contacts at each feature of triangle and box, walked by ulps, and every small lattice
+ * question. */
 #include "tribox.h"
 
 #include "question.h"
@@ -28,7 +29,8 @@ static void touching_face_overlaps_and_next_float_does_not(void)
     }
 }
 
-/* The plane x + y + z = 14 meets the box in its corner (2,4,8) alone; a corner of the triangle one ulp up lifts it off. */
+/* The plane x + y + z = 14 meets the box in its corner (2,4,8) alone; a corner of the triangle one ulp up
+ * lifts it off. */
 static void touching_plane_overlaps_and_next_float_does_not(void)
 {
     float v0[3] = {14.0f, 0.0f, 0.0f};
@@ -42,7 +44,8 @@ static void touching_plane_overlaps_and_next_float_does_not(void)
     CHECK(tribox_overlap(v0, v1, v2, box_min, box_max) == 1);
 }
 
-/* An edge from (3,3,z) to (1,5,z) passes through the box edge x = 2, y = 4; lifted by one ulp it passes by. */
+/* An edge from (3,3,z) to (1,5,z) passes through the box edge x = 2, y = 4; lifted by one ulp it passes
+ * by. */
 static void touching_edges_overlap_and_next_float_does_not(void)
 {
     int a;
@@ -103,8 +106,8 @@ static void inside_and_across_both_overlap(void)
     CHECK(tribox_overlap(across0, across1, across2, box_min, box_max) == 1);
 }
 
-/* Projected along each axis, each of the three edges in turn passes by the corner of the unit box at a quarter's
- * distance, while the bounding boxes overlap; moved in by a quarter, it touches the corner. */
+/* Projected along each axis, each of the three edges in turn passes by the corner of the unit box at a
+ * quarter's distance, while the bounding boxes overlap; moved in by a quarter, it touches the corner. */
 static void projected_edges_separate_on_every_axis(void)
 {
     int a;
@@ -164,8 +167,9 @@ static void ulp_walk(question *q, int as_float)
     *q = start;
 }
 
-/* A box corner, edge or face centre made to coincide exactly with a corner, edge point or inner point of the triangle;
- * all numbers are small multiples of 1/64, so contact is exact, and the walks leave it by ulps. */
+/* A box corner, edge or face centre made to coincide exactly with a corner, edge point or inner point of
+ * the triangle; all numbers are small multiples of 1/64, so contact is exact, and the walks leave it by
+ * ulps. */
 static void walks_round_contacts_are_exact(void)
 {
     int i;
@@ -236,8 +240,8 @@ static void lattice_point(double p[3], int i, int points)
     p[2] = i / points / points;
 }
 
-/* All triangles with corners in {0,1}^3, every order, against all boxes with faces in {0,1}: points, segments and
- * triangles by boxes that are flat in none to three axes. */
+/* All triangles with corners in {0,1}^3, every order, against all boxes with faces in {0,1}: points,
+ * segments and triangles by boxes that are flat in none to three axes. */
 static void all_questions_on_two_points_a_side_are_exact(void)
 {
     int i;
@@ -251,7 +255,8 @@ static void all_questions_on_two_points_a_side_are_exact(void)
     }
 }
 
-/* Triangles with corners in {0,1,2}^3 up to order (every seventh, all segments and points), against all 216 boxes. */
+/* Triangles with corners in {0,1,2}^3 up to order (every seventh, all segments and points), against all
+ * 216 boxes. */
 static void questions_on_three_points_a_side_are_exact(void)
 {
     int step = 7 * TEST_SCALE;

@@ -27,7 +27,8 @@ static unsigned answers(const double t[9], const double lo[3], const double hi[3
     return result;
 }
 
-/* A corner on the upper face counts when closed only; on the lower face also when half-open; inside always. */
+/* A corner on the upper face counts when closed only; on the lower face also when half-open; inside
+ * always. */
 static void corner_on_a_face_follows_the_rule(void)
 {
     int a;
@@ -63,8 +64,8 @@ static void triangle_in_a_face_follows_the_rule(void)
     }
 }
 
-/* Only part of the triangle lies on the face: after the clip, the box's own face stays open at equality, and the
- * inner points decide. */
+/* Only part of the triangle lies on the face: after the clip, the box's own face stays open at equality,
+ * and the inner points decide. */
 static void corner_on_a_face_with_inner_points_overlaps(void)
 {
     int a;
@@ -78,8 +79,8 @@ static void corner_on_a_face_with_inner_points_overlaps(void)
     }
 }
 
-/* A plane through one corner of the box alone: it counts half-open only at the corner (0,0,0), which uses no open
- * face; at the seven others some open face has a non-zero coefficient. */
+/* A plane through one corner of the box alone: it counts half-open only at the corner (0,0,0), which uses
+ * no open face; at the seven others some open face has a non-zero coefficient. */
 static void plane_through_a_corner_follows_the_rule(void)
 {
     int corner;
@@ -99,7 +100,8 @@ static void plane_through_a_corner_follows_the_rule(void)
     }
 }
 
-/* An edge of the triangle across an edge of the box: half-open counts it if the edge belongs to no open face. */
+/* An edge of the triangle across an edge of the box: half-open counts it if the edge belongs to no open
+ * face. */
 static void edge_across_an_edge_follows_the_rule(void)
 {
     int a;
@@ -142,7 +144,8 @@ static void flat_box_is_empty_unless_closed(void)
     }
 }
 
-/* Flag arithmetic: HALF_OPEN|OPEN is OPEN; THIN overrides and means closed for one box; other bits are ignored. */
+/* Flag arithmetic: HALF_OPEN|OPEN is OPEN; THIN overrides and means closed for one box; other bits are
+ * ignored. */
 static void flags_combine_as_documented(void)
 {
     unsigned high;
@@ -167,8 +170,9 @@ static void flags_combine_as_documented(void)
     }
 }
 
-/* Half-open is closed with the upper faces moved in by a small enough e, open also the lower ones. Conditions on
- * lattice numbers below 16 are integers of slope below 2^12, so e = 2^-20 is small enough: the rule is the limit. */
+/* Half-open is closed with the upper faces moved in by a small enough e, open also the lower ones.
+ * Conditions on lattice numbers below 16 are integers of slope below 2^12, so e = 2^-20 is small enough:
+ * the rule is the limit. */
 static void rules_are_limits_of_smaller_boxes(void)
 {
     const double e = 1.0 / 1048576;
@@ -187,17 +191,18 @@ static void rules_are_limits_of_smaller_boxes(void)
             hi[a] = q.hi[a] - e;
             lo[a] = q.lo[a] + e;
         }
-        CHECK(question_judge(&q, "half-open as a limit", TRIBOX_HALF_OPEN,
-                             tribox_overlap_rule_f64(q.t.v[0], q.t.v[1], q.t.v[2], q.lo, q.hi, TRIBOX_HALF_OPEN),
-                             tribox_overlap_f64(q.t.v[0], q.t.v[1], q.t.v[2], q.lo, hi)));
+        CHECK(question_judge(
+            &q, "half-open as a limit", TRIBOX_HALF_OPEN,
+            tribox_overlap_rule_f64(q.t.v[0], q.t.v[1], q.t.v[2], q.lo, q.hi, TRIBOX_HALF_OPEN),
+            tribox_overlap_f64(q.t.v[0], q.t.v[1], q.t.v[2], q.lo, hi)));
         CHECK(question_judge(&q, "open as a limit", TRIBOX_OPEN,
                              tribox_overlap_rule_f64(q.t.v[0], q.t.v[1], q.t.v[2], q.lo, q.hi, TRIBOX_OPEN),
                              tribox_overlap_f64(q.t.v[0], q.t.v[1], q.t.v[2], lo, hi)));
     }
 }
 
-/* Half-open boxes tile space: a point lies in exactly one of the 27 boxes round it, a triangle in at least one, and
- * the tiles [0,1) and [1,2) together answer as [0,2) does. */
+/* Half-open boxes tile space: a point lies in exactly one of the 27 boxes round it, a triangle in at least
+ * one, and the tiles [0,1) and [1,2) together answer as [0,2) does. */
 static void half_open_boxes_partition_space(void)
 {
     int i;

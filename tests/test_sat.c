@@ -1,5 +1,5 @@
-/* The reference, Akenine-Moller's test in plain float: right where no rounding happens, wrong within rounding of
- * touching. */
+/* The reference, Akenine-Moller's test in plain float: right where no rounding happens, wrong within
+ * rounding of touching. */
 #include "tribox.h"
 
 #include "question.h"
@@ -11,8 +11,8 @@ static int ask_sat(const question *q)
     return tribox_sat(f[0], f[1], f[2], q->flo, q->fhi);
 }
 
-/* On small integers centres are halves and all products are exact: the reference gives the truth, degenerate triangles
- * and flat boxes included. */
+/* On small integers centres are halves and all products are exact: the reference gives the truth,
+ * degenerate triangles and flat boxes included. */
 static void reference_is_exact_on_small_integers(void)
 {
     int i;
@@ -63,8 +63,8 @@ static void reference_is_right_away_from_touching(void)
     CHECK(clear > TEST_LOOPS(20000) / 2);
 }
 
-/* The known failure: on a 0.1f grid some answers are wrong, where tribox_overlap's are right. Which ones depends on the
- * compiler's use of fused or wider arithmetic, hence the search. */
+/* The known failure: on a 0.1f grid some answers are wrong, where tribox_overlap's are right. Which ones
+ * depends on the compiler's use of fused or wider arithmetic, hence the search. */
 static void reference_errs_on_a_grid_of_tenths(void)
 {
     int wrong = 0;

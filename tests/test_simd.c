@@ -1,5 +1,6 @@
-/* The scalar code and the best instruction set give the same answers: this file is compiled twice, and the halves'
- * answers are compared byte by byte. SIMD_UNIT names this half's function; SIMD_MAIN marks the half with main. */
+/* The scalar code and the best instruction set give the same answers: this file is compiled twice, and the
+ * halves' answers are compared byte by byte. SIMD_UNIT names this half's function; SIMD_MAIN marks the
+ * half with main. */
 #include "tribox.h"
 
 #include "question.h"
@@ -18,8 +19,8 @@ static unsigned char simd_tri_answers(const question *q, unsigned flags)
     unsigned char r = 0;
 
     tribox_tri_init_f64(&t64, q->t.v[0], q->t.v[1], q->t.v[2], q->size, flags);
-    r = (unsigned char)(tribox_tri_test_f64(&t64, q->lo) | tribox_overlap_rule_f64(q->t.v[0], q->t.v[1], q->t.v[2],
-                                                                                 q->lo, q->hi, flags) << 1);
+    r = (unsigned char)(tribox_tri_test_f64(&t64, q->lo) |
+                        tribox_overlap_rule_f64(q->t.v[0], q->t.v[1], q->t.v[2], q->lo, q->hi, flags) << 1);
     if (q->triangle_is_float && q->lo_is_float && q->hi_is_float && q->size_is_float) {
         tribox_tri_init(&t32, q->ft[0], q->ft[1], q->ft[2], q->fsize, flags);
         r = (unsigned char)(r | tribox_tri_test(&t32, q->flo) << 2 |

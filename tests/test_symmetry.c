@@ -14,8 +14,9 @@ static unsigned all_answers(const question *q, const unsigned *rules, int count)
         tribox_tri_init_f64(&tri, q->t.v[0], q->t.v[1], q->t.v[2], q->size, rules[i]);
         result |= (unsigned)tribox_tri_test_f64(&tri, q->lo) << (2 * i);
         if (q->has_box) {
-            result |= (unsigned)tribox_overlap_rule_f64(q->t.v[0], q->t.v[1], q->t.v[2], q->lo, q->hi, rules[i])
-                      << (2 * i + 1);
+            result |=
+                (unsigned)tribox_overlap_rule_f64(q->t.v[0], q->t.v[1], q->t.v[2], q->lo, q->hi, rules[i])
+                << (2 * i + 1);
         }
     }
     return result;
@@ -49,7 +50,8 @@ static void corner_order_keeps_the_answer(void)
             for (j = 0; j < 3; j++) {
                 memcpy(turned.t.v[j], q.t.v[k < 3 ? (j + k) % 3 : (k - j) % 3], sizeof q.t.v[0]);
             }
-            CHECK(question_judge(&q, "corner order", (unsigned)k, all_answers(&turned, every_rule, 4) == expected, 1));
+            CHECK(question_judge(&q, "corner order", (unsigned)k,
+                                 all_answers(&turned, every_rule, 4) == expected, 1));
         }
     }
 }
@@ -80,12 +82,14 @@ static void axis_order_keeps_the_answer(void)
                 turned.hi[a] = q.hi[from];
                 turned.size[a] = q.size[from];
             }
-            CHECK(question_judge(&q, "axis order", (unsigned)k, all_answers(&turned, every_rule, 4) == expected, 1));
+            CHECK(question_judge(&q, "axis order", (unsigned)k,
+                                 all_answers(&turned, every_rule, 4) == expected, 1));
         }
     }
 }
 
-/* Mirrored along any set of axes: [lo, hi] becomes [-hi, -lo]. Half-open becomes open below and is left out. */
+/* Mirrored along any set of axes: [lo, hi] becomes [-hi, -lo]. Half-open becomes open below and is left
+ * out. */
 static void mirroring_keeps_the_answer(void)
 {
     int i;
@@ -114,7 +118,8 @@ static void mirroring_keeps_the_answer(void)
                     turned.hi[a] = -q.lo[a];
                 }
             }
-            CHECK(question_judge(&q, "mirror", (unsigned)k, all_answers(&turned, even_rules, 3) == expected, 1));
+            CHECK(question_judge(&q, "mirror", (unsigned)k, all_answers(&turned, even_rules, 3) == expected,
+                                 1));
         }
     }
 }
@@ -158,8 +163,8 @@ static void power_of_two_scaling_keeps_the_answer(void)
         }
         if (exact) {
             asked++;
-            CHECK(question_judge(&q, "scaling", 0, all_answers(&turned, every_rule, 4) == all_answers(&q, every_rule, 4),
-                                 1));
+            CHECK(question_judge(&q, "scaling", 0,
+                                 all_answers(&turned, every_rule, 4) == all_answers(&q, every_rule, 4), 1));
         }
     }
     CHECK(asked > TEST_LOOPS(4000) / 2);
@@ -188,8 +193,8 @@ static void translation_on_a_lattice_keeps_the_answer(void)
             turned.lo[a] += far_step;
             turned.hi[a] += far_step;
         }
-        CHECK(question_judge(&q, "translation", 0, all_answers(&turned, every_rule, 4) == all_answers(&q, every_rule, 4),
-                             1));
+        CHECK(question_judge(&q, "translation", 0,
+                             all_answers(&turned, every_rule, 4) == all_answers(&q, every_rule, 4), 1));
     }
 }
 

@@ -11,8 +11,8 @@ static int thin(const double *t, const double p[3], const double size[3])
     return tribox_tri_test_f64(&tri, p);
 }
 
-/* A small triangle in a voxel's corner region is cut by no diagonal of face centres: conservative sets it, thin does not;
- * about the centre both do. */
+/* A small triangle in a voxel's corner region is cut by no diagonal of face centres: conservative sets it,
+ * thin does not; about the centre both do. */
 static void triangle_inside_one_voxel_may_set_nothing(void)
 {
     const double corner[9] = {.0625, .0625, .125, .125, .0625, .0625, .0625, .125, .0625};
@@ -27,8 +27,9 @@ static void triangle_inside_one_voxel_may_set_nothing(void)
     CHECK(thin(centre, p, one) == 1);
 }
 
-/* The support of a non-cubic voxel is the largest product |n_a| h_a, not h at the largest |n_a|. The plane 2x + y = d
- * about the centre of a voxel of half size (1/2, 4, 1/2) has products 1 and 4: thin reaches up to d = 4, exactly. */
+/* The support of a non-cubic voxel is the largest product |n_a| h_a, not h at the largest |n_a|. The plane
+ * 2x + y = d about the centre of a voxel of half size (1/2, 4, 1/2) has products 1 and 4: thin reaches up
+ * to d = 4, exactly. */
 static void support_is_the_largest_product(void)
 {
     int a;
@@ -59,8 +60,9 @@ static void support_is_the_largest_product(void)
     }
 }
 
-/* A large triangle across an axis' plane, slightly tilted: its middle is set and stays set under every order of the
- * corners. Reading the plane of y as xz instead of zx turns all its edge normals outward and loses it. */
+/* A large triangle across an axis' plane, slightly tilted: its middle is set and stays set under every
+ * order of the corners. Reading the plane of y as xz instead of zx turns all its edge normals outward and
+ * loses it. */
 static void middle_of_a_large_triangle_is_set_on_every_axis(void)
 {
     const double p[3] = {-.5, -.5, -.5};
@@ -84,8 +86,8 @@ static void middle_of_a_large_triangle_is_set_on_every_axis(void)
     }
 }
 
-/* The face test with the whole voxel stays: here plane and edges accept and only the faces part the two, so without
- * it thin would set a voxel that the triangle does not touch. */
+/* The face test with the whole voxel stays: here plane and edges accept and only the faces part the two,
+ * so without it thin would set a voxel that the triangle does not touch. */
 static void faces_part_what_plane_and_edges_accept(void)
 {
     int found = 0;
@@ -148,7 +150,8 @@ static void thin_is_a_subset_of_conservative(void)
     CHECK(set > 0 && less > 0);
 }
 
-/* Thin is always closed: a triangle in the plane of a shared face sets both voxels, whatever other flags say. */
+/* Thin is always closed: a triangle in the plane of a shared face sets both voxels, whatever other flags
+ * say. */
 static void thin_counts_touching_under_every_flag(void)
 {
     int a;
@@ -178,8 +181,9 @@ static void thin_counts_touching_under_every_flag(void)
     }
 }
 
-/* A normal with an exactly zero component projects to a segment: both sides of its line are tested, in either order of
- * the corners. The wall x = y passes the voxel centred at (d, 0) within the diamond's reach, 1/2, or not. */
+/* A normal with an exactly zero component projects to a segment: both sides of its line are tested, in
+ * either order of the corners. The wall x = y passes the voxel centred at (d, 0) within the diamond's
+ * reach, 1/2, or not. */
 static void vertical_wall_reaches_the_diamond(void)
 {
     int d;
@@ -205,8 +209,8 @@ static void vertical_wall_reaches_the_diamond(void)
     }
 }
 
-/* Steep and nearly degenerate triangles, boxes at a contact: the sign of a nearly zero n_a flips three edges, so it has
- * to be exact. Against the oracle, with random voxel shapes. */
+/* Steep and nearly degenerate triangles, boxes at a contact: the sign of a nearly zero n_a flips three
+ * edges, so it has to be exact. Against the oracle, with random voxel shapes. */
 static void nearly_zero_normals_keep_their_sign(void)
 {
     int i;

@@ -5,7 +5,8 @@
 
 #include "question.h"
 
-/* One setup answers at every place, in any order, and from a copy of the struct; the truth is the oracle's. */
+/* One setup answers at every place, in any order, and from a copy of the struct; the truth is the
+ * oracle's. */
 static void one_setup_answers_at_many_places(void)
 {
     int i;
@@ -42,8 +43,8 @@ static void one_setup_answers_at_many_places(void)
             for (k = 0; k < 4; k++) {
                 int expected = oracle_says(truth, every_rule[k]);
                 copy = tri[k];
-                CHECK(question_judge(&q, "copy, tribox_tri_test", every_rule[k], tribox_tri_test(&copy, q.flo),
-                                     expected));
+                CHECK(question_judge(&q, "copy, tribox_tri_test", every_rule[k],
+                                     tribox_tri_test(&copy, q.flo), expected));
                 CHECK(question_judge(&q, "copy, tribox_tri_test_f64", every_rule[k],
                                      tribox_tri_test_f64(&copy, q.lo), expected));
             }
@@ -51,8 +52,8 @@ static void one_setup_answers_at_many_places(void)
     }
 }
 
-/* A corner between p + size and its rounded sum: the box [p, p + size] does not reach up to where fl(p + size) does,
- * or reaches beyond it. */
+/* A corner between p + size and its rounded sum: the box [p, p + size] does not reach up to where fl(p +
+ * size) does, or reaches beyond it. */
 static void upper_face_is_the_real_sum(void)
 {
     int above = 0;
@@ -83,7 +84,8 @@ static void upper_face_is_the_real_sum(void)
     CHECK(above > 0 && below > 0);
 }
 
-/* The same in double, where no wider type holds the sum: 0.1 + 0.2 rounds up, to the number below, which lies outside. */
+/* The same in double, where no wider type holds the sum: 0.1 + 0.2 rounds up, to the number below, which
+ * lies outside. */
 static void upper_face_is_the_real_sum_in_double(void)
 {
     const double sum = 0x1.3333333333334p-2;
@@ -102,7 +104,8 @@ static void upper_face_is_the_real_sum_in_double(void)
     CHECK(tribox_tri_test_f64(&tri, p) == 1);
 }
 
-/* A size that vanishes in fl(p + size) is still positive: [1, 1 + 2^-149) holds the point 1 and nothing beyond. */
+/* A size that vanishes in fl(p + size) is still positive: [1, 1 + 2^-149) holds the point 1 and nothing
+ * beyond. */
 static void vanishing_size_is_not_empty(void)
 {
     const float tiny[3] = {1.401298464e-45f, 1.401298464e-45f, 1.401298464e-45f};

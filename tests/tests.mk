@@ -1,14 +1,16 @@
 # The tests of `make test`: the suite twice, with the scalar code and with the best instruction set of CFLAGS.
-# A program's last line is "name: N passed, N failed", N counting test functions; the sum of these lines ends the run.
+# A program's last line is "name: N passed, N failed", N counting test functions; the sum of these lines ends
+# the run.
 # One file alone: make build/tests/default/test_grid, then run it.
 # TEST_FLAGS=-DTEST_SCALE=10 asks a tenth of the random questions (emulators, sanitizers).
 
 TEST_COMPILES := c99 include_twice two_units hostile_macros
 TEST_HEADERS  := tribox.h tests/test.h tests/oracle.h tests/question.h tests/voxels.h
+TEST_UNITS    := tests/compile/two_units_a.c tests/compile/two_units_b.c
 TEST_SOURCES  := $(wildcard tests/test_*.c)
 
-TEST_PROGRAMS := $(B)/tests/scalar/suite $(B)/tests/default/suite $(B)/tests/test_oracle $(B)/tests/test_simd \
-                 $(TEST_COMPILES:%=$(B)/tests/compile/%)
+TEST_PROGRAMS := $(B)/tests/scalar/suite $(B)/tests/default/suite \
+                 $(B)/tests/test_oracle $(B)/tests/test_simd $(TEST_COMPILES:%=$(B)/tests/compile/%)
 TEST_LOGS     := $(TEST_PROGRAMS:%=%.log)
 
 # Two jobs unless make was told how many.
@@ -36,9 +38,9 @@ $(B)/tests/test_simd: tests/test_simd.c $(TEST_HEADERS)
 	$(CC_C99) $(TEST_FLAGS) -DTRIBOX_SIMD=0 -DSIMD_UNIT=simd_scalar_answers -c $< -o $@_scalar.o
 	$(CC_C99) $(TEST_FLAGS) -DSIMD_UNIT=simd_best_answers -DSIMD_MAIN $< $@_scalar.o -o $@
 
-$(B)/tests/compile/two_units: tests/compile/two_units_a.c tests/compile/two_units_b.c tests/compile/every_function.h tribox.h
+$(B)/tests/compile/two_units: $(TEST_UNITS) tests/compile/every_function.h tribox.h
 	@mkdir -p $(@D)
-	$(CC_C99) tests/compile/two_units_a.c tests/compile/two_units_b.c -o $@
+	$(CC_C99) $(TEST_UNITS) -o $@
 
 $(B)/tests/compile/%: tests/compile/%.c tests/compile/every_function.h tribox.h
 	@mkdir -p $(@D)

@@ -1,5 +1,5 @@
-/* A small region of a grid voxel by voxel: the truth of each voxel by the oracle, the spans that a walk emits, and a
- * generator of grids and triangles that meet. Include "tribox.h" first. */
+/* A small region of a grid voxel by voxel: the truth of each voxel by the oracle, the spans that a walk
+ * emits, and a generator of grids and triangles that meet. Include "tribox.h" first. */
 #ifndef VOXELS_H
 #define VOXELS_H
 
@@ -31,8 +31,8 @@ TEST_FN void voxels_print(const voxels *v, const char *what, unsigned flags)
         printf("%a%s", v->t.v[i / 3][i % 3], i == 8 ? "}\n" : i % 3 == 2 ? "} {" : ", ");
     }
     printf("  origin {%a, %a, %a} size {%a, %a, %a}\n  lo {%d, %d, %d} hi {%d, %d, %d}\n", v->grid.origin[0],
-           v->grid.origin[1], v->grid.origin[2], v->grid.size[0], v->grid.size[1], v->grid.size[2], v->grid.lo[0],
-           v->grid.lo[1], v->grid.lo[2], v->grid.hi[0], v->grid.hi[1], v->grid.hi[2]);
+           v->grid.origin[1], v->grid.origin[2], v->grid.size[0], v->grid.size[1], v->grid.size[2],
+           v->grid.lo[0], v->grid.lo[1], v->grid.lo[2], v->grid.hi[0], v->grid.hi[1], v->grid.hi[2]);
 }
 
 /* Floats, count and truth, from grid and t. */
@@ -61,7 +61,8 @@ TEST_FN void voxels_finish(voxels *v)
     }
 }
 
-/* What a walk emitted; `orderly` stays 1 while spans are inside the region, disjoint, maximal and in order. */
+/* What a walk emitted; `orderly` stays 1 while spans are inside the region, disjoint, maximal and in
+ * order. */
 typedef struct walk {
     const voxels *v;
     unsigned char set[VOXELS_MAX];
@@ -82,8 +83,8 @@ TEST_FN void walk_emit(void *user, int x0, int x1, int y, int z)
     int                gap = w->any && z == w->last_z && y == w->last_y && x0 - 1 > w->last_x1;
     int                x;
 
-    w->orderly &= x0 <= x1 && x0 >= g->lo[0] && x1 < g->hi[0] && y >= g->lo[1] && y < g->hi[1] && z >= g->lo[2] &&
-                  z < g->hi[2] && (later || gap);
+    w->orderly &= x0 <= x1 && x0 >= g->lo[0] && x1 < g->hi[0] && y >= g->lo[1] && y < g->hi[1] &&
+                  z >= g->lo[2] && z < g->hi[2] && (later || gap);
     if (w->orderly) {
         int row = ((z - g->lo[2]) * w->v->n[1] + (y - g->lo[1])) * w->v->n[0];
         for (x = x0; x <= x1; x++) {
@@ -188,7 +189,7 @@ TEST_FN int voxels_ask_all(voxels *v)
     return ok;
 }
 
-/* ---- generators ---------------------------------------------------------------------------------------------------- */
+/* ---- generators ---------------------------------------------------------------------------------------- */
 
 enum voxels_kind {
     GRID_GENERAL,       /* random corners about the region, voxels of any shape */
@@ -207,8 +208,8 @@ TEST_FN double grid_plane(const tribox_grid *g, int a, double i)
     return g->origin[a] + i * g->size[a];
 }
 
-/* Whole, half or tenth steps, a common or a different one per axis; origins plain or awkward; indices small, negative
- * or about a million, so that origin + i*size has many bits. */
+/* Whole, half or tenth steps, a common or a different one per axis; origins plain or awkward; indices
+ * small, negative or about a million, so that origin + i*size has many bits. */
 TEST_FN void make_grid(tribox_grid *g, int large)
 {
     static const double sizes[8] = {1, 1, 0.5, 0.25, 0.1, 1.0 / 3, 3, 0.7};
@@ -309,8 +310,9 @@ TEST_FN void walk_corners(voxels *v, int as_float)
 
 TEST_FN void voxels_corners(voxels *v, int kind, int as_float)
 {
-    int a;
-    int i;
+    double reach;
+    int    a;
+    int    i;
 
     switch (kind) {
     case GRID_ALIGNED:
@@ -338,7 +340,8 @@ TEST_FN void voxels_corners(voxels *v, int kind, int as_float)
         break;
     default:
         for (i = 0; i < 3; i++) {
-            make_random_corner(&v->grid, v->t.v[i], kind == GRID_GENERAL ? 1 : i == 0 ? 1 : random_below(2) ? 1e6 : 100);
+            reach = kind == GRID_GENERAL || i == 0 ? 1 : random_below(2) ? 1e6 : 100;
+            make_random_corner(&v->grid, v->t.v[i], reach);
         }
         break;
     }

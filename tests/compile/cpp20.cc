@@ -14,10 +14,14 @@ int main()
     const float v1[3] = {7.5f, 0.5f, 0.5f};
     std::vector<int> rows;
     std::vector<uint64_t> bits(tribox_grid_words(&grid));
-    const std::size_t voxels = tribox_grid_spans(
-        &grid, v0, v1, v1,
-        [](void *user, int x0, int x1, int, int) { static_cast<std::vector<int> *>(user)->push_back(x1 - x0); }, &rows);
-    const bool ok = every_function() == 0 && voxels == 8 && rows.size() == 1 && rows[0] == 7 && bits.size() == 64;
+    const std::size_t     voxels = tribox_grid_spans(
+            &grid, v0, v1, v1,
+            [](void *user, int x0, int x1, int, int) {
+            static_cast<std::vector<int> *>(user)->push_back(x1 - x0);
+        },
+            &rows);
+    const bool ok =
+        every_function() == 0 && voxels == 8 && rows.size() == 1 && rows[0] == 7 && bits.size() == 64;
 
     std::printf("test_cpp: %d passed, %d failed\n", ok ? 1 : 0, ok ? 0 : 1);
     return ok ? 0 : 1;

@@ -1,5 +1,5 @@
-// The header in device code: the same calls on the host and in a kernel. Without a GPU the program says so and passes
-// its host half only.
+// The header in device code: the same calls on the host and in a kernel. Without a GPU the program says so
+// and passes its host half only.
 #include "tribox.h"
 
 #include <cstdio>
@@ -41,7 +41,8 @@ int main()
     const int host = wrong_answers();
 
     if (cudaMallocManaged(&wrong, sizeof *wrong) != cudaSuccess) {
-        std::printf("SKIP: no GPU, host half only\ntest_device: %d passed, %d failed\n", host == 0, host != 0);
+        std::printf("SKIP: no GPU, host half only\ntest_device: %d passed, %d failed\n", host == 0,
+                    host != 0);
         return host != 0;
     }
     *wrong = -1;

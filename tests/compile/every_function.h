@@ -1,5 +1,5 @@
-/* Calls every function of the interface once, in the common subset of C99 and C++98. Returns the number of wrong
- * answers. Include "tribox.h" first. */
+/* Calls every function of the interface once, in the common subset of C99 and C++98. Returns the number of
+ * wrong answers. Include "tribox.h" first. */
 #ifndef EVERY_FUNCTION_H
 #define EVERY_FUNCTION_H
 

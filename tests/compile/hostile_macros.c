@@ -1,6 +1,6 @@
-/* Names that other headers take as macros before ours comes: <windows.h> (min, max, near, far, small, interface),
- * <complex.h> (I), <termios.h> and <ctype.h> of old (B0, _N), and what people write by hand. The header's own names must
- * neither be hit by these nor disturb them. */
+/* Names that other headers take as macros before ours comes: <windows.h> (min, max, near, far, small,
+ * interface), <complex.h> (I), <termios.h> and <ctype.h> of old (B0, _N), and what people write by hand.
+ * The header's own names must neither be hit by these nor disturb them. */
 #include <float.h>
 #include <stddef.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
-/* Two units of one program, each with its own copy: no symbol is defined twice, and an object prepared in one unit is
- * tested in the other. */
+/* Two units of one program, each with its own copy: no symbol is defined twice, and an object prepared in
+ * one unit is tested in the other. */
 #include "tribox.h"
 
 #include <stdio.h>
@@ -21,7 +21,8 @@ int main(void)
     int         ok;
 
     tribox_tri_init(&tri, v0, v1, v2, size, 0);
-    ok = unit_b_test(&tri, p) == 1 && unit_b_test(&tri, q) == 0 && every_function() == 0 && unit_b_wrong_answers() == 0;
+    ok = unit_b_test(&tri, p) == 1 && unit_b_test(&tri, q) == 0 && every_function() == 0 &&
+         unit_b_wrong_answers() == 0;
     printf("test_units: %d passed, %d failed\n", ok, !ok);
     return !ok;
 }
