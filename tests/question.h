@@ -8,6 +8,7 @@
 
 /* ---- random numbers (SplitMix64) ----------------------------------------------------------------------- */
 
+/* One call per expression: compilers differ in the order of evaluation, and a seed should mean one question. */
 static uint64_t random_state;
 
 static inline void random_seed(uint64_t seed)
@@ -384,7 +385,8 @@ TEST_FN void make_uniform(question *q)
     int i;
 
     for (a = 0; a < 3; a++) {
-        double size = (random_signed() + 1.0) * (random_below(2) ? 0.5 : 0.05);
+        double size = random_below(2) ? 0.5 : 0.05;
+        size *= random_signed() + 1.0;
         for (i = 0; i < 3; i++) {
             q->t.v[i][a] = random_signed();
         }
@@ -518,6 +520,14 @@ TEST_FN void make_aligned(question *q)
     }
 }
 
+/* A sign and mantissa at random, times a power of two between -range and range. */
+TEST_FN double random_of_range(int range)
+{
+    double x = random_signed();
+
+    return x * power_of_two(random_below(2 * range) - range);
+}
+
 TEST_FN void make_mixed(question *q, int as_float)
 {
     int range = random_below(4) ? 20 : as_float ? 120 : random_below(4) ? 200 : 1000;
@@ -528,11 +538,10 @@ TEST_FN void make_mixed(question *q, int as_float)
         double x;
         double y;
         for (i = 0; i < 3; i++) {
-            q->t.v[i][a] = random_signed() * power_of_two(random_below(2 * range) - range);
+            q->t.v[i][a] = random_of_range(range);
         }
-        x = random_signed() * power_of_two(random_below(2 * range) - range);
-        y = random_below(3) ? q->t.v[random_below(3)][a]
-                            : random_signed() * power_of_two(random_below(2 * range) - range);
+        x = random_of_range(range);
+        y = random_below(3) ? q->t.v[random_below(3)][a] : random_of_range(range);
         q->lo[a] = x < y ? x : y;
         q->hi[a] = x < y ? y : x;
     }

@@ -97,7 +97,8 @@ static void frame_holds_the_mesh_strictly_inside(void)
         int         varies = 0;
         int         k;
         for (k = 0; k < 3; k++) {
-            centre[k] = random_below(2) ? 0 : random_signed() * scale * power_of_two(random_below(30));
+            centre[k] = random_below(2) ? 0 : random_signed() * scale;
+            centre[k] *= power_of_two(random_below(30));
             centre[k] = centre[k] > 1e38 || centre[k] < -1e38 ? 0 : centre[k];
         }
         for (k = 0; k < 9 * triangles; k++) {
@@ -261,8 +262,8 @@ static void point_triangle_sets_exactly_the_located_voxel(void)
         v.grid.flags = TRIBOX_HALF_OPEN;
         for (a = 0; a < 3; a++) {
             v.n[a] = v.grid.hi[a] - v.grid.lo[a];
-            v.t.v[0][a] =
-                grid_plane(&v.grid, a, v.grid.lo[a] + random_below(v.n[a] + 1) + (random_below(4) ? 0 : 0.3));
+            v.t.v[0][a] = v.grid.lo[a] + random_below(v.n[a] + 1);
+            v.t.v[0][a] = grid_plane(&v.grid, a, v.t.v[0][a] + (random_below(4) ? 0 : 0.3));
             v.t.v[0][a] = nudge_double(v.t.v[0][a], random_below(7) - 3);
             v.t.v[1][a] = v.t.v[2][a] = v.t.v[0][a];
         }

@@ -83,8 +83,9 @@ static void extreme_scales_are_exact_on_every_voxel(void)
         int a;
         v.seed = random_state;
         for (a = 0; a < 3; a++) {
-            double scale = power_of_two(exponents[random_below(6)] + random_below(3));
+            double scale = power_of_two(exponents[random_below(6)]);
             int    j;
+            scale *= power_of_two(random_below(3));
             v.grid.origin[a] = (random_below(5) - 2) * scale;
             v.grid.size[a] = (1 + random_below(2)) * scale;
             v.grid.lo[a] = random_below(5) - 4;

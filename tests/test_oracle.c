@@ -206,6 +206,15 @@ static void oracle_agrees_with_the_thin_formula(void)
     }
 }
 
+/* A run of ones of any sign, length and place. */
+static void small_wide(wide *r)
+{
+    int      sign = small_below(2) ? 1 : -1;
+    uint64_t mantissa = (uint64_t)0xFFFFFFFFFFFFFFFFu >> small_below(60);
+
+    wide_set(r, sign, mantissa, small_below(1000));
+}
+
 /* (a+b)(a-b) = a*a - b*b at many lengths and signs: carries, borrows and partial products. */
 static void wide_integers_obey_the_square_rule(void)
 {
@@ -220,10 +229,8 @@ static void wide_integers_obey_the_square_rule(void)
         wide a2;
         wide b2;
 
-        wide_set(&a, small_below(2) ? 1 : -1, (uint64_t)0xFFFFFFFFFFFFFFFFu >> small_below(60),
-                 small_below(1000));
-        wide_set(&b, small_below(2) ? 1 : -1, (uint64_t)0xFFFFFFFFFFFFFFFFu >> small_below(60),
-                 small_below(1000));
+        small_wide(&a);
+        small_wide(&b);
         wide_add(&sum, &a, &b);
         wide_subtract(&difference, &a, &b);
         wide_multiply(&left, &sum, &difference);

@@ -185,8 +185,9 @@ static void translation_on_a_lattice_keeps_the_answer(void)
         question_from_box(&q);
         turned = q;
         for (a = 0; a < 3; a++) {
-            double far_step = (random_below(2) ? 1 : -1) * power_of_two(random_below(52));
+            double far_step = power_of_two(random_below(52));
             int    j;
+            far_step = random_below(2) ? far_step : -far_step;
             for (j = 0; j < 3; j++) {
                 turned.t.v[j][a] += far_step;
             }

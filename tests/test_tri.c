@@ -221,7 +221,8 @@ static void box_of_any_size_is_exact(void)
             make_uniform(&q);
             question_round_to_floats(&q);
             for (a = 0; a < 3; a++) {
-                q.size[a] = rounded_to_float((1.0 + random_below(3)) * power_of_two(e + random_below(3)));
+                q.size[a] = power_of_two(e + random_below(3));
+                q.size[a] = rounded_to_float((1.0 + random_below(3)) * q.size[a]);
                 q.lo[a] = i & 1 ? q.t.v[i % 3][a] : rounded_to_float(q.t.v[i % 3][a] - q.size[a]);
             }
             question_from_voxel(&q);
