@@ -8,7 +8,8 @@
 
 /* ---- random numbers (SplitMix64) ----------------------------------------------------------------------- */
 
-/* One call per expression: compilers differ in the order of evaluation, and a seed should mean one question. */
+/* One call per expression: compilers differ in the order of evaluation, and a seed should mean one
+ * question. */
 static uint64_t random_state;
 
 static inline void random_seed(uint64_t seed)
@@ -346,6 +347,7 @@ enum question_kind {
     DEGENERATE,     /* segments and points, exactly */
     TOUCHING,       /* a corner, edge or face of the box through a point of the triangle, rounded */
     MISMATCH,       /* triangle and box of sizes 1e6 apart */
+    SKEWED,         /* touching, each axis scaled by a power of two: flat in one direction or two */
     STRETCHED,      /* a lattice question, each axis scaled by a power of two */
     ALIGNED,        /* walls, floors and 45-degree triangles on the lattice */
     MIXED,          /* numbers of many exponents in one question */
@@ -484,6 +486,24 @@ TEST_FN void make_mismatch(question *q)
     }
 }
 
+/* One axis much longer than another, within ulps of touching: each condition has an error bound of its own
+ * size. */
+TEST_FN void make_skewed(question *q)
+{
+    int a;
+
+    make_touching(q);
+    for (a = 0; a < 3; a++) {
+        double scale = power_of_two(random_below(41) - 20);
+        int    i;
+        for (i = 0; i < 3; i++) {
+            q->t.v[i][a] *= scale;
+        }
+        q->lo[a] *= scale;
+        q->hi[a] *= scale;
+    }
+}
+
 /* Truth is kept by the scaling, so the exponents may be extreme: subnormals to 2^100 as floats, to 2^1000
  * as doubles. */
 TEST_FN void make_stretched(question *q, int as_float)
@@ -598,6 +618,7 @@ TEST_FN void question_make(question *q, int kind, int as_float)
     case DEGENERATE: make_degenerate(q); break;
     case TOUCHING:   make_touching(q); break;
     case MISMATCH:   make_mismatch(q); break;
+    case SKEWED:     make_skewed(q); break;
     case STRETCHED:  make_stretched(q, as_float); break;
     case ALIGNED:    make_aligned(q); break;
     case MIXED:      make_mixed(q, as_float); break;

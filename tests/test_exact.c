@@ -79,6 +79,14 @@ static void contacts_within_ulps_are_exact(void)
     every_entry_agrees_with_the_oracle(TOUCHING, DOUBLES, 20000);
 }
 
+/* The same contacts, one axis up to 2^40 times longer than another: no condition may borrow another's
+ * bound. */
+static void skewed_contacts_are_exact(void)
+{
+    every_entry_agrees_with_the_oracle(SKEWED, FLOATS, 20000);
+    every_entry_agrees_with_the_oracle(SKEWED, DOUBLES, 20000);
+}
+
 /* Triangle and box a million times larger or smaller than each other, in contact or nearly so. */
 static void mismatched_scales_are_exact(void)
 {
@@ -159,6 +167,7 @@ int main(void)
     RUN(steep_triangles_are_exact);
     RUN(degenerate_triangles_are_exact);
     RUN(contacts_within_ulps_are_exact);
+    RUN(skewed_contacts_are_exact);
     RUN(mismatched_scales_are_exact);
     RUN(extreme_exponents_are_exact);
     RUN(aligned_triangles_are_exact);

@@ -181,6 +181,34 @@ static void float_setup_answers_double_places(void)
     }
 }
 
+/* A double triangle beyond the floats: p = FLT_MAX reaches it if the size does, and no float reaches
+ * further. */
+static void last_float_place_reaches_by_its_size_alone(void)
+{
+    const double beyond = 2 * (double)FLT_MAX;
+    int          a;
+
+    for (a = 0; a < 3; a++) {
+        double     t[3] = {0.5, 0.5, 0.5};
+        float      p[3] = {0, 0, 0};
+        double     size[3] = {1, 1, 1};
+        tribox_tri tri;
+        t[a] = beyond;
+        p[a] = FLT_MAX;
+        tribox_tri_init_f64(&tri, t, t, t, size, 0);
+        CHECK(tribox_tri_test(&tri, p) == 0);
+        size[a] = (double)FLT_MAX;
+        tribox_tri_init_f64(&tri, t, t, t, size, 0);
+        CHECK(tribox_tri_test(&tri, p) == 1);
+        tribox_tri_init_f64(&tri, t, t, t, size, TRIBOX_HALF_OPEN);
+        CHECK(tribox_tri_test(&tri, p) == 0);
+        t[a] = -beyond;
+        p[a] = -FLT_MAX;
+        tribox_tri_init_f64(&tri, t, t, t, size, 0);
+        CHECK(tribox_tri_test(&tri, p) == 0);
+    }
+}
+
 /* Places so far from the triangle that the filter's bound does not hold there: the face test answers. */
 static void far_places_miss(void)
 {
@@ -239,6 +267,7 @@ int main(void)
     RUN(vanishing_size_is_not_empty);
     RUN(sum_may_exceed_the_type);
     RUN(float_setup_answers_double_places);
+    RUN(last_float_place_reaches_by_its_size_alone);
     RUN(far_places_miss);
     RUN(box_of_any_size_is_exact);
     return test_report("test_tri");
