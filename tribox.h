@@ -63,6 +63,13 @@
 #define TRIBOX_IMPL_RARELY(condition) (condition)
 #endif
 
+/* Asks for memory that will be written soon; any address will do. */
+#if defined(__GNUC__) && !defined(__CUDA_ARCH__)
+#define TRIBOX_IMPL_PREFETCH(address) __builtin_prefetch((const void *)(address), 1)
+#else
+#define TRIBOX_IMPL_PREFETCH(address) ((void)0)
+#endif
+
 /* Copies a few bytes of any alignment; compilers turn it into one move. */
 #if defined(__GNUC__)
 #define TRIBOX_IMPL_COPY(dst, src, bytes) ((void)__builtin_memcpy((dst), (src), (bytes)))
@@ -1252,6 +1259,12 @@ TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_least(tribox_impl_f4 a)
     return tribox_impl_min4(b, TRIBOX_IMPL_LANES(b, b, 1, 1, 1, 1));
 }
 
+/* Towards zero, as floats; magnitudes below 2^31. */
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_truncate(tribox_impl_f4 a)
+{
+    return __builtin_convertvector(__builtin_convertvector(a, tribox_impl_i4), tribox_impl_f4);
+}
+
 /* r_i = |e_b| h_c + |e_c| h_b, as z, x, y; e absolute */
 TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_radius4(tribox_impl_f4 e, tribox_impl_f4 h, tribox_impl_f4 h_yzx)
 {
@@ -1685,6 +1698,13 @@ TRIBOX_IMPL_FN double tribox_impl_condition_scale(const tribox_impl_condition *c
     return tribox_impl_from_bits64((uint64_t)(2045 - (tribox_impl_bits64(&bound) >> 52)) << 52);
 }
 
+/* A condition that is unsure everywhere. */
+TRIBOX_IMPL_FN void tribox_impl_store_zero(tribox_tri *tri, int i)
+{
+    tri->n_x[i] = tri->n_y[i] = tri->n_z[i] = tri->d[i] = 0.0f;
+    tri->n_x_f64[i] = tri->n_y_f64[i] = tri->n_z_f64[i] = tri->d_f64[i] = 0.0;
+}
+
 TRIBOX_IMPL_FN void tribox_impl_store(tribox_tri *tri, int i, const tribox_impl_condition *c,
                                       const tribox_impl_setup *s)
 {
@@ -1692,21 +1712,25 @@ TRIBOX_IMPL_FN void tribox_impl_store(tribox_tri *tri, int i, const tribox_impl_
     const double two_300 = 2.037035976334486e+90;
     const double f = tribox_impl_condition_scale(c, s, (double)TRIBOX_IMPL_U32, 1.0 / two_60, two_60);
     const double g = tribox_impl_condition_scale(c, s, TRIBOX_IMPL_U64, 1.0 / two_300, two_300);
-    tri->n_x[i] = (float)(c->a[0] * f);
-    tri->n_y[i] = (float)(c->a[1] * f);
-    tri->n_z[i] = (float)(c->a[2] * f);
-    tri->d[i] = (float)(c->d * f);
-    tri->n_x_f64[i] = c->a[0] * g;
-    tri->n_y_f64[i] = c->a[1] * g;
-    tri->n_z_f64[i] = c->a[2] * g;
-    tri->d_f64[i] = c->d * g;
+    tribox_impl_store_zero(tri, i);
+    if (f > 0.0) {
+        tri->n_x[i] = (float)(c->a[0] * f);
+        tri->n_y[i] = (float)(c->a[1] * f);
+        tri->n_z[i] = (float)(c->a[2] * f);
+        tri->d[i] = (float)(c->d * f);
+    }
+    if (g > 0.0) {
+        tri->n_x_f64[i] = c->a[0] * g;
+        tri->n_y_f64[i] = c->a[1] * g;
+        tri->n_z_f64[i] = c->a[2] * g;
+        tri->d_f64[i] = c->d * g;
+    }
 }
 
 /* A condition that holds wherever the faces do. */
 TRIBOX_IMPL_FN void tribox_impl_store_true(tribox_tri *tri, int i)
 {
-    tri->n_x[i] = tri->n_y[i] = tri->n_z[i] = 0.0f;
-    tri->n_x_f64[i] = tri->n_y_f64[i] = tri->n_z_f64[i] = 0.0;
+    tribox_impl_store_zero(tri, i);
     tri->d[i] = 2.0f;
     tri->d_f64[i] = 2.0;
 }
@@ -1853,8 +1877,7 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
     }
     if (!finite || !tribox_impl_finite3(s.reach)) {
         for (i = 0; i < 11; i++) {
-            tri->d[i] = 0.0f;
-            tri->d_f64[i] = 0.0;
+            tribox_impl_store_zero(tri, i);
         }
         return;
     }
@@ -2075,6 +2098,7 @@ typedef struct tribox_impl_limit {
     double a[3];
     double d;
     double bound;
+    double quantum;         /* if bound = 0, on the lattice: all of the above are multiples of half of it */
     double inverse;         /* about 1 / a[axis] */
     int    axis;            /* the index it limits */
     int    sign;            /* of a[axis], exact */
@@ -2095,6 +2119,7 @@ typedef struct tribox_impl_walk {
     double             slack[3];    /* bound of error in a difference of coordinates */
     double             quantum;     /* on the lattice: its unit */
     int                limits;
+    int                first[5];    /* limits first[g]..first[g+1]-1: edges of xy, zx, yz; the plane's sides */
     tribox_impl_limit  limit[11];
 } tribox_impl_walk;
 
@@ -2218,6 +2243,7 @@ TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, 
     c->axis = axis;
     c->sign = sign;
     c->inverse = 0.0;
+    c->quantum = 0.0;
     if (!(in_range && c->bound >= 2.409919865102884e-181 && c->bound <= 8.452712498170644e+270)) {  /* 2^-600, 2^900 */
         c->a[0] = c->a[1] = c->a[2] = c->d = 0.0;       /* exact signs alone */
         c->bound = 1.0;
@@ -2227,8 +2253,8 @@ TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, 
         c->inverse = 1.0 / c->a[axis];
     }
     if (w->on_lattice) {
-        const double half = 0.5 * w->quantum * w->quantum * (degree == 3 ? w->quantum : 1.0);
-        c->d += strict ? -half : half;
+        c->quantum = w->quantum * w->quantum * (degree == 3 ? w->quantum : 1.0);
+        c->d += strict ? -0.5 * c->quantum : 0.5 * c->quantum;
         c->bound = 0.0;
     }
 }
@@ -2280,8 +2306,9 @@ TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
 
 /* All limits but those that the index box implies: edges parallel to an axis, planes along two axes. In the order
  * in which the walk asks them: per row y, per layer z (first x, then y), per row and layer. */
-TRIBOX_IMPL_FN void tribox_impl_walk_limits(tribox_impl_walk *w, const tribox_impl_edges *t, int first[5])
+TRIBOX_IMPL_FN void tribox_impl_walk_limits(tribox_impl_walk *w, const tribox_impl_edges *t)
 {
+    int *first = w->first;
     int group;
     int i;
     int k;
@@ -2332,8 +2359,6 @@ TRIBOX_IMPL_FN void tribox_impl_walk_limits(tribox_impl_walk *w, const tribox_im
     first[4] = w->limits;
 }
 
-#define TRIBOX_IMPL_ROWS_AT_ONCE 64
-
 /* Cuts the region to the voxels whose faces hold. Returns 0 if none is left. */
 TRIBOX_IMPL_FN int tribox_impl_walk_box(tribox_impl_walk *w)
 {
@@ -2357,93 +2382,332 @@ TRIBOX_IMPL_FN int tribox_impl_walk_box(tribox_impl_walk *w)
     return 1;
 }
 
-/* The row walk: for a fixed row (y, z) every limit is a bound on x, so the voxels of a row are one span. The xy edges
- * bound x per y, the zx edges x per z, the yz edges y per z; only the plane's two sides depend on both. */
-TRIBOX_IMPL_FN size_t tribox_impl_walk_rows(const tribox_grid *grid, const double v0[3], const double v1[3],
-                                            const double v2[3], tribox_span_fn emit, void *user)
+/* Sets out over a valid grid. Returns 0 if no voxel's faces hold. */
+TRIBOX_IMPL_NOINLINE int tribox_impl_walk_start(tribox_impl_walk *w, const tribox_grid *grid, const double v0[3],
+                                                const double v1[3], const double v2[3])
 {
-    int64_t tile_lo[TRIBOX_IMPL_ROWS_AT_ONCE];
-    int64_t tile_hi[TRIBOX_IMPL_ROWS_AT_ONCE];
-    int64_t tile = -1;          /* the tile of rows that the xy bounds are of */
-    tribox_impl_walk w;
     tribox_impl_edges t;
-    int first[5];
-    int64_t index[3];
-    int64_t y;
-    int64_t z;
-    size_t count = 0;
-    int i;
-    w.grid = grid;
-    w.flags = (grid->flags & TRIBOX_THIN) != 0 ? (unsigned)TRIBOX_THIN : grid->flags;
-    w.corner[0] = v0;
-    w.corner[1] = v1;
-    w.corner[2] = v2;
-    if (!tribox_impl_corners_finite(v0, v1, v2) || !tribox_impl_walk_box(&w)) {
+    int k;
+    w->grid = grid;
+    w->flags = (grid->flags & TRIBOX_THIN) != 0 ? (unsigned)TRIBOX_THIN : grid->flags;
+    w->corner[0] = v0;
+    w->corner[1] = v1;
+    w->corner[2] = v2;
+    if (!tribox_impl_corners_finite(v0, v1, v2) || !tribox_impl_walk_box(w)) {
         return 0;
     }
     tribox_impl_edges_init(&t, v0, v1, v2);
-    for (i = 0; i < 3; i++) {
-        w.n_sign[i] = t.n_sign[i];
+    for (k = 0; k < 3; k++) {
+        w->n_sign[k] = t.n_sign[k];
     }
-    tribox_impl_walk_frame(&w);
-    tribox_impl_walk_limits(&w, &t, first);
-    for (z = 0; z < w.count[2]; z++) {
+    tribox_impl_walk_frame(w);
+    tribox_impl_walk_limits(w, &t);
+    return 1;
+}
+
+/* Where spans go: to a callback, counted. */
+typedef struct tribox_impl_sink {
+    tribox_span_fn emit;
+    void          *user;
+    size_t         count;
+} tribox_impl_sink;
+
+TRIBOX_IMPL_FN void tribox_impl_walk_emit(const tribox_impl_walk *w, int64_t lo, int64_t hi, int64_t y, int64_t z,
+                                          tribox_impl_sink *sink)
+{
+    sink->count = tribox_impl_saturating_add(sink->count, (size_t)(hi - lo + 1));
+    if (sink->emit != NULL) {
+        sink->emit(sink->user, (int)(w->base[0] + lo), (int)(w->base[0] + hi), (int)(w->base[1] + y),
+                   (int)(w->base[2] + z));
+    }
+}
+
+#define TRIBOX_IMPL_TILE 64     /* rows y, and layers z, whose bounds are kept at once */
+
+/* The row walk: for a fixed row (y, z) every limit is a bound on x, so the voxels of a row are one span. The xy edges
+ * bound x per y, the zx edges x per z, the yz edges y per z; only the plane's two sides depend on both. */
+TRIBOX_IMPL_FN void tribox_impl_walk_rows(const tribox_impl_walk *w, tribox_impl_sink *sink)
+{
+    int64_t tile_lo[TRIBOX_IMPL_TILE];
+    int64_t tile_hi[TRIBOX_IMPL_TILE];
+    int64_t tile = -1;          /* the rows that these are of */
+    int64_t index[3];
+    int64_t y;
+    int64_t z;
+    int i;
+    for (z = 0; z < w->count[2]; z++) {
         int64_t y_lo = 0;
-        int64_t y_hi = w.count[1] - 1;
+        int64_t y_hi = w->count[1] - 1;
         int64_t z_lo = 0;
-        int64_t z_hi = w.count[0] - 1;
+        int64_t z_hi = w->count[0] - 1;
         index[0] = 0;
         index[1] = 0;
         index[2] = z;
-        for (i = first[1]; i < first[2]; i++) {
-            tribox_impl_limit_narrow(&w, &w.limit[i], index, &z_lo, &z_hi);
+        for (i = w->first[1]; i < w->first[2]; i++) {
+            tribox_impl_limit_narrow(w, &w->limit[i], index, &z_lo, &z_hi);
         }
-        for (i = first[2]; i < first[3]; i++) {
-            tribox_impl_limit_narrow(&w, &w.limit[i], index, &y_lo, &y_hi);
+        for (i = w->first[2]; i < w->first[3]; i++) {
+            tribox_impl_limit_narrow(w, &w->limit[i], index, &y_lo, &y_hi);
         }
-        if (z_lo > z_hi) {
-            continue;
-        }
-        for (y = y_lo; y <= y_hi; y++) {
-            const int row = (int)(y % TRIBOX_IMPL_ROWS_AT_ONCE);
-            int64_t x_lo;
-            int64_t x_hi;
-            if (y / TRIBOX_IMPL_ROWS_AT_ONCE != tile) {
+        for (y = y_lo; y <= y_hi && z_lo <= z_hi; y++) {
+            const int row = (int)(y % TRIBOX_IMPL_TILE);
+            int64_t lo;
+            int64_t hi;
+            if (y / TRIBOX_IMPL_TILE != tile) {
                 int64_t tile_y = y - row;
                 int r;
-                tile = y / TRIBOX_IMPL_ROWS_AT_ONCE;
-                for (r = 0; r < TRIBOX_IMPL_ROWS_AT_ONCE && tile_y < w.count[1]; r++, tile_y++) {
+                tile = y / TRIBOX_IMPL_TILE;
+                for (r = 0; r < TRIBOX_IMPL_TILE && tile_y < w->count[1]; r++, tile_y++) {
                     tile_lo[r] = 0;
-                    tile_hi[r] = w.count[0] - 1;
+                    tile_hi[r] = w->count[0] - 1;
                     index[0] = 0;
                     index[1] = tile_y;
-                    for (i = first[0]; i < first[1]; i++) {
-                        tribox_impl_limit_narrow(&w, &w.limit[i], index, &tile_lo[r], &tile_hi[r]);
+                    for (i = w->first[0]; i < w->first[1]; i++) {
+                        tribox_impl_limit_narrow(w, &w->limit[i], index, &tile_lo[r], &tile_hi[r]);
                     }
                 }
             }
-            x_lo = tile_lo[row] > z_lo ? tile_lo[row] : z_lo;
-            x_hi = tile_hi[row] < z_hi ? tile_hi[row] : z_hi;
+            lo = tile_lo[row] > z_lo ? tile_lo[row] : z_lo;
+            hi = tile_hi[row] < z_hi ? tile_hi[row] : z_hi;
             index[1] = y;
-            for (i = first[3]; i < first[4] && x_lo <= x_hi; i++) {
-                tribox_impl_limit_narrow(&w, &w.limit[i], index, &x_lo, &x_hi);
+            for (i = w->first[3]; i < w->first[4] && lo <= hi; i++) {
+                tribox_impl_limit_narrow(w, &w->limit[i], index, &lo, &hi);
             }
-            if (x_lo <= x_hi) {
-                count = tribox_impl_saturating_add(count, (size_t)(x_hi - x_lo + 1));
-                if (emit != NULL) {
-                    emit(user, (int)(w.base[0] + x_lo), (int)(w.base[0] + x_hi), (int)(w.base[1] + y),
-                         (int)(w.base[2] + z));
-                }
+            if (lo <= hi) {
+                tribox_impl_walk_emit(w, lo, hi, y, z, sink);
             }
         }
     }
-    return count;
+}
+
+#if TRIBOX_SIMD
+/* A limit as four lines at once ask it, alpha*i + (beta*line + rest) >= 0, scaled to at most 1.
+ *
+ * Bound. alpha, beta and rest are rounded to float (1 u each), two products and two sums add 3 u, the sum of
+ * magnitudes being at most 1: 4 u, taken as 8, on top of the limit's own. On a lattice and below 2^23 of its quanta
+ * all is exact, and no value is zero. The root's quotient is a guess m, within one of the root: the values at m
+ * and at its neighbour towards the other sign must both be certain. A limit too flat along i to have a root
+ * takes its value at 0 for the whole line, up to |alpha| * count. */
+typedef struct tribox_impl_lines {
+    double scale;
+    float  alpha;
+    float  beta;
+    float  inverse;         /* about -1 / alpha; 0: flat */
+    float  step;            /* from the last false index to the first true one */
+    float  lo_off;          /* far down if it limits from above */
+    float  hi_off;          /* far up if it limits from below */
+    float  bound;
+    float  room;            /* |alpha| - bound, against the value at m */
+} tribox_impl_lines;
+
+#define TRIBOX_IMPL_FAR 16777216.0f     /* 2^24, beyond every index in lanes */
+
+TRIBOX_IMPL_FN void tribox_impl_lines_init(tribox_impl_lines *q, const tribox_impl_walk *w,
+                                           const tribox_impl_limit *c, int line_axis)
+{
+    const double terms = tribox_impl_abs(c->a[0]) * (double)w->count[0] +
+                         tribox_impl_abs(c->a[1]) * (double)w->count[1] +
+                         tribox_impl_abs(c->a[2]) * (double)w->count[2] + tribox_impl_abs(c->d) + c->bound;
+    const double scale = tribox_impl_from_bits64((uint64_t)(2045 - (tribox_impl_bits64(&terms) >> 52)) << 52);
+    const double along = tribox_impl_abs(c->a[c->axis]) * scale;
+    double bound = 0.0;
+    int flat;
+    if (c->bound > 0.0 || terms > c->quantum * 8388608.0) {     /* 2^23 */
+        bound = c->bound * scale + (double)(8.0f * TRIBOX_IMPL_U32);
+    }
+    flat = c->sign == 0 || along <= 4.0 * bound;
+    q->scale = scale;
+    q->alpha = flat ? 0.0f : (float)(c->a[c->axis] * scale);
+    q->beta = (float)(c->a[line_axis] * scale);
+    q->inverse = flat ? 0.0f : (float)(-1.0 / (c->a[c->axis] * scale));
+    q->step = flat ? TRIBOX_IMPL_FAR : c->sign > 0 ? 1.0f : -1.0f;
+    q->lo_off = flat || c->sign > 0 ? 0.0f : -TRIBOX_IMPL_FAR;
+    q->hi_off = flat || c->sign > 0 ? TRIBOX_IMPL_FAR : 0.0f;
+    bound = (bound + (flat ? along * (double)w->count[c->axis] : 0.0)) * 1.0001;
+    q->bound = (float)bound;
+    q->room = flat ? TRIBOX_IMPL_FAR : (float)(along - bound);
+}
+
+/* Narrows four lines. Returns the lanes in which the limit is not certain. */
+TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_lines_narrow(const tribox_impl_lines *q, tribox_impl_f4 line, float rest,
+                                                       tribox_impl_f4 count, tribox_impl_f4 *lo, tribox_impl_f4 *hi)
+{
+    const tribox_impl_f4 at_0 = tribox_impl_splat(q->beta) * line + tribox_impl_splat(rest);
+    const tribox_impl_f4 root = at_0 * tribox_impl_splat(q->inverse);
+    const tribox_impl_f4 inside = tribox_impl_min4(tribox_impl_max4(root, tribox_impl_splat(-1.0f)), count);
+    const tribox_impl_f4 m = tribox_impl_truncate(inside);
+    const tribox_impl_f4 value = tribox_impl_splat(q->alpha) * m + at_0;
+    const tribox_impl_f4 size = tribox_impl_abs4(value);
+    const tribox_impl_i4 is_false = value < tribox_impl_splat(0.0f);
+    const tribox_impl_f4 edge = m + (tribox_impl_f4)(is_false & (tribox_impl_i4)tribox_impl_splat(q->step));
+    *lo = tribox_impl_max4(*lo, edge + tribox_impl_splat(q->lo_off));
+    *hi = tribox_impl_min4(*hi, edge + tribox_impl_splat(q->hi_off));
+    return (size < tribox_impl_splat(q->bound)) | ((size > tribox_impl_splat(q->room)) & (root == inside));
+}
+
+/* Bounds lo[i]..hi[i] of the lines of one tile; empty where lo > hi. */
+typedef struct tribox_impl_bounds {
+    float lo[TRIBOX_IMPL_TILE];
+    float hi[TRIBOX_IMPL_TILE];
+} tribox_impl_bounds;
+
+/* One line's bounds, narrowed by a group of limits one by one: what the lanes leave open. */
+TRIBOX_IMPL_NOINLINE void tribox_impl_line_exact(const tribox_impl_walk *w, int group, int64_t index[3], float *lo,
+                                                 float *hi)
+{
+    int64_t first = (int64_t)*lo;
+    int64_t last = (int64_t)*hi;
+    int i;
+    for (i = w->first[group]; i < w->first[group + 1] && first <= last; i++) {
+        tribox_impl_limit_narrow(w, &w->limit[i], index, &first, &last);
+    }
+    *lo = (float)first;
+    *hi = (float)last;
+}
+
+/* Bounds along `axis` of the tile of lines that starts at `start`, counted by line_axis, by the edges of a group. */
+TRIBOX_IMPL_FN void tribox_impl_tile_bounds(const tribox_impl_walk *w, const tribox_impl_lines *lines, int group,
+                                            int axis, int line_axis, int64_t start, tribox_impl_bounds *out)
+{
+    const tribox_impl_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
+    const tribox_impl_f4 count = tribox_impl_splat((float)w->count[axis]);
+    const float last = (float)(w->count[axis] - 1);
+    int j;
+    for (j = 0; j < TRIBOX_IMPL_TILE && start + j < w->count[line_axis]; j += 4) {
+        const tribox_impl_f4 line = tribox_impl_splat((float)(start + j)) + four;
+        tribox_impl_f4 lo = tribox_impl_splat(0.0f);
+        tribox_impl_f4 hi = tribox_impl_splat(last);
+        tribox_impl_i4 doubt = tribox_impl_splat_int(0);
+        int doubts;
+        int i;
+        for (i = w->first[group]; i < w->first[group + 1]; i++) {
+            const float rest = (float)(w->limit[i].d * lines[i].scale);
+            doubt |= tribox_impl_lines_narrow(&lines[i], line, rest, count, &lo, &hi);
+        }
+        TRIBOX_IMPL_COPY(out->lo + j, &lo, sizeof lo);
+        TRIBOX_IMPL_COPY(out->hi + j, &hi, sizeof hi);
+        doubts = tribox_impl_signs(doubt);
+        for (i = j; doubts != 0; i++, doubts >>= 1) {
+            if ((doubts & 1) != 0) {
+                int64_t index[3] = { 0, 0, 0 };
+                index[line_axis] = start + i;
+                out->lo[i] = 0.0f;
+                out->hi[i] = last;
+                tribox_impl_line_exact(w, group, index, &out->lo[i], &out->hi[i]);
+            }
+        }
+    }
+}
+
+/* The row walk, four rows at a time. Floats hold every index: counts are below 2^20. */
+TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_impl_sink *sink)
+{
+    const tribox_impl_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
+    const tribox_impl_f4 count = tribox_impl_splat((float)w->count[0]);
+    tribox_impl_lines lines[11];
+    tribox_impl_bounds x_of_y;
+    tribox_impl_bounds x_of_z;
+    tribox_impl_bounds y_of_z;
+    int64_t y_start = -1;       /* the tiles that these are of */
+    int64_t z;
+    int i;
+    for (i = 0; i < w->limits; i++) {
+        tribox_impl_lines_init(&lines[i], w, &w->limit[i], i >= w->first[1] && i < w->first[3] ? 2 : 1);
+    }
+    for (z = 0; z < w->count[2]; z++) {
+        const int layer = (int)(z % TRIBOX_IMPL_TILE);
+        float rest[2] = { 0.0f, 0.0f };
+        int64_t y;
+        int64_t y_end;
+        if (layer == 0) {
+            tribox_impl_tile_bounds(w, lines, 1, 0, 2, z, &x_of_z);
+            tribox_impl_tile_bounds(w, lines, 2, 1, 2, z, &y_of_z);
+        }
+        if (!(x_of_z.lo[layer] <= x_of_z.hi[layer])) {
+            continue;
+        }
+        for (i = w->first[3]; i < w->first[4]; i++) {
+            rest[i - w->first[3]] = (float)((w->limit[i].a[2] * (double)z + w->limit[i].d) * lines[i].scale);
+        }
+        y_end = (int64_t)y_of_z.hi[layer];
+        for (y = (int64_t)y_of_z.lo[layer] & ~(int64_t)3; y <= y_end; y += 4) {
+            const int row = (int)(y % TRIBOX_IMPL_TILE);
+            const tribox_impl_f4 line = tribox_impl_splat((float)y) + four;
+            const tribox_impl_i4 outside = (line < tribox_impl_splat(y_of_z.lo[layer])) |
+                                           (line > tribox_impl_splat(y_of_z.hi[layer]));
+            tribox_impl_i4 doubt = tribox_impl_splat_int(0);
+            tribox_impl_f4 lo;
+            tribox_impl_f4 hi;
+            tribox_impl_f4 lo_edges;
+            tribox_impl_f4 hi_edges;
+            float x_lo[4];
+            float x_hi[4];
+            int doubts;
+            int rows;
+            if (y - row != y_start) {
+                y_start = y - row;
+                tribox_impl_tile_bounds(w, lines, 0, 0, 1, y_start, &x_of_y);
+            }
+            lo_edges = tribox_impl_max4(tribox_impl_load4(x_of_y.lo + row), tribox_impl_splat(x_of_z.lo[layer]));
+            hi_edges = tribox_impl_min4(tribox_impl_load4(x_of_y.hi + row), tribox_impl_splat(x_of_z.hi[layer]));
+            lo = lo_edges;
+            hi = hi_edges;
+            for (i = w->first[3]; i < w->first[4]; i++) {
+                doubt |= tribox_impl_lines_narrow(&lines[i], line, rest[i - w->first[3]], count, &lo, &hi);
+            }
+            TRIBOX_IMPL_COPY(x_lo, &lo, sizeof lo);
+            TRIBOX_IMPL_COPY(x_hi, &hi, sizeof hi);
+            doubts = tribox_impl_signs(doubt & ~(outside | (lo_edges > hi_edges)));
+            rows = tribox_impl_signs(~(outside | (lo > hi))) | doubts;
+            for (i = 0; rows != 0; i++, rows >>= 1) {
+                if ((rows & 1) == 0) {
+                    continue;
+                }
+                if (((doubts >> i) & 1) != 0) {
+                    int64_t index[3];
+                    index[0] = 0;
+                    index[1] = y + i;
+                    index[2] = z;
+                    x_lo[i] = lo_edges[i];
+                    x_hi[i] = hi_edges[i];
+                    tribox_impl_line_exact(w, 3, index, &x_lo[i], &x_hi[i]);
+                    if (x_lo[i] > x_hi[i]) {
+                        continue;
+                    }
+                }
+                tribox_impl_walk_emit(w, (int64_t)x_lo[i], (int64_t)x_hi[i], y + i, z, sink);
+            }
+        }
+    }
+}
+#endif
+
+/* All spans of a triangle over a valid grid. */
+TRIBOX_IMPL_FN size_t tribox_impl_spans(const tribox_grid *grid, const double v0[3], const double v1[3],
+                                       const double v2[3], tribox_span_fn emit, void *user)
+{
+    tribox_impl_walk w;
+    tribox_impl_sink sink;
+    sink.emit = emit;
+    sink.user = user;
+    sink.count = 0;
+    if (!tribox_impl_walk_start(&w, grid, v0, v1, v2)) {
+        return 0;
+    }
+#if TRIBOX_SIMD
+    if (w.count[0] < 1048576 && w.count[1] < 1048576 && w.count[2] < 1048576) {
+        tribox_impl_walk_lanes(&w, &sink);
+        return sink.count;
+    }
+#endif
+    tribox_impl_walk_rows(&w, &sink);
+    return sink.count;
 }
 
 TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
                                        const double v2[3], tribox_span_fn emit, void *user)
 {
-    return tribox_impl_grid_valid(grid) ? tribox_impl_walk_rows(grid, v0, v1, v2, emit, user) : 0;
+    return tribox_impl_grid_valid(grid) ? tribox_impl_spans(grid, v0, v1, v2, emit, user) : 0;
 }
 
 TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], const float v1[3],
@@ -2497,6 +2761,7 @@ TRIBOX_IMPL_FN void tribox_impl_set_span(void *user, int x0, int x1, int y, int 
     const uint64_t tail = ~(uint64_t)0 >> (63 - (to & 63));
     size_t word = from >> 6;
     const size_t last = to >> 6;
+    TRIBOX_IMPL_PREFETCH((uintptr_t)(row + word) + sizeof *row * t->ny * t->row_words);     /* the next layer's */
     if (word == last) {
         row[word] |= head & tail;
         return;
@@ -2545,7 +2810,7 @@ TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh
         for (k = 0; k < 3; k++) {
             tribox_impl_mesh_corner(mesh, t, k, v[k]);
         }
-        tribox_impl_walk_rows(grid, v[0], v[1], v[2], tribox_impl_set_span, &target);
+        tribox_impl_spans(grid, v[0], v[1], v[2], tribox_impl_set_span, &target);
     }
 }
 
