@@ -968,6 +968,9 @@ TRIBOX_IMPL_FN int tribox_impl_clip_box(tribox_impl_clip *clip, const double v0[
         clip->open_lo |= (unsigned)(lo_is_open && lo >= key_min) << k;
         clip->open_hi |= (unsigned)(hi_is_open && hi <= key_max) << k;
         clip->extent[k] = t_max - t_min;
+        if (key_min != key_max && tribox_impl_sign(clip->extent[k]) == 0) {
+            clip->extent[k] = DBL_MIN;      /* flushed: out of the filter's range */
+        }
     }
     return 1;
 }
@@ -1811,7 +1814,7 @@ TRIBOX_IMPL_FN double tribox_impl_tri_lattice(const tribox_tri *tri, const tribo
             whole &= tribox_impl_on_lattice(tri->v[i][k], scale);
         }
         whole &= tribox_impl_on_lattice(tri->size[k], scale * 0.5);
-        whole &= tri->v[0][k] == (double)tri->ref[k];
+        whole &= tribox_impl_on_lattice((double)tri->ref[k], scale);
     }
     return whole ? scale : 0.0;
 }
@@ -1860,7 +1863,9 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
     }
     for (k = 0; k < 3; k++) {
         tribox_impl_tri_keys(tri, k, (rule & TRIBOX_OPEN) != 0, (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
-        tri->ref[k] = float_range ? tribox_impl_key32_float(tribox_impl_key32_below(v0[k])) : 0.0f;
+        if (float_range && tribox_impl_less(1e-30, tribox_impl_abs(v0[k]))) {   /* never subnormal */
+            tri->ref[k] = tribox_impl_key32_float(tribox_impl_key32_below(v0[k]));
+        }
         for (i = 0; i < 3; i++) {
             s.v[i][k] = tri->v[i][k] - (double)tri->ref[k];
         }
