@@ -10,8 +10,8 @@ set -u
 . tests/check_lib.sh
 
 out=$CHECK_DIR/mutate
-programs=${MUTATE_PROGRAMS:-"overlap rule tri exact thin grid fill nan mode symmetry field frame closed issues"}
-limit=${MUTATE_LIMIT:-60}
+programs=${MUTATE_PROGRAMS:-"rule thin tri fill closed overlap frame nan grid symmetry exact mode field issues"}
+limit=${MUTATE_LIMIT:-20}
 cc=${MUTATE_CC:-gcc -std=c99 -O1}
 export programs limit cc
 mkdir -p "$out"

@@ -776,7 +776,7 @@ static void work(run *r, long thousands)
     for (i = 0; i < thousands; ++i) { /* mixed, so that a short run sees everything too */
         int k;
         single_questions(r, 1000);
-        walks(r, 4);
+        walks(r, 12);
         for (k = 0; k < 10; ++k) {
             r->row = ROW_FILL;
             fill(r);
