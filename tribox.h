@@ -1162,13 +1162,16 @@ TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_order(int32_t i, int32_t j, int32_t k,
 #define TRIBOX_IMPL_LANES(a, b, i, j, k, l) __builtin_shuffle(a, b, tribox_impl_order(i, j, k, l))
 #endif
 
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_load3(const float v[3])
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_load3(const void *v)
 {
-    const tribox_impl_f4 z = { v[2], 0.0f, 0.0f, 0.0f };
+    tribox_impl_f4 z = { 0.0f, 0.0f, 0.0f, 0.0f };
     tribox_impl_d2 xy = { 0.0, 0.0 };
     double pair;
+    float last;
     TRIBOX_IMPL_COPY(&pair, v, sizeof pair);
+    TRIBOX_IMPL_COPY(&last, (const char *)v + sizeof pair, sizeof last);
     xy[0] = pair;
+    z[0] = last;
     return TRIBOX_IMPL_LANES((tribox_impl_f4)xy, z, 0, 1, 4, 5);
 }
 
@@ -2104,7 +2107,6 @@ typedef struct tribox_impl_limit {
     double d;
     double bound;
     double quantum;         /* if bound = 0, on the lattice: all of the above are multiples of half of it */
-    double inverse;         /* about 1 / a[axis] */
     int    axis;            /* the index it limits */
     int    sign;            /* of a[axis], exact */
     int    id;              /* 3*plane + edge; 9, 10: the two sides of the triangle's plane */
@@ -2121,7 +2123,8 @@ typedef struct tribox_impl_walk {
     int                on_lattice;  /* all values are exact, and shifted off zero: see tribox_impl_walk_add */
     double             size[3];
     double             v[3][3];     /* corners from the base's minimum corner */
-    double             slack[3];    /* bound of error in a difference of coordinates */
+    double             slack[3];    /* bound of error of a coordinate difference, also of the few u of its arithmetic */
+    int                in_range;    /* the bounds hold */
     double             quantum;     /* on the lattice: its unit */
     int                limits;
     int                first[5];    /* limits first[g]..first[g+1]-1: edges of xy, zx, yz; the plane's sides */
@@ -2185,7 +2188,7 @@ TRIBOX_IMPL_FN void tribox_impl_limit_narrow(const tribox_impl_walk *w, const tr
         return;
     }
     rest = c->a[0] * (double)index[0] + c->a[1] * (double)index[1] + c->a[2] * (double)index[2] + c->d;
-    i = tribox_impl_guess(1.0 - rest * c->inverse, least, end);
+    i = tribox_impl_guess(1.0 - rest / a, least, end);      /* a is 0 only where bound > 0 = value */
     /* i should be the first index at which the limit's truth is (sign > 0), the last but one being the other */
     value = rest + a * (double)i;
     if (c->sign > 0) {
@@ -2215,56 +2218,50 @@ TRIBOX_IMPL_FN void tribox_impl_limit_narrow(const tribox_impl_walk *w, const tr
 /* Completes a limit whose a holds n in units per length and d the value at the base's minimum corner: adds the
  * voxel's support, goes over to indices, and bounds the error (m: magnitudes that a was made of).
  *
- * Bound. a is within 4 u m_k; a coordinate difference is within slack_k and a few u of reach_k, the largest
- * magnitude it can have here; three products and five sums: sum m_k (slack_k + 16 u reach_k). On the lattice all this is
- * exact; half a quantum up (or down, where zero does not satisfy the limit) and no value is zero. */
+ * Bound: sum m_k slack_k, see tribox_impl_walk_frame. On the lattice all this is exact; half a quantum up (or down,
+ * where zero does not satisfy the limit) and no value is zero. */
 TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, int sign, const double n[3],
                                          const double m[3], double d)
 {
-    const int degree = id < 9 ? 2 : 3;
     tribox_impl_limit *c = &w->limit[w->limits++];
     double sum = 0.0;
     double largest = 0.0;
-    int strict = 0;
-    int in_range = 1;
+    int up = 0;
     int k;
     c->bound = 0.0;
     for (k = 0; k < 3; k++) {
-        const double v0 = tribox_impl_abs(w->v[0][k]);
-        const double v1 = tribox_impl_abs(w->v[1][k]);
-        const double v2 = tribox_impl_abs(w->v[2][k]);
-        const double reach = v0 + v1 + v2 + (double)(w->count[k] + 1) * w->size[k];
         const double along = n[k] * w->size[k];
+        const double half = tribox_impl_abs(along) * 0.5;
         c->a[k] = along;
         d += along * 0.5;
-        sum += tribox_impl_abs(along) * 0.5;
-        largest = tribox_impl_abs(along) * 0.5 > largest ? tribox_impl_abs(along) * 0.5 : largest;
-        in_range &= reach >= 4.909093465297727e-91 && reach <= 2.037035976334486e+90;       /* 2^-300, 2^300 */
-        c->bound += m[k] * (w->slack[k] + 16.0 * TRIBOX_IMPL_U64 * reach);
-        strict |= (w->flags & TRIBOX_OPEN) != 0 || ((w->flags & TRIBOX_HALF_OPEN) != 0 && along > 0.0);
+        sum += half;
+        largest = half > largest ? half : largest;
+        c->bound += m[k] * w->slack[k];
+        up |= along > 0.0;
     }
     c->d = d + ((w->flags & TRIBOX_THIN) != 0 ? largest : sum);
+    c->quantum = 0.0;
     c->id = id;
     c->axis = axis;
     c->sign = sign;
-    c->inverse = 0.0;
-    c->quantum = 0.0;
-    if (!(in_range && c->bound >= 2.409919865102884e-181 && c->bound <= 8.452712498170644e+270)) {  /* 2^-600, 2^900 */
+    if (!(w->in_range && c->bound >= 2.409919865102884e-181 && c->bound <= 8.452712498170644e+270)) {  /* 2^-600, 2^900 */
         c->a[0] = c->a[1] = c->a[2] = c->d = 0.0;       /* exact signs alone */
         c->bound = 1.0;
         return;
     }
-    if (tribox_impl_abs(c->a[axis]) * 1048576.0 > c->bound) {
-        c->inverse = 1.0 / c->a[axis];
-    }
     if (w->on_lattice) {
-        c->quantum = w->quantum * w->quantum * (degree == 3 ? w->quantum : 1.0);
+        const int strict = (w->flags & TRIBOX_OPEN) != 0 || ((w->flags & TRIBOX_HALF_OPEN) != 0 && up);
+        c->quantum = w->quantum * w->quantum * (id < 9 ? 1.0 : w->quantum);
         c->d += strict ? -0.5 * c->quantum : 0.5 * c->quantum;
         c->bound = 0.0;
     }
 }
 
-/* Puts corners and voxels into one frame; finds out whether that frame is exact. */
+/* Puts corners and voxels into one frame; finds out whether that frame is exact.
+ *
+ * Bound. A corner in this frame is within 4 u (|x| + |origin| + |base|) of its place; a limit's value is a sum of
+ * n_k times differences of at most 2 reach_k, n_k being within 4 u m_k, through three more products and five sums:
+ * within sum m_k (4 u (|x| + |origin| + |base|) + 32 u reach_k). */
 TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
 {
     const tribox_grid *grid = w->grid;
@@ -2284,12 +2281,15 @@ TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
         w->slack[k] = (far + tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) * (4.0 * TRIBOX_IMPL_U64);
     }
     TRIBOX_IMPL_KEEP(w->v);
+    w->in_range = 1;
     for (k = 0; k < 3; k++) {
         double reach = (double)(w->count[k] + 1) * w->size[k];
         for (i = 0; i < 3; i++) {
             reach = tribox_impl_abs(w->v[i][k]) > reach ? tribox_impl_abs(w->v[i][k]) : reach;
         }
         longest = reach > longest ? reach : longest;
+        w->in_range &= reach >= 4.909093465297727e-91 && reach <= 2.037035976334486e+90;        /* 2^-300, 2^300 */
+        w->slack[k] += reach * (32.0 * TRIBOX_IMPL_U64);
     }
     w->on_lattice = 0;
     if (!(longest > 1e-80 && longest < 1e80)) {
@@ -2524,7 +2524,7 @@ TRIBOX_IMPL_FN void tribox_impl_lines_init(tribox_impl_lines *q, const tribox_im
     q->scale = scale;
     q->alpha = flat ? 0.0f : (float)(c->a[c->axis] * scale);
     q->beta = (float)(c->a[line_axis] * scale);
-    q->inverse = flat ? 0.0f : (float)(-1.0 / (c->a[c->axis] * scale));
+    q->inverse = flat ? 0.0f : -1.0f / q->alpha;
     q->step = flat ? TRIBOX_IMPL_FAR : c->sign > 0 ? 1.0f : -1.0f;
     q->lo_off = flat || c->sign > 0 ? 0.0f : -TRIBOX_IMPL_FAR;
     q->hi_off = flat || c->sign > 0 ? TRIBOX_IMPL_FAR : 0.0f;
@@ -2796,8 +2796,744 @@ TRIBOX_IMPL_FN void tribox_impl_mesh_corner(const tribox_mesh *mesh, size_t t, i
     }
 }
 
+#if TRIBOX_SIMD
+#define TRIBOX_IMPL_SIGN_BIT (-2147483647 - 1)
+#define TRIBOX_IMPL_FORCED TRIBOX_IMPL_FN __attribute__((always_inline))
+
+typedef int16_t tribox_impl_s8 __attribute__((vector_size(16)));
+typedef signed char tribox_impl_b16 __attribute__((vector_size(16)));
+
+/* Lanes of a, then of b, in half the width; saturation keeps the sign. */
+#if defined(__SSE2__)
+TRIBOX_IMPL_FN tribox_impl_s8 tribox_impl_pack32(tribox_impl_i4 a, tribox_impl_i4 b)
+{
+    return (tribox_impl_s8)__builtin_ia32_packssdw128(a, b);
+}
+
+TRIBOX_IMPL_FN tribox_impl_b16 tribox_impl_pack16(tribox_impl_s8 a, tribox_impl_s8 b)
+{
+    return (tribox_impl_b16)__builtin_ia32_packsswb128(a, b);
+}
+
+typedef char tribox_impl_c16 __attribute__((vector_size(16)));
+
+/* The sign bits of the sixteen lanes. */
+TRIBOX_IMPL_FN uint64_t tribox_impl_signs16(tribox_impl_b16 a)
+{
+    return (uint64_t)(uint32_t)__builtin_ia32_pmovmskb128((tribox_impl_c16)a);
+}
+#else
+TRIBOX_IMPL_FN tribox_impl_s8 tribox_impl_pack32(tribox_impl_i4 a, tribox_impl_i4 b)
+{
+    tribox_impl_s8 r;
+    int i;
+    for (i = 0; i < 4; i++) {
+        r[i] = (int16_t)(a[i] > 32767 ? 32767 : a[i] < -32768 ? -32768 : a[i]);
+        r[i + 4] = (int16_t)(b[i] > 32767 ? 32767 : b[i] < -32768 ? -32768 : b[i]);
+    }
+    return r;
+}
+
+TRIBOX_IMPL_FN tribox_impl_b16 tribox_impl_pack16(tribox_impl_s8 a, tribox_impl_s8 b)
+{
+    tribox_impl_b16 r;
+    int i;
+    for (i = 0; i < 8; i++) {
+        r[i] = (int8_t)(a[i] > 127 ? 127 : a[i] < -128 ? -128 : a[i]);
+        r[i + 8] = (int8_t)(b[i] > 127 ? 127 : b[i] < -128 ? -128 : b[i]);
+    }
+    return r;
+}
+
+TRIBOX_IMPL_FN uint64_t tribox_impl_signs16(tribox_impl_b16 a)
+{
+    uint64_t r = 0;
+    int i;
+    for (i = 0; i < 16; i++) {
+        r |= (uint64_t)(a[i] < 0) << i;
+    }
+    return r;
+}
+#endif
+
+/* The low, or high, halves of a and b, lanes of 8 or 16 bits in turn. */
+#if defined(__clang__)
+#define TRIBOX_IMPL_MIX8(name, a0, a1, a2, a3, a4, a5, a6, a7) \
+    TRIBOX_IMPL_FN tribox_impl_b16 name(tribox_impl_b16 a, tribox_impl_b16 b) \
+    { \
+        return __builtin_shufflevector(a, b, a0, a0 + 16, a1, a1 + 16, a2, a2 + 16, a3, a3 + 16, a4, a4 + 16, \
+                                       a5, a5 + 16, a6, a6 + 16, a7, a7 + 16); \
+    }
+#define TRIBOX_IMPL_MIX16(name, a0, a1, a2, a3) \
+    TRIBOX_IMPL_FN tribox_impl_b16 name(tribox_impl_b16 a, tribox_impl_b16 b) \
+    { \
+        return (tribox_impl_b16)__builtin_shufflevector((tribox_impl_s8)a, (tribox_impl_s8)b, a0, a0 + 8, a1, \
+                                                        a1 + 8, a2, a2 + 8, a3, a3 + 8); \
+    }
+#else
+#define TRIBOX_IMPL_MIX8(name, a0, a1, a2, a3, a4, a5, a6, a7) \
+    TRIBOX_IMPL_FN tribox_impl_b16 name(tribox_impl_b16 a, tribox_impl_b16 b) \
+    { \
+        const tribox_impl_b16 order = { a0, a0 + 16, a1, a1 + 16, a2, a2 + 16, a3, a3 + 16, \
+                                        a4, a4 + 16, a5, a5 + 16, a6, a6 + 16, a7, a7 + 16 }; \
+        return __builtin_shuffle(a, b, order); \
+    }
+#define TRIBOX_IMPL_MIX16(name, a0, a1, a2, a3) \
+    TRIBOX_IMPL_FN tribox_impl_b16 name(tribox_impl_b16 a, tribox_impl_b16 b) \
+    { \
+        const tribox_impl_s8 order = { a0, a0 + 8, a1, a1 + 8, a2, a2 + 8, a3, a3 + 8 }; \
+        return (tribox_impl_b16)__builtin_shuffle((tribox_impl_s8)a, (tribox_impl_s8)b, order); \
+    }
+#endif
+TRIBOX_IMPL_MIX8(tribox_impl_low8, 0, 1, 2, 3, 4, 5, 6, 7)
+TRIBOX_IMPL_MIX8(tribox_impl_high8, 8, 9, 10, 11, 12, 13, 14, 15)
+TRIBOX_IMPL_MIX16(tribox_impl_low16, 0, 1, 2, 3)
+TRIBOX_IMPL_MIX16(tribox_impl_high16, 4, 5, 6, 7)
+#define TRIBOX_IMPL_DWORDS(a, b, i, j, k, l) \
+    ((tribox_impl_b16)TRIBOX_IMPL_LANES((tribox_impl_f4)(a), (tribox_impl_f4)(b), i, j, k, l))
+
+/* ---- Small triangles ------------------------------------------------------------------------------------
+ *
+ * Conservative rules, count <= n = 2, 3 or 4 voxels on each axis. Three lanes hold the planes xy, yz, xz as (b, c);
+ * n_a is twice the projected area there, as -n_y in xz. With sigma = sign n_a an edge from v along e says
+ *
+ *   f(cell) = N.(cell - v) + max(N_b, 0) + max(N_c, 0) >= 0,   N = sigma (-e_c, e_b),                    [SS10]
+ *
+ * affine in the cell; the least of three decides the cell. The plane says  |n|.(1/2, 1/2, 1/2) - |n.(centre - v0)|
+ * >= 0. A value's sign decides where all values are beyond their bounds, so that true signs are the same, and not 0:
+ * then every rule says the same. The sign of n_a is sure if |n_a| is above the bound too.
+ *
+ * Bound. u = 2^-23 as in section 9; X: the largest extent, |e| <= X <= n; |q - v| <= n for all corners q, v; so
+ * |n_a| <= X^2 and |f| <= 2 n X. Coordinates d (delta) off move f = (v_i - q) x (v_j - q) by at most
+ * d times the four differences: 4 n d. Rounding, in units of u n X:
+ *   N_b, N_c: 1 (X u each; edge 1, made of two differences: 3, of X u) times |q - v| <= n, twice: 2 (6)
+ *   N.v: two products 2, their sum 2; the sum of the maxima, <= 2 X: 1 (X u 2, n >= 2); their difference: 2
+ *   the steps to cell (b, c): at most 2 (n - 1) sums of at most 2 n X: 4 (n - 1)
+ * In all 4 n + 3 (4 n + 7), so BOUND = n (u (4 n + 11) X + 4.125 d). n_a itself is off by 4 X d and, in units of
+ * u X^2, by 2 + 2 (factors), 2 (products), 2 (difference; |n_a| <= X^2): 8, which is less.
+ * The plane, with n_a off as said: d moves it by at most n (3 * 4 X d) + |n|.d <= 15 n X d; in units of u n X^2:
+ *   n: 3 * 8; 1/2 - v0: 3; products: 3; two sums of at most 3: 6; steps: 3 (2 n - 1), and 1 for n_x * 3
+ *   half the sum of |n|: (3 * 8 + 2 * 3) / 2 / n; the difference to |d|: 3
+ * In all 37 + 6 n + 15/n, below 4 (4 n + 11) for n >= 2; so PLANE_BOUND = 4 X BOUND, and 1e-30 against
+ * underflow: what flushing adds to a value is below 2^-120, to BOUND nothing since d >= 2^-100.
+ * The rest (4.125, 11) covers second-order terms, coordinates outside [0, n] by d, and the bound's own rounding.
+ *
+ * Flat in projection: where the sign of n_a is not sure, both sides of each edge are asked, f and
+ * g = 2r + |n_a| - f, 2r = |N_b| + |N_c|. min(f, g) = r + |n/2| - |n/2 - c| of section 9 is meaningful for any n, and an error
+ * of n counts once: 4 n d + 4 X d, and in units of u n X: f 4 n + 7, n_a 8, three sums 2 + 2 + 1 + 2: 4 n + 22;
+ * both are below 2 BOUND.
+ * An edge that is a point in projection has f = g = 0 everywhere; e is 0 as computed, so truly at most 2 d + u X. It
+ * passes where it is implied: let the triangle's extent reach into each cell of the box by BOUND on each axis ("clear").
+ * If another edge has both sides beyond 2 BOUND, |n_a| being below BOUND, its true line meets the cell; and its true
+ * extent, at most 2 d + u X short of the triangle's on a side, meets it too. For a segment and a box these are all axes:
+ * the segment, part of the triangle, meets the cell, and so all true conditions of this plane hold there. */
+
+/* x, y of plane xy; y, z of plane yz; x, z of plane xz; lane 3 repeats lane 0 */
+#define TRIBOX_IMPL_FIRST(x) TRIBOX_IMPL_LANES(x, x, 0, 1, 0, 0)
+#define TRIBOX_IMPL_SECOND(x) TRIBOX_IMPL_LANES(x, x, 1, 2, 2, 1)
+
+/* An edge in the three planes: value at cell (b, c) = d + b*n_b + c*n_c. */
+typedef struct tribox_impl_small_edge {
+    tribox_impl_f4 n_b;
+    tribox_impl_f4 n_c;
+    tribox_impl_f4 d;
+} tribox_impl_small_edge;
+
+typedef struct tribox_impl_small_setup {
+    tribox_impl_small_edge e0;
+    tribox_impl_small_edge e1;
+    tribox_impl_small_edge e2;
+    tribox_impl_f4 n_abs;       /* twice the projected areas: xy, yz, xz, xy */
+    tribox_impl_f4 bound;       /* of the edges */
+    tribox_impl_f4 d;           /* of the plane at the centre of voxel 0 */
+    tribox_impl_f4 n_x;
+    tribox_impl_f4 n_y;
+    tribox_impl_f4 n_z;
+    tribox_impl_f4 r;
+    tribox_impl_f4 plane_bound;
+} tribox_impl_small_setup;
+
+TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_flip(tribox_impl_f4 a, tribox_impl_i4 sign)
+{
+    return (tribox_impl_f4)((tribox_impl_i4)a ^ sign);
+}
+
+/* d from n and a corner: the value at the critical corner of cell 0. */
+TRIBOX_IMPL_FORCED void tribox_impl_small_through(tribox_impl_small_edge *e, tribox_impl_f4 v_b, tribox_impl_f4 v_c)
+{
+    const tribox_impl_f4 zero = tribox_impl_splat(0.0f);
+    e->d = (tribox_impl_max4(e->n_b, zero) + tribox_impl_max4(e->n_c, zero)) - (e->n_b * v_b + e->n_c * v_c);
+}
+
+TRIBOX_IMPL_FORCED void tribox_impl_small_init(tribox_impl_small_setup *s, tribox_impl_f4 x0, tribox_impl_f4 x1,
+                                               tribox_impl_f4 x2, float delta, float n)
+{
+    const tribox_impl_f4 t_min = tribox_impl_min4(tribox_impl_min4(x0, x1), x2);
+    const tribox_impl_f4 t_max = tribox_impl_max4(tribox_impl_max4(x0, x1), x2);
+    const tribox_impl_f4 t = t_max - t_min;
+    const tribox_impl_f4 t2 = tribox_impl_max4(t, TRIBOX_IMPL_LANES(t, t, 1, 0, 3, 2));
+    const tribox_impl_f4 extent = tribox_impl_max4(t2, TRIBOX_IMPL_LANES(t2, t2, 2, 3, 0, 1));
+    const tribox_impl_f4 v0_b = TRIBOX_IMPL_FIRST(x0);
+    const tribox_impl_f4 v0_c = TRIBOX_IMPL_SECOND(x0);
+    const tribox_impl_f4 half = { 0.5f, 0.5f, 0.5f, 0.0f };
+    const tribox_impl_i4 sign_bit = { TRIBOX_IMPL_SIGN_BIT, TRIBOX_IMPL_SIGN_BIT, TRIBOX_IMPL_SIGN_BIT, TRIBOX_IMPL_SIGN_BIT };
+    const tribox_impl_i4 lane2 = { 0, 0, TRIBOX_IMPL_SIGN_BIT, 0 };
+    tribox_impl_f4 a = x1 - x0;
+    tribox_impl_f4 c = x2 - x0;
+    tribox_impl_f4 w = half - TRIBOX_IMPL_LANES(x0, x0, 2, 0, 1, 3);
+    TRIBOX_IMPL_KEEP4(a);
+    TRIBOX_IMPL_KEEP4(c);
+    TRIBOX_IMPL_KEEP4(w);
+    s->bound = extent * tribox_impl_splat(n * (4.0f * n + 11.0f) * TRIBOX_IMPL_U32) +
+               tribox_impl_splat(n * 4.125f * delta);
+    s->plane_bound = tribox_impl_splat(4.0f) * extent * s->bound + tribox_impl_splat(1e-30f);
+    {
+        const tribox_impl_f4 a_b = TRIBOX_IMPL_FIRST(a);
+        const tribox_impl_f4 a_c = TRIBOX_IMPL_SECOND(a);
+        const tribox_impl_f4 c_b = TRIBOX_IMPL_FIRST(c);
+        const tribox_impl_f4 c_c = TRIBOX_IMPL_SECOND(c);
+        const tribox_impl_f4 m = a_b * c_c - a_c * c_b;     /* n_z, n_x, -n_y, n_z */
+        const tribox_impl_i4 sign = (tribox_impl_i4)m & sign_bit;
+        const tribox_impl_i4 other = sign ^ sign_bit;
+        const tribox_impl_f4 mw = m * tribox_impl_flip(w, lane2);
+        const tribox_impl_f4 mw2 = mw + TRIBOX_IMPL_LANES(mw, mw, 1, 0, 3, 2);
+        s->d = mw2 + TRIBOX_IMPL_LANES(mw2, mw2, 2, 3, 0, 1);
+        s->n_abs = tribox_impl_flip(m, sign);
+        s->r = (TRIBOX_IMPL_LANES(s->n_abs, s->n_abs, 0, 0, 0, 0) + TRIBOX_IMPL_LANES(s->n_abs, s->n_abs, 1, 1, 1, 1) +
+                TRIBOX_IMPL_LANES(s->n_abs, s->n_abs, 2, 2, 2, 2)) * tribox_impl_splat(0.5f);
+        s->n_x = TRIBOX_IMPL_LANES(m, m, 1, 1, 1, 1);
+        s->n_y = TRIBOX_IMPL_LANES(m, m, 2, 2, 2, 2);       /* negative */
+        s->n_z = TRIBOX_IMPL_LANES(m, m, 0, 0, 0, 0);
+        s->e0.n_b = tribox_impl_flip(a_c, other);
+        s->e0.n_c = tribox_impl_flip(a_b, sign);
+        s->e1.n_b = tribox_impl_flip(a_c - c_c, sign);
+        s->e1.n_c = tribox_impl_flip(c_b - a_b, sign);
+        s->e2.n_b = tribox_impl_flip(c_c, sign);
+        s->e2.n_c = tribox_impl_flip(c_b, other);
+        tribox_impl_small_through(&s->e0, v0_b, v0_c);
+        tribox_impl_small_through(&s->e1, TRIBOX_IMPL_FIRST(x1), TRIBOX_IMPL_SECOND(x1));
+        tribox_impl_small_through(&s->e2, v0_b, v0_c);
+    }
+}
+
+/* Sign bits for: values below 0, the least magnitude kept; values below -bound; values within the bound. */
+enum { TRIBOX_IMPL_SMALL_QUICK, TRIBOX_IMPL_SMALL_MISS, TRIBOX_IMPL_SMALL_DOUBT };
+
+TRIBOX_IMPL_FORCED tribox_impl_i4 tribox_impl_small_sign(tribox_impl_f4 value, tribox_impl_f4 bound,
+                                                         tribox_impl_f4 *least, int what)
+{
+    const tribox_impl_f4 magnitude = tribox_impl_abs4(value);
+    if (what == TRIBOX_IMPL_SMALL_DOUBT) {
+        return magnitude <= bound;
+    }
+    if (what == TRIBOX_IMPL_SMALL_MISS) {
+        return value < -bound;
+    }
+    *least = tribox_impl_min4(*least, magnitude);
+    return (tribox_impl_i4)value;
+}
+
+/* The cells (b, 0..n-1): bytes plane + 4c; the last is repeated. */
+TRIBOX_IMPL_FORCED tribox_impl_b16 tribox_impl_small_cells(const tribox_impl_small_setup *s, tribox_impl_f4 f0,
+                                                           tribox_impl_f4 f1, tribox_impl_f4 f2,
+                                                           tribox_impl_f4 *least, int n, int what)
+{
+    const tribox_impl_f4 u0 = tribox_impl_min4(tribox_impl_min4(f0, f1), f2);
+    const tribox_impl_f4 g0 = f0 + s->e0.n_c;
+    const tribox_impl_f4 g1 = f1 + s->e1.n_c;
+    const tribox_impl_f4 g2 = f2 + s->e2.n_c;
+    const tribox_impl_f4 u1 = tribox_impl_min4(tribox_impl_min4(g0, g1), g2);
+    const tribox_impl_f4 h0 = g0 + s->e0.n_c;
+    const tribox_impl_f4 h1 = g1 + s->e1.n_c;
+    const tribox_impl_f4 h2 = g2 + s->e2.n_c;
+    const tribox_impl_f4 u2 = tribox_impl_min4(tribox_impl_min4(h0, h1), h2);
+    const tribox_impl_i4 v0 = tribox_impl_small_sign(u0, s->bound, least, what);
+    const tribox_impl_i4 v1 = tribox_impl_small_sign(u1, s->bound, least, what);
+    const tribox_impl_i4 v2 = tribox_impl_small_sign(u2, s->bound, least, what);
+    tribox_impl_i4 v3 = v2;
+    if (n > 3) {
+        const tribox_impl_f4 u3 = tribox_impl_min4(tribox_impl_min4(h0 + s->e0.n_c, h1 + s->e1.n_c), h2 + s->e2.n_c);
+        v3 = tribox_impl_small_sign(u3, s->bound, least, what);
+    }
+    return tribox_impl_pack16(tribox_impl_pack32(v0, v1), tribox_impl_pack32(v2, v3));
+}
+
+/* R - |d| at the voxels of a slice, bytes x + 4y; the last row is repeated. */
+TRIBOX_IMPL_FORCED tribox_impl_b16 tribox_impl_small_slice(const tribox_impl_small_setup *s, tribox_impl_f4 d0,
+                                                           tribox_impl_f4 *least, int n, int what)
+{
+    const tribox_impl_f4 d1 = d0 - s->n_y;
+    const tribox_impl_f4 d2 = d1 - s->n_y;
+    const tribox_impl_i4 v0 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d0), s->plane_bound, least, what);
+    const tribox_impl_i4 v1 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d1), s->plane_bound, least, what);
+    const tribox_impl_i4 v2 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d2), s->plane_bound, least, what);
+    tribox_impl_i4 v3 = v2;
+    if (n > 3) {
+        v3 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d2 - s->n_y), s->plane_bound, least, what);
+    }
+    return tribox_impl_pack16(tribox_impl_pack32(v0, v1), tribox_impl_pack32(v2, v3));
+}
+
+/* Edges as bytes plane + 4c for each b, the plane as bytes x + 4y for each z. */
+typedef struct tribox_impl_small_signs {
+    tribox_impl_b16 e0;
+    tribox_impl_b16 e1;
+    tribox_impl_b16 e2;
+    tribox_impl_b16 e3;
+    tribox_impl_b16 p0;
+    tribox_impl_b16 p1;
+    tribox_impl_b16 p2;
+    tribox_impl_b16 p3;
+} tribox_impl_small_signs;
+
+
+TRIBOX_IMPL_FORCED void tribox_impl_small_edges(tribox_impl_small_signs *v, const tribox_impl_small_setup *s,
+                                                tribox_impl_f4 *least, int n, int what)
+{
+    tribox_impl_f4 f0 = s->e0.d;
+    tribox_impl_f4 f1 = s->e1.d;
+    tribox_impl_f4 f2 = s->e2.d;
+    v->e0 = tribox_impl_small_cells(s, f0, f1, f2, least, n, what);
+    f0 += s->e0.n_b;
+    f1 += s->e1.n_b;
+    f2 += s->e2.n_b;
+    v->e1 = tribox_impl_small_cells(s, f0, f1, f2, least, n, what);
+    f0 += s->e0.n_b;
+    f1 += s->e1.n_b;
+    f2 += s->e2.n_b;
+    v->e2 = tribox_impl_small_cells(s, f0, f1, f2, least, n, what);
+    v->e3 = v->e2;
+    if (n > 3) {
+        v->e3 = tribox_impl_small_cells(s, f0 + s->e0.n_b, f1 + s->e1.n_b, f2 + s->e2.n_b, least, n, what);
+    }
+}
+
+TRIBOX_IMPL_FORCED void tribox_impl_small_plane(tribox_impl_small_signs *v, const tribox_impl_small_setup *s,
+                                                tribox_impl_f4 *least, int n, int what)
+{
+    const tribox_impl_f4 iota = { 0.0f, 1.0f, 2.0f, 3.0f };
+    const tribox_impl_f4 d0 = s->d + s->n_x * iota;
+    const tribox_impl_f4 d1 = d0 + s->n_z;
+    const tribox_impl_f4 d2 = d1 + s->n_z;
+    v->p0 = tribox_impl_small_slice(s, d0, least, n, what);
+    v->p1 = tribox_impl_small_slice(s, d1, least, n, what);
+    v->p2 = tribox_impl_small_slice(s, d2, least, n, what);
+    v->p3 = v->p2;
+    if (n > 3) {
+        v->p3 = tribox_impl_small_slice(s, d2 + s->n_z, least, n, what);
+    }
+}
+
+/* The sign bits of slice z; q: bytes b + 4*plane for c = z. */
+TRIBOX_IMPL_FORCED uint64_t tribox_impl_small_join(tribox_impl_b16 xy, tribox_impl_b16 q, tribox_impl_b16 p)
+{
+    const tribox_impl_b16 twice = tribox_impl_low8(q, q);
+    const tribox_impl_b16 yz = tribox_impl_high16(twice, twice);
+    const tribox_impl_b16 xz = TRIBOX_IMPL_DWORDS(q, q, 2, 2, 2, 2);
+    return tribox_impl_signs16((xy | yz) | (xz | p));
+}
+
+/* Voxels with a sign bit in one of the planes or in p. */
+TRIBOX_IMPL_FORCED uint64_t tribox_impl_small_voxels(const tribox_impl_small_signs *v, int n)
+{
+    const tribox_impl_b16 a = tribox_impl_low8(v->e0, v->e1);
+    const tribox_impl_b16 b = tribox_impl_low8(v->e2, v->e3);
+    const tribox_impl_b16 a2 = tribox_impl_high8(v->e0, v->e1);
+    const tribox_impl_b16 b2 = tribox_impl_high8(v->e2, v->e3);
+    const tribox_impl_b16 q0 = tribox_impl_low16(a, b);
+    const tribox_impl_b16 q1 = tribox_impl_high16(a, b);
+    const tribox_impl_b16 q2 = tribox_impl_low16(a2, b2);
+    const tribox_impl_b16 q3 = n > 3 ? tribox_impl_high16(a2, b2) : q2;
+    const tribox_impl_b16 low = TRIBOX_IMPL_DWORDS(q0, q1, 0, 4, 1, 5);
+    const tribox_impl_b16 high = TRIBOX_IMPL_DWORDS(q2, q3, 0, 4, 1, 5);
+    const tribox_impl_b16 xy = TRIBOX_IMPL_DWORDS(low, high, 0, 1, 4, 5);
+    uint64_t r = tribox_impl_small_join(xy, q0, v->p0) | tribox_impl_small_join(xy, q1, v->p1) << 16 |
+                 tribox_impl_small_join(xy, q2, v->p2) << 32;
+    if (n > 3) {
+        r |= tribox_impl_small_join(xy, q3, v->p3) << 48;
+    }
+    return r;
+}
+
+
+/* The voxels of the box. */
+TRIBOX_IMPL_FN uint64_t tribox_impl_small_inside(const int count[3])
+{
+    const uint64_t x = (((uint64_t)1 << count[0]) - 1) * 0x1111111111111111u;
+    const uint64_t y = (~(uint64_t)0 >> (64 - 4 * count[1])) & 0xffffu;
+    return x & (y * 0x0001000100010001u) & (~(uint64_t)0 >> (64 - 16 * count[2]));
+}
+
+/* Lanes of an edge that is a point in projection. */
+TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_small_point(const tribox_impl_small_edge *e)
+{
+    return (((tribox_impl_i4)e->n_b | (tribox_impl_i4)e->n_c) & tribox_impl_splat_int(0x7fffffff)) == 0;
+}
+
+/* The far side of the triangle across an edge: 2r + |n| - value. */
+TRIBOX_IMPL_FN void tribox_impl_small_far(tribox_impl_small_edge *e, tribox_impl_f4 n_abs)
+{
+    e->d = tribox_impl_abs4(e->n_b) + tribox_impl_abs4(e->n_c) + n_abs - e->d;
+    e->n_b = -e->n_b;
+    e->n_c = -e->n_c;
+}
+
+/* Lanes of a where mask, of b elsewhere. */
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_small_where(tribox_impl_i4 mask, tribox_impl_f4 a, tribox_impl_f4 b)
+{
+    return (tribox_impl_f4)((mask & (tribox_impl_i4)a) | (~mask & (tribox_impl_i4)b));
+}
+
+
+/* What the quick way leaves open: areas without a sure sign, and doubts about voxels that something else decides. */
+TRIBOX_IMPL_COLD int tribox_impl_small_rare(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2, float delta,
+                                            float reach, const int count[3], uint64_t *out_voxels)
+{
+    tribox_impl_small_setup s;
+    tribox_impl_small_signs v;
+    tribox_impl_f4 least = tribox_impl_splat(0.0f);
+    uint64_t miss;
+    uint64_t doubt;
+    tribox_impl_small_init(&s, x0, x1, x2, delta, reach);
+    tribox_impl_small_plane(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_MISS);
+    if (!tribox_impl_any(s.n_abs <= s.bound)) {
+        tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_MISS);
+        miss = tribox_impl_small_voxels(&v, 4);
+        tribox_impl_small_plane(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_DOUBT);
+        tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_DOUBT);
+        doubt = tribox_impl_small_voxels(&v, 4);
+    } else {
+        const tribox_impl_f4 t_min = tribox_impl_min4(tribox_impl_min4(x0, x1), x2);
+        const tribox_impl_f4 t_max = tribox_impl_max4(tribox_impl_max4(x0, x1), x2);
+        const tribox_impl_f4 margin = s.bound;
+        const tribox_impl_f4 last = { (float)(count[0] - 1), (float)(count[1] - 1), (float)(count[2] - 1), 0.0f };
+        const tribox_impl_i4 apart = (t_min > tribox_impl_splat(1.0f) - margin) | (t_max < last + margin);
+        const tribox_impl_i4 clear = tribox_impl_splat_int((tribox_impl_signs(apart) & 7) == 0 ? -1 : 0);
+        const tribox_impl_i4 point0 = tribox_impl_small_point(&s.e0) & clear;
+        const tribox_impl_i4 point1 = tribox_impl_small_point(&s.e1) & clear;
+        const tribox_impl_i4 point2 = tribox_impl_small_point(&s.e2) & clear;
+        const tribox_impl_f4 pass = tribox_impl_splat(4.0f);
+        s.bound += s.bound;
+        s.e0.d = tribox_impl_small_where(point0, pass, s.e0.d);
+        s.e1.d = tribox_impl_small_where(point1, pass, s.e1.d);
+        s.e2.d = tribox_impl_small_where(point2, pass, s.e2.d);
+        tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_MISS);
+        miss = tribox_impl_small_voxels(&v, 4);
+        tribox_impl_small_plane(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_DOUBT);
+        tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_DOUBT);
+        doubt = tribox_impl_small_voxels(&v, 4);
+        tribox_impl_small_far(&s.e0, s.n_abs);
+        tribox_impl_small_far(&s.e1, s.n_abs);
+        tribox_impl_small_far(&s.e2, s.n_abs);
+        s.e0.d = tribox_impl_small_where(point0, pass, s.e0.d);
+        s.e1.d = tribox_impl_small_where(point1, pass, s.e1.d);
+        s.e2.d = tribox_impl_small_where(point2, pass, s.e2.d);
+        tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_DOUBT);
+        doubt |= tribox_impl_small_voxels(&v, 4);
+        tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_MISS);
+        v.p0 = v.p1 = v.p2 = v.p3 = v.e0 ^ v.e0;
+        miss |= tribox_impl_small_voxels(&v, 4);
+    }
+    *out_voxels = ~miss & tribox_impl_small_inside(count);
+    return (doubt & *out_voxels) == 0;
+}
+
+TRIBOX_IMPL_FORCED int tribox_impl_small_n(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2, float delta,
+                                           float reach, const int count[3], int n, uint64_t *out_voxels)
+{
+    tribox_impl_small_setup s;
+    tribox_impl_small_signs v;
+    tribox_impl_f4 least;
+    tribox_impl_f4 least_plane;
+    tribox_impl_small_init(&s, x0, x1, x2, delta, reach);
+    least = s.n_abs;
+    least_plane = s.r;
+    tribox_impl_small_plane(&v, &s, &least_plane, n, TRIBOX_IMPL_SMALL_QUICK);
+    tribox_impl_small_edges(&v, &s, &least, n, TRIBOX_IMPL_SMALL_QUICK);
+    *out_voxels = ~tribox_impl_small_voxels(&v, n) & tribox_impl_small_inside(count);
+    if (TRIBOX_IMPL_RARELY(tribox_impl_any((least <= s.bound) | (least_plane <= s.plane_bound)))) {
+        return tribox_impl_small_rare(x0, x1, x2, delta, reach, count, out_voxels);
+    }
+    return 1;
+}
+
+/* All counts <= 2. Words: plane + 4c, then b + 2*plane, and x + 2y + 4z for voxels. */
+TRIBOX_IMPL_FN int tribox_impl_small2(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2, float delta,
+                                      const int count[3], uint64_t *out_voxels)
+{
+    const tribox_impl_i4 at_x = { 0, -1, 0, -1 };
+    const tribox_impl_i4 at_y = { 0, 0, -1, -1 };
+    tribox_impl_small_setup s;
+    tribox_impl_small_init(&s, x0, x1, x2, delta, 2.0f);
+    {
+        const tribox_impl_f4 f0 = s.e0.d + s.e0.n_b;
+        const tribox_impl_f4 f1 = s.e1.d + s.e1.n_b;
+        const tribox_impl_f4 f2 = s.e2.d + s.e2.n_b;
+        const tribox_impl_f4 v00 = tribox_impl_min4(tribox_impl_min4(s.e0.d, s.e1.d), s.e2.d);
+        const tribox_impl_f4 v01 = tribox_impl_min4(tribox_impl_min4(s.e0.d + s.e0.n_c, s.e1.d + s.e1.n_c), s.e2.d + s.e2.n_c);
+        const tribox_impl_f4 v10 = tribox_impl_min4(tribox_impl_min4(f0, f1), f2);
+        const tribox_impl_f4 v11 = tribox_impl_min4(tribox_impl_min4(f0 + s.e0.n_c, f1 + s.e1.n_c), f2 + s.e2.n_c);
+        const tribox_impl_f4 least = tribox_impl_min4(
+            tribox_impl_min4(tribox_impl_abs4(v00), tribox_impl_abs4(v01)),
+            tribox_impl_min4(tribox_impl_min4(tribox_impl_abs4(v10), tribox_impl_abs4(v11)), s.n_abs));
+        const tribox_impl_b16 p0 = (tribox_impl_b16)tribox_impl_pack32((tribox_impl_i4)v00, (tribox_impl_i4)v01);
+        const tribox_impl_b16 p1 = (tribox_impl_b16)tribox_impl_pack32((tribox_impl_i4)v10, (tribox_impl_i4)v11);
+        const tribox_impl_f4 d0 = s.d + (tribox_impl_f4)((tribox_impl_i4)s.n_x & at_x) -
+                                  (tribox_impl_f4)((tribox_impl_i4)s.n_y & at_y);
+        const tribox_impl_f4 d1 = d0 + s.n_z;
+        const tribox_impl_f4 r0 = s.r - tribox_impl_abs4(d0);
+        const tribox_impl_f4 r1 = s.r - tribox_impl_abs4(d1);
+        const tribox_impl_f4 least_plane = tribox_impl_min4(tribox_impl_abs4(r0), tribox_impl_abs4(r1));
+        const tribox_impl_b16 plane = (tribox_impl_b16)tribox_impl_pack32((tribox_impl_i4)r0, (tribox_impl_i4)r1);
+        const tribox_impl_b16 low = tribox_impl_low16(p0, p1);
+        const tribox_impl_b16 high = tribox_impl_high16(p0, p1);
+        const tribox_impl_b16 low2 = tribox_impl_low16(low, low);
+        const tribox_impl_b16 high2 = tribox_impl_low16(high, high);
+        const tribox_impl_b16 xy2 = TRIBOX_IMPL_DWORDS(low, high, 0, 4, 1, 5);
+        const tribox_impl_b16 xy = TRIBOX_IMPL_DWORDS(xy2, xy2, 0, 1, 0, 1);
+        const tribox_impl_b16 xz = TRIBOX_IMPL_DWORDS(low, high, 2, 2, 6, 6);
+        const tribox_impl_b16 yz = TRIBOX_IMPL_DWORDS(low2, high2, 2, 3, 6, 7);
+        const tribox_impl_s8 miss = (tribox_impl_s8)((xy | xz) | (yz | plane));
+        const uint32_t bits = (uint32_t)tribox_impl_signs16(tribox_impl_pack16(miss, miss));
+        const uint32_t all = (bits & 0x03) | (bits & 0x0c) << 2 | (bits & 0x30) << 12 | (bits & 0xc0) << 14;
+        *out_voxels = ~(uint64_t)all & tribox_impl_small_inside(count);
+        if (TRIBOX_IMPL_RARELY(tribox_impl_any((least <= s.bound) | (least_plane <= s.plane_bound)))) {
+            return tribox_impl_small_rare(x0, x1, x2, delta, 2.0f, count, out_voxels);
+        }
+    }
+    return 1;
+}
+
+/* The voxels of a box of count <= 4 cells on each axis, its minimum corner at 0, that the triangle (x, y, z in voxels in
+ * lanes 0..2, lane 3 is 0, each within delta) touches: bit x + 4*y + 16*z. The box is part of the triangle's index
+ * box, which is at most `reach` voxels long, reach >= 2 and >= count. Returns 0 if a voxel is unsure. */
+TRIBOX_IMPL_FN int tribox_impl_small(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2, float delta, float reach,
+                                     const int count[3], uint64_t *out_voxels)
+{
+    const int all = (count[0] - 1) | (count[1] - 1) | (count[2] - 1);
+    if (all < 2 && reach <= 2.0f) {
+        return tribox_impl_small2(x0, x1, x2, delta, count, out_voxels);
+    }
+    if (((count[0] | count[1] | count[2]) & 4) == 0) {
+        return tribox_impl_small_n(x0, x1, x2, delta, reach, count, 3, out_voxels);
+    }
+    return tribox_impl_small_n(x0, x1, x2, delta, reach, count, 4, out_voxels);
+}
+
+/* The fill's fast way, for triangles of a few voxels: most of every scanned mesh. Coordinates are voxels from the
+ * region's minimum corner.
+ *
+ * Bound. X = v * inverse - origin / size: the product is off by 2 u |v| * inverse, the constant by u |origin| / size,
+ * the sum by u |X|, u = 2^-23, where v lies within MARGIN of the region; doubles add less than 1e-9. Whoever comes that near to a grid plane, or lies more than MARGIN voxels off the
+ * region, goes the exact way. Subnormals read as zero move X by less than 2^-126 * inverse, inverse <= 2^60. */
+typedef struct tribox_impl_quick {
+    tribox_impl_f4 inverse;
+    tribox_impl_f4 shift_down;  /* MARGIN - origin, less and plus the bound */
+    tribox_impl_f4 shift_up;
+    tribox_impl_i4 start;       /* the region, MARGIN added: first voxel, last voxel, and the last that X may reach */
+    tribox_impl_i4 end;
+    tribox_impl_i4 beyond;
+    double         origin_f64[3];
+    double         inverse_f64[3];
+    size_t         layer_words;
+    float          delta;       /* bound of a coordinate's error in a triangle's own frame */
+    int            n[3];
+    int            on;          /* 0: this grid's numbers are out of range */
+    int            thin;
+} tribox_impl_quick;
+
+#define TRIBOX_IMPL_MARGIN 16       /* voxels beyond the region in which X is still used */
+
+TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_grid *grid,
+                                           const tribox_impl_target *t)
+{
+    const double u = (double)TRIBOX_IMPL_U32;
+    int k;
+    q->on = 1;
+    q->thin = (grid->flags & TRIBOX_THIN) != 0;
+    q->layer_words = t->ny * t->row_words;
+    q->delta = 0.0f;
+    q->inverse = q->shift_down = q->shift_up = tribox_impl_splat(0.0f);
+    q->start = q->end = q->beyond = tribox_impl_splat_int(0);
+    for (k = 0; k < 3; k++) {
+        const double size = grid->size[k];
+        const double base = (double)grid->lo[k] * size;
+        const double origin = grid->origin[k] + base;
+        const double n = (double)grid->hi[k] - (double)grid->lo[k];
+        const double near = tribox_impl_abs(origin) / size;
+        const double far = tribox_impl_abs(origin / size + n);
+        const double slack = 1.01 * u * (2.0 * (near > far ? near : far) + near + n + 128.0) + 1e-9;
+        const double reach = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) / size + n + 64.0;
+        const double delta = 20.0 * u + 16.0 * TRIBOX_IMPL_U64 * reach;     /* |x| <= 9 to float, and again; doubles */
+        if (!(size > 1e-18 && size < 1e18 && n <= 65536.0 && slack < 0.125)) {
+            q->on = 0;
+            return;
+        }
+        q->delta = (float)delta > q->delta ? (float)delta : q->delta;
+        q->inverse[k] = (float)(1.0 / size);
+        q->shift_down[k] = (float)((double)TRIBOX_IMPL_MARGIN - origin / size - slack);
+        q->shift_up[k] = (float)((double)TRIBOX_IMPL_MARGIN - origin / size + slack);
+        q->start[k] = TRIBOX_IMPL_MARGIN;
+        q->end[k] = TRIBOX_IMPL_MARGIN + (int)n - 1;
+        q->beyond[k] = 2 * TRIBOX_IMPL_MARGIN + (int)n - 1;
+        q->origin_f64[k] = origin;
+        q->inverse_f64[k] = 1.0 / size;
+        q->n[k] = (int)n;
+    }
+}
+
+/* Sets the voxels of a box of up to 4 x 4 x 4 at `base`: bit x + 4 y + 16 z. */
+TRIBOX_IMPL_FN void tribox_impl_quick_set(const tribox_impl_quick *q, const tribox_impl_target *t, const int base[3],
+                                          const int count[3], uint64_t voxels)
+{
+    const int inside_x = base[0] >= 0 && base[0] + 4 <= q->n[0];
+    int y;
+    int z;
+    if (base[0] >= q->n[0]) {
+        return;
+    }
+    for (z = 0; z < count[2]; z++) {
+        const int at_z = base[2] + z;
+        if (at_z < 0 || at_z >= q->n[2]) {
+            continue;
+        }
+        for (y = 0; y < count[1]; y++) {
+            const int at_y = base[1] + y;
+            uint64_t run = (voxels >> (16 * z + 4 * y)) & 15u;
+            int x = base[0];
+            uint64_t *row;
+            if (at_y < 0 || at_y >= q->n[1]) {
+                continue;
+            }
+            if (!inside_x) {
+                if (x < 0) {
+                    run >>= -x;
+                    x = 0;
+                }
+                if (q->n[0] - x < 4) {
+                    run &= ((uint64_t)1 << (q->n[0] - x)) - 1;
+                }
+            }
+            row = t->bits + ((size_t)at_z * t->ny + (size_t)at_y) * t->row_words + ((size_t)x >> 6);
+            row[0] |= run << (x & 63);
+            if ((x & 63) > 60 && (run >> (64 - (x & 63))) != 0) {
+                row[1] |= run >> (64 - (x & 63));
+            }
+        }
+    }
+}
+
+/* A triangle of up to 8 x 8 x 8 voxels, in blocks of 4 x 4 x 4. Returns 0 if unsure; voxels set by then are right. */
+TRIBOX_IMPL_NOINLINE int tribox_impl_quick_small(const tribox_impl_quick *q, const tribox_impl_target *t,
+                                                 const void *const v[3], const int at[3], const int count[3])
+{
+    const int longest = count[0] > count[1] ? count[0] : count[1];
+    const float reach = (float)(longest > count[2] ? longest : count[2]);
+    tribox_impl_f4 x[3];
+    int block[3];
+    int i;
+    int k;
+    for (i = 0; i < 3; i++) {
+        float p[3];
+        TRIBOX_IMPL_COPY(p, v[i], sizeof p);
+        for (k = 0; k < 3; k++) {
+            x[i][k] = (float)(((double)p[k] - q->origin_f64[k]) * q->inverse_f64[k] - (double)at[k]);
+        }
+        x[i][3] = 0.0f;
+    }
+    for (block[2] = 0; block[2] < count[2]; block[2] += 4) {
+        for (block[1] = 0; block[1] < count[1]; block[1] += 4) {
+            for (block[0] = 0; block[0] < count[0]; block[0] += 4) {
+                const tribox_impl_f4 corner = { (float)block[0], (float)block[1], (float)block[2], 0.0f };
+                uint64_t voxels;
+                int block_at[3];
+                int left[3];
+                for (k = 0; k < 3; k++) {
+                    block_at[k] = at[k] + block[k];
+                    left[k] = count[k] - block[k] < 4 ? count[k] - block[k] : 4;
+                }
+                if (!tribox_impl_small(x[0] - corner, x[1] - corner, x[2] - corner, q->delta, reach, left, &voxels)) {
+                    return 0;
+                }
+                tribox_impl_quick_set(q, t, block_at, left, voxels);
+            }
+        }
+    }
+    return 1;
+}
+
+/* One triangle, its corners at v. Returns 0 if it needs the exact way. */
+TRIBOX_IMPL_FN int tribox_impl_quick_triangle(const tribox_impl_quick *q, const tribox_impl_target *t,
+                                              const void *const v[3])
+{
+    const tribox_impl_f4 p0 = tribox_impl_load3(v[0]);
+    const tribox_impl_f4 p1 = tribox_impl_load3(v[1]);
+    const tribox_impl_f4 p2 = tribox_impl_load3(v[2]);
+    const tribox_impl_f4 low = tribox_impl_min4(tribox_impl_min4(p0, p1), p2) * q->inverse;
+    const tribox_impl_f4 high = tribox_impl_max4(tribox_impl_max4(p0, p1), p2) * q->inverse;
+    /* voxels, MARGIN added; where the two guesses of one differ, a face is too near to a grid plane */
+    const tribox_impl_i4 first = __builtin_convertvector(low + q->shift_down, tribox_impl_i4);
+    const tribox_impl_i4 last = __builtin_convertvector(high + q->shift_up, tribox_impl_i4);
+    const tribox_impl_i4 differ = (first ^ __builtin_convertvector(low + q->shift_up, tribox_impl_i4)) |
+                                  (last ^ __builtin_convertvector(high + q->shift_down, tribox_impl_i4));
+    const tribox_impl_i4 not_finite = tribox_impl_above(tribox_impl_abs4(p0 + p1 + p2), 0x7f7fffff);
+    const tribox_impl_i4 extra = last - first;
+    const tribox_impl_i4 unsure = not_finite | differ | -differ | first | last | (q->beyond - last);
+    const tribox_impl_i4 outside = (first - q->start) | (q->end - last);
+    /* sign bits, of all that keeps a triangle from the shortest way: in the region and up to 2 x 2 x 2 */
+    int at[4];
+    int count[4];
+    int thick;
+    TRIBOX_IMPL_COPY(at, &first, sizeof at);
+    if ((tribox_impl_signs(unsure | outside | (tribox_impl_splat_int(1) - extra)) & 7) == 0) {
+        const int more = tribox_impl_signs(-extra);
+        const int x = at[0] - TRIBOX_IMPL_MARGIN;
+        const uint64_t run = (uint64_t)(1 + 2 * (more & 1)) << (x & 63);
+        if ((x & 63) + (more & 1) < 64) {
+            const size_t step_y = t->row_words & ((size_t)0 - (size_t)((more >> 1) & 1));
+            const size_t step_z = q->layer_words & ((size_t)0 - (size_t)((more >> 2) & 1));
+            uint64_t *row = t->bits + (size_t)(at[2] - TRIBOX_IMPL_MARGIN) * q->layer_words +
+                            (size_t)(at[1] - TRIBOX_IMPL_MARGIN) * t->row_words + ((size_t)x >> 6);
+            if ((row[0] & row[step_y] & row[step_z] & row[step_y + step_z] & run) == run) {
+                return 1;       /* all set already */
+            }
+            if ((more & (more - 1) & 7) == 0 && !q->thin) {
+                row[0] |= run;
+                row[step_y] |= run;
+                row[step_z] |= run;
+                return 1;
+            }
+        }
+    } else if ((tribox_impl_signs(unsure) & 7) != 0) {
+        return 0;
+    } else if ((tribox_impl_signs((last - q->start) | (q->end - first)) & 7) != 0) {
+        return 1;               /* off the region */
+    }
+    if (q->thin || (tribox_impl_signs(tribox_impl_splat_int(7) - extra) & 7) != 0) {
+        return 0;
+    }
+    TRIBOX_IMPL_COPY(count, &extra, sizeof count);
+    thick = tribox_impl_signs(-extra) & 7;
+    at[0] -= TRIBOX_IMPL_MARGIN;
+    at[1] -= TRIBOX_IMPL_MARGIN;
+    at[2] -= TRIBOX_IMPL_MARGIN;
+    count[0]++;
+    count[1]++;
+    count[2]++;
+    if ((thick & (thick - 1)) == 0 && (tribox_impl_signs(tribox_impl_splat_int(3) - extra) & 7) == 0) {
+        /* one voxel thick on two axes */
+        tribox_impl_quick_set(q, t, at, count, (((uint64_t)1 << count[0]) - 1) * 0x1111111111111111u);
+        return 1;
+    }
+    return tribox_impl_quick_small(q, t, v, at, count);
+}
+#endif
+
 TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
 {
+#if TRIBOX_SIMD
+    tribox_impl_quick quick;
+#endif
     tribox_impl_target target;
     size_t t;
     int k;
@@ -2810,8 +3546,20 @@ TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh
     }
     target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
     target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
+#if TRIBOX_SIMD
+    tribox_impl_quick_init(&quick, grid, &target);
+#endif
     for (t = 0; t < mesh->triangles; t++) {
         double v[3][3];
+#if TRIBOX_SIMD
+        const void *corner[3];
+        corner[0] = tribox_impl_corner(mesh, t, 0);
+        corner[1] = tribox_impl_corner(mesh, t, 1);
+        corner[2] = tribox_impl_corner(mesh, t, 2);
+        if (quick.on && tribox_impl_quick_triangle(&quick, &target, corner)) {
+            continue;
+        }
+#endif
         for (k = 0; k < 3; k++) {
             tribox_impl_mesh_corner(mesh, t, k, v[k]);
         }
