@@ -1294,7 +1294,7 @@ TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_above(tribox_impl_f4 magnitude, int32_
 /* Sign bits: lanes that are not 0 and whose magnitude is below the float with bits `least`. */
 TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_below(tribox_impl_f4 magnitude, int32_t least)
 {
-    const tribox_impl_i4 bits = (tribox_impl_i4)magnitude;
+    const tribox_impl_i4 bits = (tribox_impl_i4)tribox_impl_abs4(magnitude);
     return (bits - tribox_impl_splat_int(least)) & -bits;
 }
 
@@ -2271,14 +2271,14 @@ TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
     int k;
     for (k = 0; k < 3; k++) {
         const double base = (double)w->base[k] * grid->size[k];
-        double far = 0.0;
+        double farthest = 0.0;
         w->size[k] = grid->size[k];
         for (i = 0; i < 3; i++) {
             const double x = w->corner[i][k];
             w->v[i][k] = (x - grid->origin[k]) - base;
-            far = tribox_impl_abs(x) > far ? tribox_impl_abs(x) : far;
+            farthest = tribox_impl_abs(x) > farthest ? tribox_impl_abs(x) : farthest;
         }
-        w->slack[k] = (far + tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) * (4.0 * TRIBOX_IMPL_U64);
+        w->slack[k] = (farthest + tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) * (4.0 * TRIBOX_IMPL_U64);
     }
     TRIBOX_IMPL_KEEP(w->v);
     w->in_range = 1;
@@ -3360,9 +3360,9 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         const double base = (double)grid->lo[k] * size;
         const double origin = grid->origin[k] + base;
         const double n = (double)grid->hi[k] - (double)grid->lo[k];
-        const double near = tribox_impl_abs(origin) / size;
-        const double far = tribox_impl_abs(origin / size + n);
-        const double slack = 1.01 * u * (2.0 * (near > far ? near : far) + near + n + 128.0) + 1e-9;
+        const double start = tribox_impl_abs(origin) / size;
+        const double end = tribox_impl_abs(origin / size + n);
+        const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + 1e-9;
         const double reach = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) / size + n + 64.0;
         const double delta = 20.0 * u + 16.0 * TRIBOX_IMPL_U64 * reach;     /* |x| <= 9 to float, and again; doubles */
         if (!(size > 1e-18 && size < 1e18 && n <= 65536.0 && slack < 0.125)) {
@@ -3469,8 +3469,11 @@ TRIBOX_IMPL_FN int tribox_impl_quick_triangle(const tribox_impl_quick *q, const 
     const tribox_impl_f4 p0 = tribox_impl_load3(v[0]);
     const tribox_impl_f4 p1 = tribox_impl_load3(v[1]);
     const tribox_impl_f4 p2 = tribox_impl_load3(v[2]);
-    const tribox_impl_f4 low = tribox_impl_min4(tribox_impl_min4(p0, p1), p2) * q->inverse;
-    const tribox_impl_f4 high = tribox_impl_max4(tribox_impl_max4(p0, p1), p2) * q->inverse;
+    const tribox_impl_f4 most = tribox_impl_splat(268435456.0f);        /* 2^28: what follows fits integers */
+    const tribox_impl_f4 low = tribox_impl_min4(tribox_impl_max4(
+        tribox_impl_min4(tribox_impl_min4(p0, p1), p2) * q->inverse, -most), most);
+    const tribox_impl_f4 high = tribox_impl_min4(tribox_impl_max4(
+        tribox_impl_max4(tribox_impl_max4(p0, p1), p2) * q->inverse, -most), most);
     /* voxels, MARGIN added; where the two guesses of one differ, a face is too near to a grid plane */
     const tribox_impl_i4 first = __builtin_convertvector(low + q->shift_down, tribox_impl_i4);
     const tribox_impl_i4 last = __builtin_convertvector(high + q->shift_up, tribox_impl_i4);
