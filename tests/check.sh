@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Runs make targets as the parts of one check: tests/check.sh PART... Each part that prints "N passed, N failed" adds
-# these; any other part counts as one. The last line is the sum. Run from the repository's root.
+# Runs make targets as the parts of one check: tests/check.sh PART... Each part that prints "N passed, N
+# failed" adds these; any other part counts as one. The last line is the sum. Run from the repository's
+# root.
 set -u
 
 passed=0

@@ -1,5 +1,5 @@
-# Joins the reports that gcov -b -c -t prints, of several programs that include tribox.h: a line or branch is covered if
-# any program ran it. Instances of one inlined line count together.
+# Joins the reports that gcov -b -c -t prints, of several programs that include tribox.h: a line or branch
+# is covered if any program ran it. Instances of one inlined line count together.
 
 /:Source:/ {
     in_header = /tribox\.h$/

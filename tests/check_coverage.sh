@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Coverage of tribox.h by the programs of `make test`, all of them together: every line must run; branches that no test
-# takes are listed. Run from the repository's root.
+# Coverage of tribox.h by the programs of `make test`, all of them together: every line must run; branches
+# that no test takes are listed. Run from the repository's root.
 set -u
 . tests/check_lib.sh
 
@@ -9,7 +9,8 @@ rm -rf "$out"
 mkdir -p "$out"
 have gcc && have gcov || exit 0
 
-# A folder for each test and variant, since reports of one name would overwrite each other; -O0, so that lines are lines.
+# A folder for each test and variant, since reports of one name would overwrite each other; -O0, so that
+# lines are lines.
 run() { # test, variant's flag or nothing
     local name=$1 root=$PWD
     shift

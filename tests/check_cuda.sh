@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The header in device code: compiled for several architectures, with and without --use_fast_math, and run where there
-# is a GPU. Run from the repository's root.
+# The header in device code: compiled for several architectures, with and without --use_fast_math, and run
+# where there is a GPU. Run from the repository's root.
 set -u
 . tests/check_lib.sh
 

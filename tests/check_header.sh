@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The header as text and as object code: no warning in any standard, nothing included or called or left behind that
-# should not be, little stack, nothing for the static analysers to say. Run from the repository's root.
+# The header as text and as object code: no warning in any standard, nothing included or called or left
+# behind that should not be, little stack, nothing for the static analysers to say. Run from the
+# repository's root.
 set -u
 . tests/check_lib.sh
 
@@ -119,10 +120,10 @@ if have gcc; then
 fi
 
 # ---- static analysis. What is switched off, and why:
-#   easily-swappable-parameters, magic numbers, identifier lengths, function sizes: matters of taste, STYLE decides
-#   math-missing-parentheses, implicit-widening, narrowing: the compilers' -Wconversion and -Wsign-conversion decide
-#   DeprecatedOrUnsafeBufferHandling: asks for the memcpy_s that C99 does not have
-#   reserved-identifier: Linux's <stdint.h>, not the header's names
+#   easily-swappable-parameters, magic numbers, identifier lengths, function sizes: matters of taste, STYLE
+# decides   math-missing-parentheses, implicit-widening, narrowing: the compilers' -Wconversion and -Wsign-
+# conversion decide   DeprecatedOrUnsafeBufferHandling: asks for the memcpy_s that C99 does not have
+# reserved-identifier: Linux's <stdint.h>, not the header's names
 
 tidy_checks='-*,bugprone-*,clang-analyzer-*,cert-*,misc-*,performance-*,portability-*'
 tidy_checks=$tidy_checks',-bugprone-easily-swappable-parameters,-bugprone-implicit-widening-of-multiplication-result'
@@ -134,7 +135,8 @@ tidy() {
         "$CHECK_DIR/header/alone.c" -- -std=c99 -I.
 }
 
-#   missingIncludeSystem: it reads no system headers; unusedFunction: a library; normalCheckLevelMaxBranches: a remark
+#   missingIncludeSystem: it reads no system headers; unusedFunction: a library;
+# normalCheckLevelMaxBranches: a remark
 check_cpp() {
     cppcheck --quiet --error-exitcode=1 --std=c99 --enable=warning,performance,portability --inline-suppr \
         --suppress=missingIncludeSystem --suppress=normalCheckLevelMaxBranches -I. "$CHECK_DIR/header/alone.c"

@@ -1,6 +1,7 @@
 # shellcheck shell=bash
-# For the check scripts: jobs run a few at a time, each ends in one line "ok NAME" or "FAIL NAME" with
-# the end of its output, and check_end prints the count. Sourced by bash scripts that run in the repository's root.
+# For the check scripts: jobs run a few at a time, each ends in one line "ok NAME" or "FAIL NAME" with the
+# end of its output, and check_end prints the count. Sourced by bash scripts that run in the repository's
+# root.
 
 CHECK_DIR=${CHECK_DIR:-build/check}
 CHECK_JOBS=${CHECK_JOBS:-2}

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The same answers everywhere: golden.c built and run by every compiler, flag, mode and platform at hand. Each line is
-# one build; its runs must all print the hash in golden_overlap.h. Run from the repository's root.
+# The same answers everywhere: golden.c built and run by every compiler, flag, mode and platform at hand.
+# Each line is one build; its runs must all print the hash in golden_overlap.h. Run from the repository's
+# root.
 set -u
 . tests/check_lib.sh
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The suite of `make test` and the golden inputs under the sanitizers, and the exact judges beside the header under the
-# one that matters most there. Run from the repository's root.
+# The suite of `make test` and the golden inputs under the sanitizers, and the exact judges beside the
+# header under the one that matters most there. Run from the repository's root.
 set -u
 . tests/check_lib.sh
 

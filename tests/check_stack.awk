@@ -1,5 +1,5 @@
-# The deepest chain of stack frames in call graphs written by gcc -fcallgraph-info=su: awk -v limit=16384 -f this *.ci
-# Prints the chain; fails when it is deeper than the limit, or when there is a cycle.
+# The deepest chain of stack frames in call graphs written by gcc -fcallgraph-info=su: awk -v limit=16384 -f
+# this *.ci Prints the chain; fails when it is deeper than the limit, or when there is a cycle.
 
 /^node:/ {
     match($0, /title: "[^"]*"/)

@@ -3,9 +3,9 @@
 #
 #   tests/mutate.sh [number of a mutant]...
 #
-# tests/mutants.txt lists the ways. A mutant whose text is no longer found exactly once is stale and counts as a failure,
-# so that the list follows the header. A mutant is caught by the first program that does not compile, fails, crashes or
-# hangs. Run from the repository's root.
+# tests/mutants.txt lists the ways. A mutant whose text is no longer found exactly once is stale and counts
+# as a failure, so that the list follows the header. A mutant is caught by the first program that does not
+# compile, fails, crashes or hangs. Run from the repository's root.
 set -u
 . tests/check_lib.sh
 
