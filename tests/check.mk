@@ -1,7 +1,7 @@
 # The checks that need more than cc and make: verification, golden answers, other platforms, fuzzing, mutation, proofs,
 # coverage, CUDA. A missing tool is named by a SKIP line.
 
-VERIFY_THOUSANDS ?= 4000
+VERIFY_THOUSANDS ?= 6000
 VERIFY_SEED      ?= 1
 VERIFY_JOBS      ?= 2
 FUZZ_SECONDS     ?= 60

@@ -658,6 +658,36 @@ static void mark_span(void *user, int x0, int x1, int y, int z)
     }
 }
 
+/* A triangle of at most four voxels somewhere in the region, its corners at simple places of the grid, up to
+ * rounding: what the fill's quick way for small triangles must get right. */
+static void make_small(run *r, const question *ask, double v[9])
+{
+    dice *d = &r->d;
+    const double steps[4] = {1.0, 2.0, 4.0, 16.0};
+    const double step = steps[dice_below(d, 4)];
+    int voxels = dice_between(d, 1, 4);
+    int i, k;
+    for (k = 0; k < 3; ++k) {
+        int first = dice_between(d, ask->index[k] - 1, ask->last[k]);
+        for (i = 0; i < 3; ++i) {
+            double at = (double)dice_between(d, 0, voxels * (int)step) / step;
+            if (dice_once_in(d, 8)) {
+                at = (double)voxels * dice_unit(d);
+            }
+            at = ask->x[9 + k] + ((double)first + at) * ask->x[12 + k];
+            v[3 * i + k] = number_fit(at, 0);
+            if (dice_once_in(d, 8)) {
+                v[3 * i + k] = number_step(v[3 * i + k], dice_between(d, -2, 2), 0);
+            }
+        }
+    }
+    if (dice_once_in(d, 8)) {
+        shape_sliver(d, v, 0);
+    } else if (dice_once_in(d, 4)) {
+        shape_aligned(d, v);
+    }
+}
+
 /* A mesh of a few triangles: the bits of its fill are those of the spans of each (which walks() judges
  * exactly), padding bits stay clear, and words around the array stay as they were. */
 static void fill(run *r)
@@ -681,13 +711,14 @@ static void fill(run *r)
     memset(want.at, 0, sizeof want.at);
     want.ask = &ask;
     for (i = 0; i < n; ++i) {
-        if (i == 0) {
-            next = ask;
-        } else {
+        next = ask;
+        if (dice_once_in(&r->d, 8)) {
             make_walk(r, &next, 0);
+        } else if (i > 0) {
+            make_small(r, &ask, next.x);
         }
         for (k = 0; k < 9; ++k) {
-            positions[9 * i + k] = (float)next.x[k];
+            positions[9 * i + k] = (float)number_fit(next.x[k], 0);
         }
         tribox_grid_spans(&grid, positions + 9 * i, positions + 9 * i + 3, positions + 9 * i + 6, mark_span,
                           &want);
@@ -777,7 +808,7 @@ static void work(run *r, long thousands)
         int k;
         single_questions(r, 1000);
         walks(r, 12);
-        for (k = 0; k < 10; ++k) {
+        for (k = 0; k < 20; ++k) {
             r->row = ROW_FILL;
             fill(r);
         }
