@@ -2410,16 +2410,52 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_walk_start(tribox_impl_walk *w, const tribo
     return 1;
 }
 
-/* Where spans go: to a callback, counted. */
+/* The bit array of a fill. */
+typedef struct tribox_impl_target {
+    uint64_t *bits;
+    int       lo[3];        /* the region's first voxel */
+    size_t    row_words;
+    size_t    ny;
+} tribox_impl_target;
+
+/* Sets bits from..to of a row. */
+TRIBOX_IMPL_FN void tribox_impl_set_run(const tribox_impl_target *t, uint64_t *row, size_t from, size_t to)
+{
+    const uint64_t head = ~(uint64_t)0 << (from & 63);
+    const uint64_t tail = ~(uint64_t)0 >> (63 - (to & 63));
+    size_t word = from >> 6;
+    const size_t last = to >> 6;
+    TRIBOX_IMPL_PREFETCH((uintptr_t)(row + word) + sizeof *row * t->ny * t->row_words);     /* the next layer's */
+    if (word == last) {
+        row[word] |= head & tail;
+        return;
+    }
+    row[word++] |= head;
+    while (word < last) {
+        row[word++] = ~(uint64_t)0;
+    }
+    row[last] |= tail;
+}
+
+/* Where spans go: into a bit array, or, counted, to a callback. */
 typedef struct tribox_impl_sink {
-    tribox_span_fn emit;
-    void          *user;
-    size_t         count;
+    const tribox_impl_target *target;   /* NULL: the callback */
+    tribox_span_fn            emit;
+    void                     *user;
+    size_t                    count;
 } tribox_impl_sink;
 
 TRIBOX_IMPL_FN void tribox_impl_walk_emit(const tribox_impl_walk *w, int64_t lo, int64_t hi, int64_t y, int64_t z,
                                           tribox_impl_sink *sink)
 {
+    const tribox_impl_target *t = sink->target;
+    if (t != NULL) {
+        uint64_t *row = t->bits + ((size_t)(w->base[2] + z - t->lo[2]) * t->ny + (size_t)(w->base[1] + y - t->lo[1])) *
+                                      t->row_words;
+        const int64_t start = w->base[0] - t->lo[0];
+        tribox_impl_set_run(t, row, (size_t)(start + lo), (size_t)(start + hi));
+        return;
+    }
     sink->count = tribox_impl_saturating_add(sink->count, (size_t)(hi - lo + 1));
     if (sink->emit != NULL) {
         sink->emit(sink->user, (int)(w->base[0] + lo), (int)(w->base[0] + hi), (int)(w->base[1] + y),
@@ -2613,6 +2649,8 @@ TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_imp
     tribox_impl_bounds x_of_y;
     tribox_impl_bounds x_of_z;
     tribox_impl_bounds y_of_z;
+    const tribox_impl_target *t = sink->target;
+    const size_t start_x = t != NULL ? (size_t)(w->base[0] - t->lo[0]) : 0;
     int64_t y_start = -1;       /* the tiles that these are of */
     int64_t z;
     int i;
@@ -2621,6 +2659,7 @@ TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_imp
     }
     for (z = 0; z < w->count[2]; z++) {
         const int layer = (int)(z % TRIBOX_IMPL_TILE);
+        const size_t layer_words = t != NULL ? (size_t)(w->base[2] + z - t->lo[2]) * t->ny * t->row_words : 0;
         float rest[2] = { 0.0f, 0.0f };
         int64_t y;
         int64_t y_end;
@@ -2647,6 +2686,7 @@ TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_imp
             tribox_impl_f4 hi_edges;
             float x_lo[4];
             float x_hi[4];
+            uint64_t *row_bits = NULL;
             int doubts;
             int rows;
             if (y - row != y_start) {
@@ -2664,6 +2704,9 @@ TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_imp
             TRIBOX_IMPL_COPY(x_hi, &hi, sizeof hi);
             doubts = tribox_impl_signs(doubt & ~(outside | (lo_edges > hi_edges)));
             rows = tribox_impl_signs(~(outside | (lo > hi))) | doubts;
+            if (t != NULL) {
+                row_bits = t->bits + layer_words + (size_t)(w->base[1] + y - t->lo[1]) * t->row_words;
+            }
             for (i = 0; rows != 0; i++, rows >>= 1) {
                 if ((rows & 1) == 0) {
                     continue;
@@ -2680,7 +2723,12 @@ TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_imp
                         continue;
                     }
                 }
-                tribox_impl_walk_emit(w, (int64_t)x_lo[i], (int64_t)x_hi[i], y + i, z, sink);
+                if (t != NULL) {
+                    tribox_impl_set_run(t, row_bits + (size_t)i * t->row_words, start_x + (size_t)(int32_t)x_lo[i],
+                                        start_x + (size_t)(int32_t)x_hi[i]);
+                } else {
+                    tribox_impl_walk_emit(w, (int64_t)x_lo[i], (int64_t)x_hi[i], y + i, z, sink);
+                }
             }
         }
     }
@@ -2688,31 +2736,34 @@ TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_imp
 #endif
 
 /* All spans of a triangle over a valid grid. */
-TRIBOX_IMPL_FN size_t tribox_impl_spans(const tribox_grid *grid, const double v0[3], const double v1[3],
-                                       const double v2[3], tribox_span_fn emit, void *user)
+TRIBOX_IMPL_FN void tribox_impl_spans(const tribox_grid *grid, const double v0[3], const double v1[3],
+                                      const double v2[3], tribox_impl_sink *sink)
 {
     tribox_impl_walk w;
-    tribox_impl_sink sink;
-    sink.emit = emit;
-    sink.user = user;
-    sink.count = 0;
     if (!tribox_impl_walk_start(&w, grid, v0, v1, v2)) {
-        return 0;
+        return;
     }
 #if TRIBOX_SIMD
     if (w.count[0] < 1048576 && w.count[1] < 1048576 && w.count[2] < 1048576) {
-        tribox_impl_walk_lanes(&w, &sink);
-        return sink.count;
+        tribox_impl_walk_lanes(&w, sink);
+        return;
     }
 #endif
-    tribox_impl_walk_rows(&w, &sink);
-    return sink.count;
+    tribox_impl_walk_rows(&w, sink);
 }
 
 TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
                                        const double v2[3], tribox_span_fn emit, void *user)
 {
-    return tribox_impl_grid_valid(grid) ? tribox_impl_spans(grid, v0, v1, v2, emit, user) : 0;
+    tribox_impl_sink sink;
+    sink.target = NULL;
+    sink.emit = emit;
+    sink.user = user;
+    sink.count = 0;
+    if (tribox_impl_grid_valid(grid)) {
+        tribox_impl_spans(grid, v0, v1, v2, &sink);
+    }
+    return sink.count;
 }
 
 TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], const float v1[3],
@@ -2747,43 +2798,19 @@ TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid)
     return words <= most ? words : 0;
 }
 
-/* Where spans go in a fill. */
-typedef struct tribox_impl_target {
-    uint64_t *bits;
-    int       lo[3];
-    size_t    row_words;
-    size_t    ny;
-} tribox_impl_target;
-
-TRIBOX_IMPL_FN void tribox_impl_set_span(void *user, int x0, int x1, int y, int z)
-{
-    const tribox_impl_target *t = (const tribox_impl_target *)user;
-    const size_t from = (size_t)((int64_t)x0 - t->lo[0]);
-    const size_t to = (size_t)((int64_t)x1 - t->lo[0]);
-    uint64_t *row = t->bits + ((size_t)((int64_t)z - t->lo[2]) * t->ny + (size_t)((int64_t)y - t->lo[1])) *
-                                  t->row_words;
-    const uint64_t head = ~(uint64_t)0 << (from & 63);
-    const uint64_t tail = ~(uint64_t)0 >> (63 - (to & 63));
-    size_t word = from >> 6;
-    const size_t last = to >> 6;
-    TRIBOX_IMPL_PREFETCH((uintptr_t)(row + word) + sizeof *row * t->ny * t->row_words);     /* the next layer's */
-    if (word == last) {
-        row[word] |= head & tail;
-        return;
-    }
-    row[word++] |= head;
-    while (word < last) {
-        row[word++] = ~(uint64_t)0;
-    }
-    row[last] |= tail;
-}
-
 /* Corner c of the mesh's triangle t. */
 TRIBOX_IMPL_FN const void *tribox_impl_corner(const tribox_mesh *mesh, size_t t, int c)
 {
     const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
     const size_t at = 3 * t + (size_t)c;
     return (const char *)mesh->positions + (mesh->indices != NULL ? (size_t)mesh->indices[at] : at) * stride;
+}
+
+TRIBOX_IMPL_FN void tribox_impl_corners(const tribox_mesh *mesh, size_t t, const void *out_corner[3])
+{
+    out_corner[0] = tribox_impl_corner(mesh, t, 0);
+    out_corner[1] = tribox_impl_corner(mesh, t, 1);
+    out_corner[2] = tribox_impl_corner(mesh, t, 2);
 }
 
 TRIBOX_IMPL_FN void tribox_impl_mesh_corner(const tribox_mesh *mesh, size_t t, int c, double out_v[3])
@@ -3334,7 +3361,7 @@ typedef struct tribox_impl_quick {
     tribox_impl_i4 end;
     tribox_impl_i4 beyond;
     double         origin_f64[3];
-    double         inverse_f64[3];
+    double         size_f64[3];
     size_t         layer_words;
     float          delta;       /* bound of a coordinate's error in a triangle's own frame */
     int            n[3];
@@ -3364,7 +3391,9 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         const double end = tribox_impl_abs(origin / size + n);
         const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + 1e-9;
         const double reach = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) / size + n + 64.0;
-        const double delta = 20.0 * u + 16.0 * TRIBOX_IMPL_U64 * reach;     /* |x| <= 9 to float, and again; doubles */
+        /* |x| <= 9, through two differences, a product with a rounded inverse, and a block's offset: 5 u of it; the
+         * corner's rest is within u of the corner, itself rounded: u u reach; doubles */
+        const double delta = 48.0 * u + (u * u + 16.0 * TRIBOX_IMPL_U64) * 2.0 * reach;
         if (!(size > 1e-18 && size < 1e18 && n <= 65536.0 && slack < 0.125)) {
             q->on = 0;
             return;
@@ -3377,47 +3406,35 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         q->end[k] = TRIBOX_IMPL_MARGIN + (int)n - 1;
         q->beyond[k] = 2 * TRIBOX_IMPL_MARGIN + (int)n - 1;
         q->origin_f64[k] = origin;
-        q->inverse_f64[k] = 1.0 / size;
+        q->size_f64[k] = size;
         q->n[k] = (int)n;
     }
 }
 
-/* Sets the voxels of a box of up to 4 x 4 x 4 at `base`: bit x + 4 y + 16 z. */
-TRIBOX_IMPL_FN void tribox_impl_quick_set(const tribox_impl_quick *q, const tribox_impl_target *t, const int base[3],
+/* Sets the voxels of a box of up to 4 x 4 x 4 at `at`, bit x + 4 y + 16 z, where they lie in the region. */
+TRIBOX_IMPL_FN void tribox_impl_quick_set(const tribox_impl_quick *q, const tribox_impl_target *t, const int at[3],
                                           const int count[3], uint64_t voxels)
 {
-    const int inside_x = base[0] >= 0 && base[0] + 4 <= q->n[0];
+    const int cut_x = at[0] < 0 ? -at[0] : 0;
+    const int room_x = q->n[0] - at[0];
+    const int x = at[0] + cut_x;
+    const int y_end = at[1] + count[1] < q->n[1] ? at[1] + count[1] : q->n[1];
+    const int z_end = at[2] + count[2] < q->n[2] ? at[2] + count[2] : q->n[2];
     int y;
     int z;
-    if (base[0] >= q->n[0]) {
-        return;
+    if (room_x < 4) {
+        voxels &= room_x > 0 ? (((uint64_t)1 << room_x) - 1) * 0x1111111111111111u : 0;
     }
-    for (z = 0; z < count[2]; z++) {
-        const int at_z = base[2] + z;
-        if (at_z < 0 || at_z >= q->n[2]) {
-            continue;
-        }
-        for (y = 0; y < count[1]; y++) {
-            const int at_y = base[1] + y;
-            uint64_t run = (voxels >> (16 * z + 4 * y)) & 15u;
-            int x = base[0];
-            uint64_t *row;
-            if (at_y < 0 || at_y >= q->n[1]) {
-                continue;
-            }
-            if (!inside_x) {
-                if (x < 0) {
-                    run >>= -x;
-                    x = 0;
+    for (z = at[2] > 0 ? at[2] : 0; z < z_end; z++) {
+        uint64_t *row = t->bits + (size_t)z * q->layer_words + ((size_t)x >> 6);
+        for (y = at[1] > 0 ? at[1] : 0; y < y_end; y++) {
+            const uint64_t run = (voxels >> (16 * (z - at[2]) + 4 * (y - at[1])) & 15u) >> (cut_x < 4 ? cut_x : 4);
+            uint64_t *word = row + (size_t)y * t->row_words;
+            if (run != 0) {
+                word[0] |= run << (x & 63);
+                if ((x & 63) > 60 && run >> (64 - (x & 63)) != 0) {
+                    word[1] |= run >> (64 - (x & 63));
                 }
-                if (q->n[0] - x < 4) {
-                    run &= ((uint64_t)1 << (q->n[0] - x)) - 1;
-                }
-            }
-            row = t->bits + ((size_t)at_z * t->ny + (size_t)at_y) * t->row_words + ((size_t)x >> 6);
-            row[0] |= run << (x & 63);
-            if ((x & 63) > 60 && (run >> (64 - (x & 63))) != 0) {
-                row[1] |= run >> (64 - (x & 63));
             }
         }
     }
@@ -3425,26 +3442,42 @@ TRIBOX_IMPL_FN void tribox_impl_quick_set(const tribox_impl_quick *q, const trib
 
 /* A triangle of up to 8 x 8 x 8 voxels, in blocks of 4 x 4 x 4. Returns 0 if unsure; voxels set by then are right. */
 TRIBOX_IMPL_NOINLINE int tribox_impl_quick_small(const tribox_impl_quick *q, const tribox_impl_target *t,
-                                                 const void *const v[3], const int at[3], const int count[3])
+                                                 const void *const v[3], tribox_impl_i4 first, tribox_impl_i4 last)
 {
+    const int at[3] = { first[0] - TRIBOX_IMPL_MARGIN, first[1] - TRIBOX_IMPL_MARGIN, first[2] - TRIBOX_IMPL_MARGIN };
+    const int count[3] = { last[0] - first[0] + 1, last[1] - first[1] + 1, last[2] - first[2] + 1 };
     const int longest = count[0] > count[1] ? count[0] : count[1];
     const float reach = (float)(longest > count[2] ? longest : count[2]);
-    tribox_impl_f4 x[3];
+    /* the box's corner, in double, as a float and a small rest: v - float is then nearly exact */
+    const double c_x = q->origin_f64[0] + q->size_f64[0] * (double)at[0];
+    const double c_y = q->origin_f64[1] + q->size_f64[1] * (double)at[1];
+    const double c_z = q->origin_f64[2] + q->size_f64[2] * (double)at[2];
+    const tribox_impl_f4 corner = { (float)c_x, (float)c_y, (float)c_z, 0.0f };
+    const tribox_impl_f4 rest = { (float)(c_x - (double)corner[0]), (float)(c_y - (double)corner[1]),
+                                  (float)(c_z - (double)corner[2]), 0.0f };
+    tribox_impl_f4 x0 = tribox_impl_load3(v[0]) - corner;
+    tribox_impl_f4 x1 = tribox_impl_load3(v[1]) - corner;
+    tribox_impl_f4 x2 = tribox_impl_load3(v[2]) - corner;
     int block[3];
-    int i;
     int k;
-    for (i = 0; i < 3; i++) {
-        float p[3];
-        TRIBOX_IMPL_COPY(p, v[i], sizeof p);
-        for (k = 0; k < 3; k++) {
-            x[i][k] = (float)(((double)p[k] - q->origin_f64[k]) * q->inverse_f64[k] - (double)at[k]);
+    TRIBOX_IMPL_KEEP4(x0);
+    TRIBOX_IMPL_KEEP4(x1);
+    TRIBOX_IMPL_KEEP4(x2);
+    x0 = (x0 - rest) * q->inverse;
+    x1 = (x1 - rest) * q->inverse;
+    x2 = (x2 - rest) * q->inverse;
+    if (reach <= 4.0f) {
+        uint64_t voxels;
+        if (!tribox_impl_small(x0, x1, x2, q->delta, reach, count, &voxels)) {
+            return 0;
         }
-        x[i][3] = 0.0f;
+        tribox_impl_quick_set(q, t, at, count, voxels);
+        return 1;
     }
     for (block[2] = 0; block[2] < count[2]; block[2] += 4) {
         for (block[1] = 0; block[1] < count[1]; block[1] += 4) {
             for (block[0] = 0; block[0] < count[0]; block[0] += 4) {
-                const tribox_impl_f4 corner = { (float)block[0], (float)block[1], (float)block[2], 0.0f };
+                const tribox_impl_f4 to = { (float)block[0], (float)block[1], (float)block[2], 0.0f };
                 uint64_t voxels;
                 int block_at[3];
                 int left[3];
@@ -3452,7 +3485,7 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_quick_small(const tribox_impl_quick *q, con
                     block_at[k] = at[k] + block[k];
                     left[k] = count[k] - block[k] < 4 ? count[k] - block[k] : 4;
                 }
-                if (!tribox_impl_small(x[0] - corner, x[1] - corner, x[2] - corner, q->delta, reach, left, &voxels)) {
+                if (!tribox_impl_small(x0 - to, x1 - to, x2 - to, q->delta, reach, left, &voxels)) {
                     return 0;
                 }
                 tribox_impl_quick_set(q, t, block_at, left, voxels);
@@ -3462,9 +3495,20 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_quick_small(const tribox_impl_quick *q, con
     return 1;
 }
 
-/* One triangle, its corners at v. Returns 0 if it needs the exact way. */
-TRIBOX_IMPL_FN int tribox_impl_quick_triangle(const tribox_impl_quick *q, const tribox_impl_target *t,
-                                              const void *const v[3])
+/* Index boxes of a batch of triangles: MARGIN is added, and they hold where `unsure` is 0. */
+#define TRIBOX_IMPL_BATCH 32
+
+typedef struct tribox_impl_boxes {
+    tribox_impl_i4 first[TRIBOX_IMPL_BATCH];
+    tribox_impl_i4 last[TRIBOX_IMPL_BATCH];
+    size_t         word[TRIBOX_IMPL_BATCH];     /* of the first voxel */
+    int            unsure[TRIBOX_IMPL_BATCH];
+    int            other[TRIBOX_IMPL_BATCH];    /* not all in the region, or beyond 2 x 2 x 2 voxels */
+} tribox_impl_boxes;
+
+/* Box i of a batch; asks for the memory of its voxels. */
+TRIBOX_IMPL_FN void tribox_impl_quick_box(const tribox_impl_quick *q, const tribox_impl_target *t,
+                                          const void *const v[3], tribox_impl_boxes *boxes, int i)
 {
     const tribox_impl_f4 p0 = tribox_impl_load3(v[0]);
     const tribox_impl_f4 p1 = tribox_impl_load3(v[1]);
@@ -3474,71 +3518,120 @@ TRIBOX_IMPL_FN int tribox_impl_quick_triangle(const tribox_impl_quick *q, const 
         tribox_impl_min4(tribox_impl_min4(p0, p1), p2) * q->inverse, -most), most);
     const tribox_impl_f4 high = tribox_impl_min4(tribox_impl_max4(
         tribox_impl_max4(tribox_impl_max4(p0, p1), p2) * q->inverse, -most), most);
-    /* voxels, MARGIN added; where the two guesses of one differ, a face is too near to a grid plane */
+    /* where the two guesses of one voxel differ, a face is too near to a grid plane */
     const tribox_impl_i4 first = __builtin_convertvector(low + q->shift_down, tribox_impl_i4);
     const tribox_impl_i4 last = __builtin_convertvector(high + q->shift_up, tribox_impl_i4);
     const tribox_impl_i4 differ = (first ^ __builtin_convertvector(low + q->shift_up, tribox_impl_i4)) |
                                   (last ^ __builtin_convertvector(high + q->shift_down, tribox_impl_i4));
     const tribox_impl_i4 not_finite = tribox_impl_above(tribox_impl_abs4(p0 + p1 + p2), 0x7f7fffff);
-    const tribox_impl_i4 extra = last - first;
     const tribox_impl_i4 unsure = not_finite | differ | -differ | first | last | (q->beyond - last);
-    const tribox_impl_i4 outside = (first - q->start) | (q->end - last);
-    /* sign bits, of all that keeps a triangle from the shortest way: in the region and up to 2 x 2 x 2 */
-    int at[4];
-    int count[4];
-    int thick;
-    TRIBOX_IMPL_COPY(at, &first, sizeof at);
-    if ((tribox_impl_signs(unsure | outside | (tribox_impl_splat_int(1) - extra)) & 7) == 0) {
-        const int more = tribox_impl_signs(-extra);
-        const int x = at[0] - TRIBOX_IMPL_MARGIN;
-        const uint64_t run = (uint64_t)(1 + 2 * (more & 1)) << (x & 63);
-        if ((x & 63) + (more & 1) < 64) {
+    const tribox_impl_i4 other = (first - q->start) | (q->end - last) | (tribox_impl_splat_int(1) - (last - first));
+    const tribox_impl_i4 at = first - q->start;
+    const size_t word = (size_t)at[2] * q->layer_words + (size_t)at[1] * t->row_words + ((size_t)at[0] >> 6);
+    boxes->first[i] = first;
+    boxes->last[i] = last;
+    boxes->unsure[i] = tribox_impl_signs(unsure) & 7;
+    boxes->other[i] = tribox_impl_signs(other) & 7;
+    boxes->word[i] = word;
+    TRIBOX_IMPL_PREFETCH((uintptr_t)t->bits + word * sizeof(uint64_t));
+    TRIBOX_IMPL_PREFETCH((uintptr_t)t->bits + (word + q->layer_words) * sizeof(uint64_t));
+}
+
+/* What is to be done with a triangle of known box. */
+enum { TRIBOX_IMPL_DONE, TRIBOX_IMPL_SMALL, TRIBOX_IMPL_EXACT };
+
+/* The short ways: nothing left to set, at most one axis more than one voxel thick, off the region. */
+TRIBOX_IMPL_FN int tribox_impl_quick_short(const tribox_impl_quick *q, const tribox_impl_target *t,
+                                           const tribox_impl_boxes *boxes, int i)
+{
+    const tribox_impl_i4 first = boxes->first[i];
+    const tribox_impl_i4 last = boxes->last[i];
+    const tribox_impl_i4 extra = last - first;
+    if ((boxes->unsure[i] | boxes->other[i]) == 0) {
+        const int more = tribox_impl_signs(-extra) & 7;
+        const int x = (first[0] - TRIBOX_IMPL_MARGIN) & 63;
+        const uint64_t run = (uint64_t)(1 + 2 * (more & 1)) << x;
+        if (x + (more & 1) < 64) {
             const size_t step_y = t->row_words & ((size_t)0 - (size_t)((more >> 1) & 1));
-            const size_t step_z = q->layer_words & ((size_t)0 - (size_t)((more >> 2) & 1));
-            uint64_t *row = t->bits + (size_t)(at[2] - TRIBOX_IMPL_MARGIN) * q->layer_words +
-                            (size_t)(at[1] - TRIBOX_IMPL_MARGIN) * t->row_words + ((size_t)x >> 6);
+            const size_t step_z = q->layer_words & ((size_t)0 - (size_t)(more >> 2));
+            uint64_t *row = t->bits + boxes->word[i];
             if ((row[0] & row[step_y] & row[step_z] & row[step_y + step_z] & run) == run) {
-                return 1;       /* all set already */
+                return TRIBOX_IMPL_DONE;
             }
-            if ((more & (more - 1) & 7) == 0 && !q->thin) {
+            if ((more & (more - 1)) == 0 && !q->thin) {
                 row[0] |= run;
                 row[step_y] |= run;
                 row[step_z] |= run;
-                return 1;
+                return TRIBOX_IMPL_DONE;
             }
         }
-    } else if ((tribox_impl_signs(unsure) & 7) != 0) {
-        return 0;
+    } else if (boxes->unsure[i] != 0) {
+        return TRIBOX_IMPL_EXACT;
     } else if ((tribox_impl_signs((last - q->start) | (q->end - first)) & 7) != 0) {
-        return 1;               /* off the region */
+        return TRIBOX_IMPL_DONE;
     }
-    if (q->thin || (tribox_impl_signs(tribox_impl_splat_int(7) - extra) & 7) != 0) {
-        return 0;
+    return q->thin || (tribox_impl_signs(tribox_impl_splat_int(7) - extra) & 7) != 0 ? TRIBOX_IMPL_EXACT
+                                                                                    : TRIBOX_IMPL_SMALL;
+}
+
+/* Triangles start..end-1, at most a batch. Leaves those that need the exact way in out_exact; returns how many. */
+TRIBOX_IMPL_NOINLINE int tribox_impl_quick_batch(const tribox_impl_quick *q, const tribox_impl_target *t,
+                                                 const tribox_mesh *mesh, size_t start, size_t end,
+                                                 size_t out_exact[TRIBOX_IMPL_BATCH])
+{
+    tribox_impl_boxes boxes;
+    const int n = (int)(end - start);
+    int exact = 0;
+    int i;
+    for (i = 0; i < n; i++) {
+        const void *corner[3];
+        tribox_impl_corners(mesh, start + (size_t)i, corner);
+        tribox_impl_quick_box(q, t, corner, &boxes, i);
     }
-    TRIBOX_IMPL_COPY(count, &extra, sizeof count);
-    thick = tribox_impl_signs(-extra) & 7;
-    at[0] -= TRIBOX_IMPL_MARGIN;
-    at[1] -= TRIBOX_IMPL_MARGIN;
-    at[2] -= TRIBOX_IMPL_MARGIN;
-    count[0]++;
-    count[1]++;
-    count[2]++;
-    if ((thick & (thick - 1)) == 0 && (tribox_impl_signs(tribox_impl_splat_int(3) - extra) & 7) == 0) {
-        /* one voxel thick on two axes */
-        tribox_impl_quick_set(q, t, at, count, (((uint64_t)1 << count[0]) - 1) * 0x1111111111111111u);
-        return 1;
+    for (i = 0; i < n; i++) {
+        int way = tribox_impl_quick_short(q, t, &boxes, i);
+        if (way == TRIBOX_IMPL_SMALL) {
+            const void *corner[3];
+            tribox_impl_corners(mesh, start + (size_t)i, corner);
+            if (!tribox_impl_quick_small(q, t, corner, boxes.first[i], boxes.last[i])) {
+                way = TRIBOX_IMPL_EXACT;
+            }
+        }
+        out_exact[exact] = start + (size_t)i;
+        exact += way == TRIBOX_IMPL_EXACT;
     }
-    return tribox_impl_quick_small(q, t, v, at, count);
+    return exact;
 }
 #endif
 
+/* One triangle by the row walk. */
+TRIBOX_IMPL_NOINLINE void tribox_impl_fill_exact(const tribox_grid *grid, const tribox_mesh *mesh, size_t triangle,
+                                                 const tribox_impl_target *target)
+{
+    tribox_impl_sink sink;
+    const void *corner[3];
+    double v[3][3];
+    int i;
+    int k;
+    tribox_impl_corners(mesh, triangle, corner);
+    for (i = 0; i < 3; i++) {
+        float x[3];
+        TRIBOX_IMPL_COPY(x, corner[i], sizeof x);
+        for (k = 0; k < 3; k++) {
+            v[i][k] = tribox_impl_widen(x + k);
+        }
+    }
+    sink.target = target;
+    sink.emit = NULL;
+    sink.user = NULL;
+    sink.count = 0;
+    tribox_impl_spans(grid, v[0], v[1], v[2], &sink);
+}
+
 TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
 {
-#if TRIBOX_SIMD
-    tribox_impl_quick quick;
-#endif
     tribox_impl_target target;
-    size_t t;
+    size_t t = 0;
     int k;
     if (tribox_grid_words(grid) == 0) {
         return;
@@ -3550,23 +3643,24 @@ TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh
     target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
     target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
 #if TRIBOX_SIMD
-    tribox_impl_quick_init(&quick, grid, &target);
-#endif
-    for (t = 0; t < mesh->triangles; t++) {
-        double v[3][3];
-#if TRIBOX_SIMD
-        const void *corner[3];
-        corner[0] = tribox_impl_corner(mesh, t, 0);
-        corner[1] = tribox_impl_corner(mesh, t, 1);
-        corner[2] = tribox_impl_corner(mesh, t, 2);
-        if (quick.on && tribox_impl_quick_triangle(&quick, &target, corner)) {
-            continue;
+    {
+        tribox_impl_quick quick;
+        tribox_impl_quick_init(&quick, grid, &target);
+        while (quick.on && t < mesh->triangles) {
+            const size_t left = mesh->triangles - t;
+            const size_t end = t + (left < TRIBOX_IMPL_BATCH ? left : TRIBOX_IMPL_BATCH);
+            size_t exact[TRIBOX_IMPL_BATCH];
+            const int n = tribox_impl_quick_batch(&quick, &target, mesh, t, end, exact);
+            int i;
+            for (i = 0; i < n; i++) {
+                tribox_impl_fill_exact(grid, mesh, exact[i], &target);
+            }
+            t = end;
         }
+    }
 #endif
-        for (k = 0; k < 3; k++) {
-            tribox_impl_mesh_corner(mesh, t, k, v[k]);
-        }
-        tribox_impl_spans(grid, v[0], v[1], v[2], tribox_impl_set_span, &target);
+    for (; t < mesh->triangles; t++) {
+        tribox_impl_fill_exact(grid, mesh, t, &target);
     }
 }
 
