@@ -16,16 +16,41 @@ CC_C99 = $(CC) -std=c99 -I. $(WARN_C) $(CFLAGS)
 
 all: build-tests build-examples ## build tests and examples into build/, run nothing
 .DEFAULT_GOAL := all
-.PHONY: all help clean install
+.PHONY: all help clean install uninstall
 
 include examples/examples.mk
 include tests/tests.mk
 include tests/check.mk
 include bench/bench.mk
 
+# include/tribox.h and a pkg-config file. DESTDIR is put before PREFIX, for packagers.
+INCLUDEDIR   ?= $(PREFIX)/include
+PKGCONFIGDIR ?= $(PREFIX)/share/pkgconfig
+VERSION       = $(shell awk '/^.define TRIBOX_VERSION_(MAJOR|MINOR|PATCH) / { printf "%s%s", dot, $$3; dot = "." }' tribox.h)
+
+install: ## copy tribox.h and tribox.pc below PREFIX (and DESTDIR)
+	install -d '$(DESTDIR)$(INCLUDEDIR)' '$(DESTDIR)$(PKGCONFIGDIR)'
+	install -m 644 tribox.h '$(DESTDIR)$(INCLUDEDIR)/tribox.h'
+	printf '%s\n' 'Name: tribox' 'Description: Exact triangle / axis-aligned box overlap tests in one C header' \
+	    'Version: $(VERSION)' 'Cflags: -I$(INCLUDEDIR)' > '$(DESTDIR)$(PKGCONFIGDIR)/tribox.pc'
+	chmod 644 '$(DESTDIR)$(PKGCONFIGDIR)/tribox.pc'
+
+uninstall: ## remove what install copied
+	rm -f '$(DESTDIR)$(INCLUDEDIR)/tribox.h' '$(DESTDIR)$(PKGCONFIGDIR)/tribox.pc'
+
 help: ## list the targets
-	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sort | sed -E 's/^([a-z-]+):.*## /  make \1\t/' | expand -t 24
-	@echo '  variables: CC CXX CFLAGS PREFIX werror=1'
+	@echo 'tribox.h $(VERSION): copy the header, or choose a target.'
+	@for list in $(MAKEFILE_LIST); do \
+	    echo; echo "$$list"; \
+	    sed -nE 's/^([a-z-]+):.*## (.*)/  make \1\t\2/p' $$list | expand -t 24; \
+	done
+	@echo
+	@echo 'Variables, with what they are now:'
+	@echo '  CC=$(CC) CXX=$(CXX) CFLAGS="$(CFLAGS)"'
+	@echo '  PREFIX=$(PREFIX) DESTDIR=$(DESTDIR)    where install goes'
+	@echo '  werror=1                      warnings are errors'
+	@echo '  CSV=file                      bench: write the figures there too'
+	@echo '  VERIFY_THOUSANDS=$(VERIFY_THOUSANDS) FUZZ_SECONDS=$(FUZZ_SECONDS)    verify, fuzz: how much'
 
 clean: ## remove build/
 	rm -rf $(B)
