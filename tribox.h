@@ -162,26 +162,27 @@ enum {                      /* flags; 0 = closed, conservative */
  * two sides of the triangle's plane, n.p + d1 and -(n.p + d2); 11 none. Each is scaled by a power of two that
  * brings its rounding error below 1. */
 typedef struct tribox_tri {
-    double   v[3][3];       /* the corners */
-    double   size[3];       /* dp, the boxes' size */
-    unsigned asked;         /* flags as given */
-    unsigned flags;         /* as they apply: infinite boxes are never thin */
-    int      empty;         /* 1: the triangle or every box is the empty set */
-    double   t_min[3];      /* the triangle's bounding box */
-    double   t_max[3];
-    double   lattice;       /* > 0: all conditions are exact for p - ref in multiples of 1/lattice */
-    uint32_t strict;        /* bit i: condition i needs > 0 */
-    int32_t  key_min[4];    /* the faces hold iff these ordered bits of p, a float, are in key_min..key_max */
-    int32_t  key_max[4];
-    float    ref[4];        /* a point near the triangle */
-    float    n_x[12];
+    float    n_x[12];       /* what the float test reads comes first: whole vectors */
     float    n_y[12];
     float    n_z[12];
     float    d[12];
-    double   n_x_f64[12];   /* the same in double */
+    float    ref[4];        /* a point near the triangle */
+    int32_t  key_min[4];    /* the faces hold iff these ordered bits of p, a float, are in key_min..key_max */
+    int32_t  key_max[4];
+    double   n_x_f64[12];   /* the conditions again, for the double test */
     double   n_y_f64[12];
     double   n_z_f64[12];
     double   d_f64[12];
+    double   v[3][3];       /* the corners */
+    double   size[3];       /* dp, the boxes' size */
+    double   t_min[3];      /* the triangle's bounding box */
+    double   t_max[3];
+    double   lattice;       /* > 0: all conditions are exact for p in multiples of 1/lattice */
+    uint32_t strict;        /* bit i: condition i needs > 0 */
+    unsigned asked;         /* flags as given */
+    unsigned flags;         /* as they apply: infinite boxes are never thin */
+    int      empty;         /* 1: the triangle or every box is the empty set */
+    double   unused;        /* a multiple of 16 bytes: in arrays, too, the vectors lie well */
 } tribox_tri;
 
 /* A voxel grid. Voxel (i,j,k) is [origin + (i,j,k)*size, origin + (i+1,j+1,k+1)*size], in real numbers. */
