@@ -1,361 +1,341 @@
-/* bench_companions.c - the questions beside the question: mesh_query against a loop of tribox_sat, octants
- * against eight tests, ray_box against a plain float slab test; and what one call of each of the others
- * takes.
+/* bench_companions.c - the companions against what they replace: a query against a loop of tribox_sat over
+ * the mesh, octants against eight tests, rays against a plain float slab test. The others are timed for
+ * themselves.
  */
 #include "bench.h"
-#include "baseline.h"
-#include "mesh_gen.h"
 #include "tribox.h"
 
-#define CONTENDER(name, context_type, expression)              \
-    static BENCH_NOINLINE uint64_t name(void *context)         \
-    {                                                          \
-        const context_type *j = (const context_type *)context; \
-        uint64_t sum = 0;                                      \
-        size_t i;                                              \
-        for (i = 0; i < j->count; i++) {                       \
-            sum += (uint64_t)(expression);                     \
-        }                                                      \
-        return sum;                                            \
-    }
+#include <math.h>
 
-/* ---- Which triangles touch a box ----------------------------------------------------------------------- */
+enum { SIDE = 224, TRIANGLES = 2 * SIDE * SIDE, RAYS = 1 << 13, NODES = 1 << 12, DESCENTS = 1 << 8 };
 
-typedef struct query {
+/* ---- mesh query ---------------------------------------------------------------------------------------- */
+
+typedef struct query_input {
     tribox_mesh mesh;
-    size_t count; /* of triangles */
-    float box_min[3], box_max[3];
-    uint32_t *found;
-} query;
+    float box_min[3];
+    float box_max[3];
+    uint32_t found[TRIANGLES];
+} query_input;
 
-BASELINE_FN const float *query_corner(const query *q, size_t i)
+/* A wavy sheet of quads, indexed row by row, as scans and terrains are. */
+static void make_sheet(query_input *input, float *positions, uint32_t *indices)
 {
-    return q->mesh.positions + 3 * (size_t)q->mesh.indices[i];
-}
-
-typedef int (*box_test)(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                        const float box_max[3]);
-
-/* The loop a program writes for itself. It is inlined below with its test, which is then no call through a
- * pointer. */
-BASELINE_FN uint64_t query_loop(const query *j, box_test test)
-{
-    uint64_t found = 0;
-    size_t i;
-    for (i = 0; i < j->count; i++) {
-        if (test(query_corner(j, 3 * i), query_corner(j, 3 * i + 1), query_corner(j, 3 * i + 2), j->box_min,
-                 j->box_max)) {
-            j->found[found++] = (uint32_t)i;
+    int x;
+    int y;
+    for (y = 0; y <= SIDE; y++) {
+        for (x = 0; x <= SIDE; x++) {
+            float *p = positions + 3 * (y * (SIDE + 1) + x);
+            p[0] = (float)x / SIDE;
+            p[1] = (float)y / SIDE;
+            p[2] = 0.1f * (float)(sin(9.0 * x / SIDE) * cos(7.0 * y / SIDE));
         }
     }
-    return found;
-}
-
-static BENCH_NOINLINE uint64_t run_query_sat(void *context)
-{
-    return query_loop((const query *)context, tribox_sat);
-}
-
-static BENCH_NOINLINE uint64_t run_query_tuned(void *context)
-{
-    return query_loop((const query *)context, baseline_sat_early);
-}
-
-static BENCH_NOINLINE uint64_t run_query_overlap(void *context)
-{
-    return query_loop((const query *)context, tribox_overlap);
+    for (y = 0; y < SIDE; y++) {
+        for (x = 0; x < SIDE; x++) {
+            uint32_t at = (uint32_t)(y * (SIDE + 1) + x);
+            uint32_t *t = indices + 6 * (y * SIDE + x);
+            t[0] = at;
+            t[1] = at + 1;
+            t[2] = at + SIDE + 1;
+            t[3] = at + 1;
+            t[4] = at + SIDE + 2;
+            t[5] = at + SIDE + 1;
+        }
+    }
+    input->mesh.positions = positions;
+    input->mesh.stride = 0;
+    input->mesh.indices = indices;
+    input->mesh.triangles = TRIANGLES;
+    for (x = 0; x < 3; x++) {
+        input->box_min[x] = x < 2 ? 0.4003f : -1.0f;
+        input->box_max[x] = x < 2 ? 0.4957f : 1.0f;
+    }
 }
 
 static BENCH_NOINLINE uint64_t run_query(void *context)
 {
-    const query *j = (const query *)context;
-    return tribox_mesh_query(&j->mesh, j->box_min, j->box_max, j->found, j->count);
+    query_input *input = (query_input *)context;
+    return tribox_mesh_query(&input->mesh, input->box_min, input->box_max, input->found, TRIANGLES);
 }
 
-CONTENDER(run_query_loads, query,
-          query_corner(j, 3 * i)[0] + query_corner(j, 3 * i + 1)[1] + query_corner(j, 3 * i + 2)[2] > 0)
-
-/* A cube round a vertex that touches `share` of the triangles. */
-static void query_box(query *q, double share)
-{
-    const float *centre = query_corner(q, 0);
-    float low = 0;
-    float high = 8;
-    int step;
-    int k;
-    for (step = 0; step < 24; step++) {
-        float half = 0.5f * (low + high);
-        for (k = 0; k < 3; k++) {
-            q->box_min[k] = centre[k] - half;
-            q->box_max[k] = centre[k] + half;
-        }
-        if ((double)query_loop(q, baseline_sat_early) < share * (double)q->count) {
-            low = half;
-        } else {
-            high = half;
-        }
+#define QUERY_LOOP(name, test)                                                                       \
+    static BENCH_NOINLINE uint64_t name(void *context)                                               \
+    {                                                                                                \
+        query_input *input = (query_input *)context;                                                 \
+        const float *p = input->mesh.positions;                                                      \
+        const uint32_t *i = input->mesh.indices;                                                     \
+        size_t count = 0;                                                                            \
+        uint32_t t;                                                                                  \
+        for (t = 0; t < TRIANGLES; t++, i += 3) {                                                    \
+            if (test(p + 3 * i[0], p + 3 * i[1], p + 3 * i[2], input->box_min, input->box_max)) {    \
+                input->found[count++] = t;                                                           \
+            }                                                                                        \
+        }                                                                                            \
+        return count;                                                                                \
     }
-}
 
-static void bench_query(const bench_options *options, int along, int around)
+QUERY_LOOP(run_sat_loop, tribox_sat)
+QUERY_LOOP(run_overlap_loop, tribox_overlap)
+
+/* ---- rays ---------------------------------------------------------------------------------------------- */
+
+typedef struct ray_input {
+    float origin[RAYS][3];
+    float dir[RAYS][3];
+    float box_min[RAYS][3];
+    float box_max[RAYS][3];
+    float v[RAYS][3][3];
+    float entered[RAYS];
+} ray_input;
+
+/* A third of the rays hit; the others pass a box of the same size. */
+static void make_rays(ray_input *input)
 {
-    bench_row rows[5];
-    char title[80];
-    int count = 0;
-    mesh m;
-    query q;
-    mesh_gen_scan(&m, along, around);
-    q.mesh = mesh_view(&m);
-    q.count = m.triangles;
-    q.found = (uint32_t *)bench_alloc(m.triangles * sizeof *q.found);
-    query_box(&q, 0.01);
-    bench_add(rows, &count, "loads only", BENCH_REFERENCE, run_query_loads);
-    bench_add(rows, &count, "loop of tribox_sat", BENCH_RIVAL, run_query_sat);
-    bench_add(rows, &count, "loop of the tuned float SAT", BENCH_NOTE, run_query_tuned);
-    bench_add(rows, &count, "loop of tribox_overlap", BENCH_NOTE, run_query_overlap);
-    bench_add(rows, &count, "tribox_mesh_query", BENCH_OURS, run_query);
-    snprintf(title, sizeof title, "a box that touches 1 %% of %lu triangles, per triangle",
-             (unsigned long)q.count);
-    bench_table(options, title, rows, count, 30, (double)q.count, &q);
-    free(q.found);
-    mesh_free(&m);
-}
-
-/* ---- Eight boxes at once ------------------------------------------------------------------------------- */
-
-enum { TRIANGLES = 64, CELLS = 1 << 14 };
-
-/* Cells of an octree that their triangle touches; the eight children are asked for. */
-typedef struct cell {
-    const tribox_tri *tri; /* prepared for a child */
-    float p[3];
-} cell;
-
-typedef struct descent {
-    tribox_tri tri[TRIANGLES];
-    cell cells[CELLS];
-    float size[3];
-    size_t count;
-} descent;
-
-static void make_descent(descent *d, uint64_t seed)
-{
+    uint64_t seed = 5;
     int i;
     int k;
-    d->count = 0;
-    for (k = 0; k < 3; k++) {
-        d->size[k] = 0.05f;
-    }
-    for (i = 0; i < TRIANGLES; i++) {
-        float corner[3][3];
-        float parent_size[3];
-        tribox_tri parent;
-        int cell_index[3];
+    for (i = 0; i < RAYS; i++) {
         for (k = 0; k < 3; k++) {
-            corner[0][k] = bench_uniform(&seed, 0.0f, 1.0f);
-            corner[1][k] = bench_uniform(&seed, 0.0f, 1.0f);
-            corner[2][k] = bench_uniform(&seed, 0.0f, 1.0f);
-            parent_size[k] = 2 * d->size[k];
-        }
-        tribox_tri_init(&d->tri[i], corner[0], corner[1], corner[2], d->size, 0);
-        tribox_tri_init(&parent, corner[0], corner[1], corner[2], parent_size, 0);
-        for (cell_index[2] = 0; cell_index[2] < 10; cell_index[2]++) {
-            for (cell_index[1] = 0; cell_index[1] < 10; cell_index[1]++) {
-                for (cell_index[0] = 0; cell_index[0] < 10; cell_index[0]++) {
-                    cell *c = &d->cells[d->count];
-                    c->tri = &d->tri[i];
-                    for (k = 0; k < 3; k++) {
-                        c->p[k] = (float)cell_index[k] * parent_size[k];
-                    }
-                    d->count += d->count + 1 < CELLS && tribox_tri_test(&parent, c->p);
-                }
-            }
+            float centre = bench_uniform(&seed, -1.0f, 1.0f);
+            float half = bench_uniform(&seed, 0.1f, 0.5f);
+            float aim = centre + 3.0f * half * bench_uniform(&seed, -1.0f, 1.0f);
+            input->box_min[i][k] = centre - half;
+            input->box_max[i][k] = centre + half;
+            input->origin[i][k] = bench_uniform(&seed, -3.0f, 3.0f);
+            input->dir[i][k] = aim - input->origin[i][k];
+            input->v[i][0][k] = centre + half;
+            input->v[i][1][k] = centre + 3.0f * half * bench_uniform(&seed, -1.0f, 1.0f);
+            input->v[i][2][k] = centre + 3.0f * half * bench_uniform(&seed, -1.0f, 1.0f);
         }
     }
 }
 
-BASELINE_FN unsigned eight_tests(const cell *c, const float size[3])
-{
-    unsigned mask = 0;
-    unsigned i;
-    for (i = 0; i < 8; i++) {
-        float p[3];
-        p[0] = c->p[0] + (i & 1 ? size[0] : 0.0f);
-        p[1] = c->p[1] + (i & 2 ? size[1] : 0.0f);
-        p[2] = c->p[2] + (i & 4 ? size[2] : 0.0f);
-        mask |= (unsigned)tribox_tri_test(c->tri, p) << i;
-    }
-    return mask;
-}
-
-CONTENDER(run_cells_loads, descent, j->cells[i].p[0] + j->cells[i].p[1] + j->cells[i].p[2] > 1.0f)
-CONTENDER(run_eight, descent, eight_tests(&j->cells[i], j->size))
-CONTENDER(run_octants, descent, tribox_tri_octants(j->cells[i].tri, j->cells[i].p))
-
-static void bench_octants(const bench_options *options)
-{
-    bench_row rows[3];
-    int count = 0;
-    descent *d = (descent *)bench_alloc(sizeof *d);
-    make_descent(d, 5);
-    bench_add(rows, &count, "loads only", BENCH_REFERENCE, run_cells_loads);
-    bench_add(rows, &count, "eight tribox_tri_test", BENCH_RIVAL, run_eight);
-    bench_add(rows, &count, "tribox_tri_octants", BENCH_OURS, run_octants);
-    bench_table(options, "eight children of a cell, per cell", rows, count, 50, (double)d->count, d);
-    free(d);
-}
-
-/* ---- Rays, and one call of each of the others ---------------------------------------------------------- */
-
-typedef struct question {
-    float v0[3], v1[3], v2[3], box_min[3], box_max[3], origin[3], direction[3];
-} question;
-
-typedef struct questions {
-    size_t count;
-    question q[1 << 14];
-} questions;
-
-static void make_questions(questions *j, uint64_t seed)
-{
-    size_t i;
-    int k;
-    j->count = sizeof j->q / sizeof *j->q;
-    for (i = 0; i < j->count; i++) {
-        question *q = &j->q[i];
-        for (k = 0; k < 3; k++) {
-            float centre = bench_uniform(&seed, -0.5f, 0.5f);
-            float half = bench_uniform(&seed, 0.1f, 0.6f);
-            q->v0[k] = bench_uniform(&seed, -1.0f, 1.0f);
-            q->v1[k] = bench_uniform(&seed, -1.0f, 1.0f);
-            q->v2[k] = bench_uniform(&seed, -1.0f, 1.0f);
-            q->box_min[k] = centre - half;
-            q->box_max[k] = centre + half;
-            q->origin[k] = bench_uniform(&seed, -2.0f, 2.0f);
-            q->direction[k] =
-                bench_uniform(&seed, -0.5f, 0.5f) - q->origin[k]; /* about half of the rays hit */
-        }
-    }
-}
-
-/* [KK86] in plain float: the interval of t in three slabs. */
-BASELINE_FN int slab_test(const float origin[3], const float direction[3], float t_min, float t_max,
-                          const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
+/* [KK86] as renderers write it: one reciprocal and two products an axis, minima and maxima, no branch.
+ * Called, as ours is: over an array of rays a compiler would turn the loop into vectors of rays, which no
+ * traversal does. */
+static BENCH_NOINLINE int slab(const float origin[3], const float dir[3], float t_min, float t_max,
+                               const float box_min[3],
+                       const float box_max[3], float *out_t0, float *out_t1)
 {
     int k;
     for (k = 0; k < 3; k++) {
-        float inverse = 1.0f / direction[k];
+        float inverse = 1.0f / dir[k];
         float a = (box_min[k] - origin[k]) * inverse;
         float b = (box_max[k] - origin[k]) * inverse;
-        t_min = baseline_sat_max(t_min, baseline_sat_min(a, b));
-        t_max = baseline_sat_min(t_max, baseline_sat_max(a, b));
+        float lower = a < b ? a : b;
+        float upper = a < b ? b : a;
+        t_min = t_min > lower ? t_min : lower;
+        t_max = t_max < upper ? t_max : upper;
     }
     *out_t0 = t_min;
     *out_t1 = t_max;
     return t_min <= t_max;
 }
 
-typedef int (*ray_test)(const float origin[3], const float direction[3], float t_min, float t_max,
-                        const float box_min[3], const float box_max[3], float *out_t0, float *out_t1);
-
-/* Counts the hits, and among them the intervals longer than 1/4, so that both ends are needed. */
-BASELINE_FN uint64_t ray_loop(const questions *j, ray_test test)
+static BENCH_NOINLINE int ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
+                                  const float box_min[3], const float box_max[3], float *out_t0,
+                                  float *out_t1)
 {
+    return tribox_ray_box(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
+}
+
+/* Keeps where the boxes that are hit are entered, as a traversal does. */
+#define RAY_LOOP(name, test)                                                                              \
+    static BENCH_NOINLINE uint64_t name(void *context)                                                    \
+    {                                                                                                     \
+        ray_input *r = (ray_input *)context;                                                              \
+        uint64_t hits = 0;                                                                                \
+        int i;                                                                                            \
+        for (i = 0; i < RAYS; i++) {                                                                      \
+            float t0 = 0.0f;                                                                              \
+            float t1 = 0.0f;                                                                              \
+            if (test) {                                                                                   \
+                r->entered[hits++] = t0 + t1;                                                             \
+            }                                                                                             \
+        }                                                                                                 \
+        return hits;                                                                                      \
+    }
+
+#define RAY_ARGUMENTS r->origin[i], r->dir[i], 0.0f, 1.0e9f
+RAY_LOOP(run_ray_loads, (t1 = r->origin[i][0] + r->dir[i][1] + r->box_min[i][2] + r->box_max[i][0]) > 1.0f)
+RAY_LOOP(run_slab, slab(RAY_ARGUMENTS, r->box_min[i], r->box_max[i], &t0, &t1))
+RAY_LOOP(run_ray_box, ray_box(RAY_ARGUMENTS, r->box_min[i], r->box_max[i], &t0, &t1))
+RAY_LOOP(run_ray_triangle, tribox_ray_triangle(RAY_ARGUMENTS, r->v[i][0], r->v[i][1], r->v[i][2], &t0))
+RAY_LOOP(run_segment_box, tribox_segment_box(r->origin[i], r->v[i][1], r->box_min[i], r->box_max[i]))
+RAY_LOOP(run_plane_box, tribox_plane_box(r->dir[i], r->origin[i][0], r->box_min[i], r->box_max[i]) == 0)
+RAY_LOOP(run_box_box, tribox_box_box(r->box_min[i], r->box_max[i], r->box_min[i ^ 1], r->box_max[i ^ 1]))
+
+static BENCH_NOINLINE uint64_t run_sweep(void *context)
+{
+    const ray_input *r = (const ray_input *)context;
+    uint64_t hits = 0;
+    float t0;
+    float t1;
+    float axis[3];
+    int i;
+    for (i = 0; i < RAYS; i++) {
+        hits += (uint64_t)tribox_sweep(r->v[i][0], r->v[i][1], r->v[i][2], r->box_min[i ^ 1],
+                                       r->box_max[i ^ 1], r->dir[i], &t0, &t1, axis);
+    }
+    return hits;
+}
+
+static BENCH_NOINLINE uint64_t run_clip(void *context)
+{
+    const ray_input *r = (const ray_input *)context;
+    uint64_t corners = 0;
+    float polygon[9][3];
+    int i;
+    for (i = 0; i < RAYS; i++) {
+        corners += (uint64_t)tribox_clip(r->v[i][0], r->v[i][1], r->v[i][2], r->box_min[i], r->box_max[i],
+                                         polygon);
+    }
+    return corners;
+}
+
+static BENCH_NOINLINE uint64_t run_closest(void *context)
+{
+    const ray_input *r = (const ray_input *)context;
+    uint64_t inside = 0;
+    float weights[3];
+    int i;
+    for (i = 0; i < RAYS; i++) {
+        tribox_closest(r->v[i][0], r->v[i][1], r->v[i][2], r->origin[i], weights);
+        inside += weights[0] > 0.0f && weights[1] > 0.0f && weights[2] > 0.0f;
+    }
+    return inside;
+}
+
+/* ---- octants ------------------------------------------------------------------------------------------- */
+
+typedef struct octant_input {
+    tribox_tri tri[DESCENTS];
+    float p[NODES][3];
+    float size[3];
+} octant_input;
+
+/* Nodes that their triangle touches, sixteen to each, as a descent meets them. */
+static void make_nodes(octant_input *input)
+{
+    uint64_t seed = 9;
+    const float node_size[3] = {0.25f, 0.25f, 0.25f};
+    int t;
+    int i;
+    int k;
+    for (k = 0; k < 3; k++) {
+        input->size[k] = 0.125f;
+    }
+    for (t = 0; t < DESCENTS; t++) {
+        float v[3][3];
+        for (k = 0; k < 9; k++) {
+            v[k / 3][k % 3] = bench_uniform(&seed, 0.0f, 1.0f);
+        }
+        tribox_tri_init(&input->tri[t], v[0], v[1], v[2], node_size, 0);
+        for (i = t * (NODES / DESCENTS); i < (t + 1) * (NODES / DESCENTS); i++) {
+            do {
+                for (k = 0; k < 3; k++) {
+                    input->p[i][k] = (float)bench_below(&seed, 4) * 0.25f;
+                }
+            } while (!tribox_tri_test(&input->tri[t], input->p[i]));
+        }
+        tribox_tri_resize(&input->tri[t], input->size);
+    }
+}
+
+static BENCH_NOINLINE uint64_t run_octants(void *context)
+{
+    const octant_input *input = (const octant_input *)context;
     uint64_t sum = 0;
-    size_t i;
-    for (i = 0; i < j->count; i++) {
-        const question *q = &j->q[i];
-        float t0 = 0;
-        float t1 = 0;
-        int hit = test(q->origin, q->direction, 0.0f, 1e30f, q->box_min, q->box_max, &t0, &t1);
-        sum += (uint64_t)(hit + (hit & (t1 - t0 > 0.25f)));
+    int i;
+    for (i = 0; i < NODES; i++) {
+        sum += tribox_tri_octants(&input->tri[i / (NODES / DESCENTS)], input->p[i]);
     }
     return sum;
 }
 
-static BENCH_NOINLINE uint64_t run_slab(void *context)
+static BENCH_NOINLINE uint64_t run_eight_tests(void *context)
 {
-    return ray_loop((const questions *)context, slab_test);
+    const octant_input *input = (const octant_input *)context;
+    uint64_t sum = 0;
+    int i;
+    for (i = 0; i < NODES; i++) {
+        const tribox_tri *tri = &input->tri[i / (NODES / DESCENTS)];
+        unsigned bits = 0;
+        int o;
+        for (o = 0; o < 8; o++) {
+            float p[3];
+            p[0] = input->p[i][0] + (o & 1 ? input->size[0] : 0.0f);
+            p[1] = input->p[i][1] + (o & 2 ? input->size[1] : 0.0f);
+            p[2] = input->p[i][2] + (o & 4 ? input->size[2] : 0.0f);
+            bits |= (unsigned)tribox_tri_test(tri, p) << o;
+        }
+        sum += bits;
+    }
+    return sum;
 }
 
-static BENCH_NOINLINE uint64_t run_ray_box(void *context)
+static BENCH_NOINLINE uint64_t run_resize(void *context)
 {
-    return ray_loop((const questions *)context, tribox_ray_box);
-}
-
-#define Q          (&j->q[i])
-#define Q_TRIANGLE Q->v0, Q->v1, Q->v2
-#define Q_BOX      Q->box_min, Q->box_max
-
-BASELINE_FN int sweep_all(const question *q)
-{
-    float t[2];
-    float axis[3];
-    return tribox_sweep(q->v0, q->v1, q->v2, q->box_min, q->box_max, q->direction, &t[0], &t[1], axis);
-}
-
-BASELINE_FN int clip_all(const question *q)
-{
-    float polygon[9][3];
-    return tribox_clip(q->v0, q->v1, q->v2, q->box_min, q->box_max, polygon);
-}
-
-BASELINE_FN int closest_all(const question *q)
-{
-    float weights[3];
-    tribox_closest(q->v0, q->v1, q->v2, q->origin, weights);
-    return weights[0] > 0;
-}
-
-BASELINE_FN int ray_triangle_all(const question *q)
-{
-    float t;
-    return tribox_ray_triangle(q->origin, q->direction, 0.0f, 2.0f, q->v0, q->v1, q->v2, &t);
-}
-
-CONTENDER(run_loads, questions,
-          Q->v0[0] + Q->v1[0] + Q->v2[0] + Q->box_min[0] + Q->box_max[0] + Q->origin[0] + Q->direction[0] > 0)
-CONTENDER(run_box_box, questions, tribox_box_box(Q_BOX, j->q[i ^ 1].box_min, j->q[i ^ 1].box_max))
-CONTENDER(run_plane_box, questions, tribox_plane_box(Q->direction, 0.5f, Q_BOX) + 1)
-CONTENDER(run_segment_box, questions, tribox_segment_box(Q->v0, Q->v1, Q_BOX))
-CONTENDER(run_sweep, questions, sweep_all(Q))
-CONTENDER(run_clip, questions, clip_all(Q))
-CONTENDER(run_closest, questions, closest_all(Q))
-CONTENDER(run_ray_triangle, questions, ray_triangle_all(Q))
-
-static void bench_questions(const bench_options *options)
-{
-    bench_row rows[8];
-    int count = 0;
-    questions *j = (questions *)bench_alloc(sizeof *j);
-    make_questions(j, 6);
-    bench_add(rows, &count, "loads only", BENCH_REFERENCE, run_loads);
-    bench_add(rows, &count, "plain float slab test", BENCH_RIVAL, run_slab);
-    bench_add(rows, &count, "tribox_ray_box", BENCH_OURS, run_ray_box);
-    bench_table(options, "ray and box", rows, count, 50, (double)j->count, j);
-    count = 0;
-    bench_add(rows, &count, "loads only", BENCH_REFERENCE, run_loads);
-    bench_add(rows, &count, "tribox_box_box", BENCH_OURS, run_box_box);
-    bench_add(rows, &count, "tribox_plane_box", BENCH_OURS, run_plane_box);
-    bench_add(rows, &count, "tribox_segment_box", BENCH_OURS, run_segment_box);
-    bench_add(rows, &count, "tribox_ray_triangle", BENCH_OURS, run_ray_triangle);
-    bench_add(rows, &count, "tribox_closest", BENCH_OURS, run_closest);
-    bench_add(rows, &count, "tribox_clip", BENCH_OURS, run_clip);
-    bench_add(rows, &count, "tribox_sweep", BENCH_OURS, run_sweep);
-    bench_table(options, "one call each", rows, count, 20, (double)j->count, j);
-    free(j);
+    octant_input *input = (octant_input *)context;
+    int i;
+    for (i = 0; i < NODES; i++) {
+        tribox_tri_resize(&input->tri[i % DESCENTS], input->size);
+    }
+    return NODES;
 }
 
 int main(int argc, char **argv)
 {
     bench_options options;
+    query_input *query = (query_input *)bench_alloc(sizeof *query);
+    float *positions = (float *)bench_alloc(3 * sizeof(float) * (SIDE + 1) * (SIDE + 1));
+    uint32_t *indices = (uint32_t *)bench_alloc(3 * sizeof(uint32_t) * TRIANGLES);
+    ray_input *rays = (ray_input *)bench_alloc(sizeof *rays);
+    octant_input *nodes = (octant_input *)bench_alloc(sizeof *nodes);
+    bench_row rows[8];
+    int count = 0;
     if (!bench_parse(argc, argv, &options)) {
         return 1;
     }
-    bench_header("the questions beside the question");
-    bench_query(&options, 829, 60);   /* 99k triangles, in cache */
-    bench_query(&options, 2447, 178); /* 871k, streamed */
-    bench_octants(&options);
-    bench_questions(&options);
+    bench_header("companions");
+
+    make_sheet(query, positions, indices);
+    printf("# %d triangles, %.2f %% of them touch the box\n", TRIANGLES,
+           100.0 * (double)run_query(query) / TRIANGLES);
+    bench_add(rows, &count, "loop of tribox_sat", BENCH_RIVAL, run_sat_loop);
+    bench_add(rows, &count, "loop of tribox_overlap", BENCH_NOTE, run_overlap_loop);
+    bench_add(rows, &count, "tribox_mesh_query", BENCH_OURS, run_query);
+    bench_table(&options, "mesh query, a triangle", rows, count, 50, TRIANGLES, query);
+
+    make_rays(rays);
+    count = 0;
+    bench_add(rows, &count, "loads only", BENCH_REFERENCE, run_ray_loads);
+    bench_add(rows, &count, "plain float slabs", BENCH_RIVAL, run_slab);
+    bench_add(rows, &count, "tribox_ray_box", BENCH_OURS, run_ray_box);
+    bench_table(&options, "ray and box", rows, count, 50, RAYS, rays);
+
+    make_nodes(nodes);
+    count = 0;
+    bench_add(rows, &count, "eight times tribox_tri_test", BENCH_RIVAL, run_eight_tests);
+    bench_add(rows, &count, "tribox_tri_octants", BENCH_OURS, run_octants);
+    bench_add(rows, &count, "tribox_tri_resize", BENCH_NOTE, run_resize);
+    bench_table(&options, "octree node", rows, count, 50, NODES, nodes);
+
+    count = 0;
+    bench_add(rows, &count, "tribox_box_box", BENCH_NOTE, run_box_box);
+    bench_add(rows, &count, "tribox_plane_box", BENCH_NOTE, run_plane_box);
+    bench_add(rows, &count, "tribox_segment_box", BENCH_NOTE, run_segment_box);
+    bench_add(rows, &count, "tribox_ray_triangle", BENCH_NOTE, run_ray_triangle);
+    bench_add(rows, &count, "tribox_closest", BENCH_NOTE, run_closest);
+    bench_add(rows, &count, "tribox_sweep", BENCH_NOTE, run_sweep);
+    bench_add(rows, &count, "tribox_clip", BENCH_NOTE, run_clip);
+    bench_table(&options, "the others, timed for themselves", rows, count, 20, RAYS, rays);
+
+    free(query);
+    free(positions);
+    free(indices);
+    free(rays);
+    free(nodes);
     return 0;
 }

@@ -5,11 +5,13 @@
 # TEST_FLAGS=-DTEST_SCALE=10 asks a tenth of the random questions (emulators, sanitizers).
 
 TEST_COMPILES := c99 include_twice two_units hostile_macros
+TEST_COMPANIONS := motion cut mode
 TEST_HEADERS  := tribox.h tests/test.h tests/oracle.h tests/question.h tests/voxels.h
 TEST_UNITS    := tests/compile/two_units_a.c tests/compile/two_units_b.c
 TEST_SOURCES  := $(wildcard tests/test_*.c)
 
 TEST_PROGRAMS := $(B)/tests/scalar/suite $(B)/tests/default/suite \
+                 $(TEST_COMPANIONS:%=$(B)/tests/default/test_companions_%) \
                  $(B)/tests/test_oracle $(B)/tests/test_simd $(TEST_COMPILES:%=$(B)/tests/compile/%)
 TEST_LOGS     := $(TEST_PROGRAMS:%=%.log)
 
