@@ -52,6 +52,12 @@ $(B)/tests/compile/%: tests/compile/%.c tests/compile/every_function.h tribox.h
 $(B)/tests/%.log: $(B)/tests/%
 	@$< > $@ 2>&1 || true
 
+# README.md: its version, licence and programs.
+TEST_LOGS += $(B)/tests/docs.log
+$(B)/tests/docs.log: tests/test_docs.sh README.md LICENSE tribox.h
+	@mkdir -p $(@D)
+	@CC='$(CC)' CXX='$(CXX)' CFLAGS='$(CFLAGS)' sh $< $(B)/tests/readme > $@ 2>&1 || true
+
 test: ## run the tests: scalar, then best instruction set
 	@rm -f $(TEST_LOGS)
 	@$(MAKE) --no-print-directory $(TEST_JOBS) $(TEST_LOGS)
