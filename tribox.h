@@ -1,7 +1,7 @@
 /* tribox.h - triangle / axis-aligned box overlap tests - v0.1.0 - MIT or Unlicense, see end of file
  *
- * Every number you pass is taken as the exact real number it is. A triangle is the convex hull of its three corners, a
- * box is closed, and the answer is whether the two share a point. The answer is never rounded.
+ * Every number you pass is taken as the exact real number it is. A triangle is the convex hull of its three
+ * corners, a box is closed, and the answer is whether the two share a point. The answer is never rounded.
  *
  * QUICK START      Copy this file. No build, no library, no allocation, no global state.
  *
@@ -13,34 +13,40 @@
  *     const float box_max[3] = { .7f, .5f, .6f };
  *     int touch = tribox_overlap(v0, v1, v2, box_min, box_max);    // 1; plain float tests say 0
  *
- * WHICH FUNCTION   One triangle, one box                        tribox_overlap, _f64; with open faces: _rule, _rule_f64
- *                  One triangle, many boxes of one size         tribox_tri_init, then tribox_tri_test
- *                  One triangle, a voxel grid                   tribox_grid_spans: runs of voxels to a callback
- *                  A mesh into a bit array                      tribox_grid_fit, tribox_grid_words, tribox_grid_fill
- *                  Read that array; which voxel holds a point   tribox_grid_get, tribox_grid_locate
- *                  Boxes, planes, segments, rays against boxes  tribox_box_box, _plane_box, _segment_box, _ray_box
- *                  Rays against triangles, moving boxes         tribox_ray_triangle, tribox_sweep
- *                  Octrees, kd-trees                            tribox_tri_resize, tribox_tri_octants, tribox_clip
- *                  Nearest point, triangles in a box            tribox_closest, tribox_mesh_query
- *                  The published float test, to compare with    tribox_sat (may err within rounding of touching)
+ * WHICH FUNCTION
+ *     One triangle, one box                        tribox_overlap, _f64; with open faces: _rule, _rule_f64
+ *     One triangle, many boxes of one size         tribox_tri_init, then tribox_tri_test
+ *     One triangle, a voxel grid                   tribox_grid_spans: runs of voxels to a callback
+ *     A mesh into a bit array                      tribox_grid_fit, tribox_grid_words, tribox_grid_fill
+ *     Read that array; which voxel holds a point   tribox_grid_get, tribox_grid_locate
+ *     Boxes, planes, segments, rays against boxes  tribox_box_box, _plane_box, _segment_box, _ray_box
+ *     Rays against triangles, moving boxes         tribox_ray_triangle, tribox_sweep
+ *     Octrees, kd-trees                            tribox_tri_resize, tribox_tri_octants, tribox_clip
+ *     Nearest point, triangles in a box            tribox_closest, tribox_mesh_query
+ *     The published float test, to compare with    tribox_sat (may err within rounding of touching)
  *
- * CONVENTIONS      A point is float[3] (or double[3]: names in _f64), x, y, z, in any unit. Any winding. Triangles may be
- *                  segments or points, boxes flat or infinite. Touching counts, unless flags say otherwise. Returns are 1
- *                  and 0. A triangle with a NaN or infinite corner, and a box with a NaN or min > max, hold no points: 0.
+ * CONVENTIONS      A point is float[3] (or double[3]: names in _f64), x, y, z, in any unit. Any winding.
+ *                  Triangles may be segments or points, boxes flat or infinite. Touching counts, unless flags
+ *                  say otherwise. Returns are 1 and 0. A triangle with a NaN or infinite corner, and a box
+ *                  with a NaN or min > max, hold no points: 0.
  *
  * OPTIONS          Define before the #include; they need not agree across files.
  *                  TRIBOX_FN              linkage of the functions; default static inline
- *                  TRIBOX_SIMD            0: scalar code; 1: vector extensions of gcc and clang; default: 1 where they pay
+ *                  TRIBOX_SIMD            0: scalar code; 1: vector extensions of gcc and clang;
+ *                                         default: 1 where they pay
  *                  TRIBOX_NO_COMPANIONS   leaves out the functions of section 6
  *
- * LIMITS           Answers do not depend on compiler, optimisation, fast-math, FMA, rounding mode, x87, or flush-to-zero
- *                  (inputs are read as integers there, so that subnormals still count). Voxel indices are int, INT_MAX
- *                  excluded. No function reads the FPU's flags; some raise "inexact". Needs IEEE 754 float and double.
+ * LIMITS           Answers do not depend on compiler, optimisation, fast-math, FMA, rounding mode, x87, or
+ *                  flush-to-zero (inputs are read as integers there, so that subnormals still count). Voxel
+ *                  indices are int, INT_MAX excluded. No function reads the FPU's flags; some raise
+ *                  "inexact". Needs IEEE 754 float and double.
  *
  * REFERENCES       [AM01] Akenine-Moller, Fast 3D triangle-box overlap testing, JGT 6(1), 2001
- *                  [SS10] Schwarz, Seidel, Fast parallel surface and solid voxelization on GPUs, ACM TOG 29(6), 2010
+ *                  [SS10] Schwarz, Seidel, Fast parallel surface and solid voxelization on GPUs,
+ *                         ACM TOG 29(6), 2010
  *                  [KK86] Kay, Kajiya, Ray tracing complex scenes, SIGGRAPH 1986
- *                  [Sh97] Shewchuk, Adaptive precision floating-point arithmetic and fast robust predicates, 1997
+ *                  [Sh97] Shewchuk, Adaptive precision floating-point arithmetic and fast robust
+ *                         predicates, 1997
  *
  * CHANGES          v0.1.0 2026-11-22  add: everything
  */
@@ -99,10 +105,11 @@
 #define TRIBOX_IMPL_RARELY(condition) (condition)
 #endif
 
-/* Asks for memory that will be written soon. The address is an integer: it may lie outside of any array, where
- * pointer arithmetic is undefined. */
+/* Asks for memory that will be written soon. The address is an integer: it may lie outside of any array,
+ * where pointer arithmetic is undefined. */
 #if defined(__GNUC__) && !defined(__CUDA_ARCH__)
-#define TRIBOX_IMPL_PREFETCH(address) __builtin_prefetch((const void *)(address), 1) /* NOLINT(*-no-int-to-ptr) */
+#define TRIBOX_IMPL_PREFETCH(address) \
+    __builtin_prefetch((const void *)(address), 1) /* NOLINT(*-no-int-to-ptr) */
 #else
 #define TRIBOX_IMPL_PREFETCH(address) ((void)0)
 #endif
@@ -117,7 +124,8 @@
 /* Vectors of four floats, by the vector extensions of gcc and clang: no header, and the same source on every
  * ISA. 0 leaves the scalar body alone. Both give the same answers. */
 #ifndef TRIBOX_SIMD
-#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__TINYC__) && (defined(__SSE2__) || defined(__aarch64__))
+#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__TINYC__) && \
+    (defined(__SSE2__) || defined(__aarch64__))
 #define TRIBOX_SIMD 1
 #else
 #define TRIBOX_SIMD 0
@@ -152,16 +160,20 @@ extern "C" {
 /* ---- 2. Types ------------------------------------------------------------------------------------------ */
 
 enum {                      /* flags; 0 = closed, conservative */
-    TRIBOX_HALF_OPEN = 1,   /* the box is [min, max) on each axis: every point lies in exactly one grid voxel */
+    TRIBOX_HALF_OPEN = 1,   /* the box is [min, max) on each axis: every point lies in exactly one
+                             * grid voxel */
     TRIBOX_OPEN      = 2,   /* the box is its interior: touching does not count */
     TRIBOX_THIN      = 4    /* 6-separating test of [SS10] instead of the conservative one; always closed */
 };
 
 /* One triangle prepared for boxes [p, p + size]. Read it freely; only the init and resize functions write it.
- * Condition i of 12 holds at p iff   n_x[i]*(p - ref).x + n_y[i]*(p - ref).y + n_z[i]*(p - ref).z + d[i] >= 0,
- * edge normals n_e and distances d_e of [SS10]: 0..8 edge i%3 in the plane across axis i/3 (x, y, z); 9 and 10 the
- * two sides of the triangle's plane, n.p + d1 and -(n.p + d2); 11 none. Each is scaled by a power of two that
- * brings its rounding error below 1. */
+ * Condition i of 12 holds at p iff
+ *
+ *   n_x[i]*(p - ref).x + n_y[i]*(p - ref).y + n_z[i]*(p - ref).z + d[i] >= 0,
+ *
+ * edge normals n_e and distances d_e of [SS10]: 0..8 edge i%3 in the plane across axis i/3 (x, y, z);
+ * 9 and 10 the two sides of the triangle's plane, n.p + d1 and -(n.p + d2); 11 none. Each is scaled by a
+ * power of two that brings its rounding error below 1. */
 typedef struct tribox_tri {
     float    n_x[12];       /* what the float test reads comes first: whole vectors */
     float    n_y[12];
@@ -199,9 +211,9 @@ typedef struct tribox_grid {
 typedef void (*tribox_span_fn)(void *user, int x0, int x1, int y, int z);
 
 typedef struct tribox_mesh {
-    const float    *positions;      /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
-    size_t          stride;         /* bytes between vertices; 0 means 3*sizeof(float) */
-    const uint32_t *indices;        /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
+    const float    *positions;  /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
+    size_t          stride;     /* bytes between vertices; 0 means 3*sizeof(float) */
+    const uint32_t *indices;    /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
     size_t          triangles;
 } tribox_mesh;
 
@@ -214,8 +226,9 @@ typedef struct tribox_mesh {
  *
  * Returns     1 = they share a point, 0 = they do not. NaN or an infinite corner: 0. box_min > box_max: 0.
  * Guarantees  Exact for every input; the same answer with any compiler, flags and rounding mode.
- * Cost        About 120 vector operations (float), 200 flops (double); within 2^-15 (2^-44) of touching, relative
- *             to the triangle's extent, up to a microsecond more, and up to 100 for exponents far apart.
+ * Cost        About 120 vector operations (float), 200 flops (double); within 2^-15 (2^-44) of
+ *             touching, relative to the triangle's extent, up to a microsecond more, and up to
+ *             100 for exponents far apart.
  * Source      [AM01] for the axes; the bound is derived in "Implementation: one box".
  */
 TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
@@ -239,8 +252,8 @@ TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], co
 /* The reference: the 13-axis test as published, in plain float.
  *
  * Returns     1 or 0, as tribox_overlap's arguments.
- * Guarantees  None near touching: it may err either way within rounding of it, misses 2 % of the pairs on a grid of
- *             0.1f, and depends on compiler and flags. NaN: unspecified, 0 or 1.
+ * Guarantees  None near touching: it may err either way within rounding of it, misses 2 % of the pairs on a
+ *             grid of 0.1f, and depends on compiler and flags. NaN: unspecified, 0 or 1.
  * Cost        About 170 flops.
  * Source      [AM01].
  */
@@ -254,8 +267,9 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
  *   tri         is written; plain data, may be copied
  *   v0, v1, v2  corners; a triangle with NaN or infinity is empty
  *   size        dp, the boxes' size per axis; 0: flat, +infinity: half-spaces; negative or NaN: empty
- *   flags       0: closed, conservative. TRIBOX_HALF_OPEN, TRIBOX_OPEN: touching rules. TRIBOX_THIN: the 6-separating
- *               test, always closed (conservative where a size is infinite). Other bits are ignored.
+ *   flags       0: closed, conservative. TRIBOX_HALF_OPEN, TRIBOX_OPEN: touching rules.
+ *               TRIBOX_THIN: the 6-separating test, always closed (conservative where a size is
+ *               infinite). Other bits are ignored.
  *
  * Guarantees  Any init may be followed by any test.
  * Cost        About 300 ns.
@@ -272,7 +286,8 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
  *
  * Returns     1 or 0.
  * Guarantees  Exact. p + size is not rounded: [p, p + size] is not [p, fl(p + size)].
- * Cost        Float: 12 conditions in 3 vectors, no early exit; double: 60 flops. Near touching as tribox_overlap.
+ * Cost        Float: 12 conditions in 3 vectors, no early exit; double: 60 flops.
+ *             Near touching as tribox_overlap.
  * Source      [SS10], the edge functions and the plane.
  */
 TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3]);
@@ -286,11 +301,11 @@ TRIBOX_FN int tribox_tri_test_f64(const tribox_tri *tri, const double p[3]);
  *   emit   called for each span with user; NULL only counts
  *
  * Returns     How many voxels; saturates at SIZE_MAX.
- * Guarantees  Exact. Spans are disjoint, maximal, ordered by z, then y; each voxel once. With TRIBOX_THIN enough
- *             voxels to block every face-connected path. A face on a grid plane sets both layers when closed or thin,
- *             the upper one under HALF_OPEN, none under OPEN.
- * Cost        In the rows that the triangle crosses in the region, about 10 ns each, after about 400 ns; not in its
- *             size, the voxels' number, or the extent of the indices. 6 KiB of stack.
+ * Guarantees  Exact. Spans are disjoint, maximal, ordered by z, then y; each voxel once. With TRIBOX_THIN
+ *             enough voxels to block every face-connected path. A face on a grid plane sets both layers when
+ *             closed or thin, the upper one under HALF_OPEN, none under OPEN.
+ * Cost        In the rows that the triangle crosses in the region, about 10 ns each, after about 400 ns; not
+ *             in its size, the voxels' number, or the extent of the indices. 6 KiB of stack.
  * Source      The conditions of [SS10], each solved for x.
  */
 TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], const float v1[3],
@@ -298,8 +313,8 @@ TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], c
 TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
                                        const double v2[3], tribox_span_fn emit, void *user);
 
-/* How many 64-bit words the region's bit array needs: nz*ny*row_words, row_words = (nx + 63)/64. Voxel (x,y,z), counted
- * from lo, is bit (x & 63) of word (z*ny + y)*row_words + (x >> 6).
+/* How many 64-bit words the region's bit array needs: nz*ny*row_words, row_words = (nx + 63)/64. Voxel
+ * (x,y,z), counted from lo, is bit (x & 63) of word (z*ny + y)*row_words + (x >> 6).
  *
  * Returns     The words; 0 for an empty or invalid grid, or more than SIZE_MAX bytes.
  */
@@ -311,8 +326,8 @@ TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid);
  *   bits  tribox_grid_words(grid) words; bits are ORed, never cleared; padding bits of a row are never set
  *
  * Guarantees  The voxels of tribox_grid_spans for every triangle. A z-slab of the region, given
- *             bits + (slab.lo[2] - whole.lo[2])*ny*row_words, writes exactly its part of the whole, so slabs can be
- *             filled by any number of threads. Where tribox_grid_words is 0, nothing is written.
+ *             bits + (slab.lo[2] - whole.lo[2])*ny*row_words, writes exactly its part of the whole, so slabs
+ *             can be filled by any number of threads. Where tribox_grid_words is 0, nothing is written.
  * Cost        Memory traffic for triangles of a voxel or two; see bench/. 8 KiB of stack.
  */
 TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits);
@@ -325,10 +340,11 @@ TRIBOX_FN int tribox_grid_get(const tribox_grid *grid, const uint64_t *bits, int
  *   grid  is written
  *   n     voxels along the longest side, >= 1
  *
- * Returns     1; 0 and an empty region for a mesh without finite extent (no finite triangle, or a point) or n < 1.
- * Guarantees  The mesh's finite triangles lie strictly inside the region, so no voxel outside is touched. Size and
- *             origin are numbers of few bits, within 1/500 of a voxel of the tightest fit; they are chosen in floating
- *             point and may differ between compilers in the last place.
+ * Returns     1; 0 and an empty region for a mesh without finite extent (no finite triangle,
+ *             or a point) or n < 1.
+ * Guarantees  The mesh's finite triangles lie strictly inside the region, so no voxel outside is touched.
+ *             Size and origin are numbers of few bits, within 1/500 of a voxel of the tightest fit; they are
+ *             chosen in floating point and may differ between compilers in the last place.
  * Cost        One pass over the mesh.
  */
 TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n);
@@ -505,7 +521,7 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
                                    uint32_t *out_triangles, size_t capacity);
 #endif /* TRIBOX_NO_COMPANIONS */
 
-/* ---- 7. Implementation: bits of floating-point numbers --------------------------------------------------
+/* ---- 7. Implementation: bits of floating-point numbers -------------------------------------------------
  *
  * Whatever decides is read from the bits, so that no compiler flag (-ffast-math folds x != x) and no
  * processor mode (flush-to-zero reads subnormals as zero) can change it. */
@@ -612,14 +628,14 @@ TRIBOX_IMPL_FN int tribox_impl_sign(double x)
     return (key > 0) - (key < 0);
 }
 
-/* ---- 8. Implementation: exact integers ------------------------------------------------------------------
+/* ---- 8. Implementation: exact integers -----------------------------------------------------------------
  *
  * A coordinate is base + half*(step/2): a corner (half = 0), a face p + size (half = 2), a grid face
  * origin + i*size (half = 2i), or the centre of a voxel (half = 2i + 1). All coordinates of one question are
  * multiples of one power of two 2^e, so every sign asked below is the sign of an integer.
  *
- * Width: a finite double is a multiple of 2^-1074 below 2^1024. |half| <= 2^32, so a coordinate times 2^1075 is
- * below 2^(1024 + 33 + 1075) = 2^2132, a difference below 2^2133, a degree-3 determinant below
+ * Width: a finite double is a multiple of 2^-1074 below 2^1024. |half| <= 2^32, so a coordinate times 2^1075
+ * is below 2^(1024 + 33 + 1075) = 2^2132, a difference below 2^2133, a degree-3 determinant below
  * 6 * 2^6399 < 2^6402: 201 limbs of 32 bits. */
 #define TRIBOX_IMPL_LIMBS 208
 
@@ -629,7 +645,8 @@ typedef struct tribox_impl_coord {
     int64_t half;
 } tribox_impl_coord;
 
-typedef struct tribox_impl_big {    /* sign * sum of limb[i] * 2^(32 i); limb[n - 1] != 0; sign = 0 iff n = 0 */
+/* sign * sum of limb[i] * 2^(32 i); limb[n - 1] != 0; sign = 0 iff n = 0 */
+typedef struct tribox_impl_big {
     int      sign;
     int      n;
     uint32_t limb[TRIBOX_IMPL_LIMBS];
@@ -758,7 +775,8 @@ TRIBOX_IMPL_FN void tribox_impl_big_add(tribox_impl_big *r, const tribox_impl_bi
 }
 
 /* r = a * b; r is neither a nor b */
-TRIBOX_IMPL_FN void tribox_impl_big_mul(tribox_impl_big *r, const tribox_impl_big *a, const tribox_impl_big *b)
+TRIBOX_IMPL_FN void tribox_impl_big_mul(tribox_impl_big *r, const tribox_impl_big *a,
+                                        const tribox_impl_big *b)
 {
     int i;
     int j;
@@ -912,7 +930,8 @@ TRIBOX_IMPL_COLD int tribox_impl_compare(const tribox_impl_coord *a, const tribo
 /* r += sign * (b - a).x * (q - a).y, the points a, b, q being rows */
 TRIBOX_IMPL_FN void tribox_impl_big_add_product(tribox_impl_big *r, const tribox_impl_exact *f,
                                                 const tribox_impl_coord *a_x, const tribox_impl_coord *b_x,
-                                                const tribox_impl_coord *a_y, const tribox_impl_coord *q_y, int sign)
+                                                const tribox_impl_coord *a_y, const tribox_impl_coord *q_y,
+                                                int sign)
 {
     tribox_impl_big x;
     tribox_impl_big y;
@@ -933,7 +952,8 @@ TRIBOX_IMPL_FN void tribox_impl_big_orient2(tribox_impl_big *r, const tribox_imp
     tribox_impl_big_add_product(r, f, &f->x[a][y], &f->x[b][y], &f->x[a][x], &f->x[qx][x], -1);
 }
 
-TRIBOX_IMPL_COLD int tribox_impl_orient2_long(const tribox_impl_exact *f, int x, int y, int a, int b, int qx, int qy)
+TRIBOX_IMPL_COLD int tribox_impl_orient2_long(const tribox_impl_exact *f, int x, int y, int a, int b,
+                                              int qx, int qy)
 {
     tribox_impl_big r;
     tribox_impl_big_orient2(&r, f, x, y, a, b, qx, qy);
@@ -1001,7 +1021,7 @@ TRIBOX_IMPL_FN int tribox_impl_orient3(const tribox_impl_exact *f, const int q[3
     return tribox_impl_orient3_long(f, q);
 }
 
-/* ---- 9. Implementation: the exact test ------------------------------------------------------------------ */
+/* ---- 9. Implementation: the exact test ----------------------------------------------------------------- */
 
 /* The sign of component k of edge v[i+1] - v[i]. */
 TRIBOX_IMPL_FN int tribox_impl_edge_sign(const tribox_impl_exact *f, int i, int k)
@@ -1023,7 +1043,8 @@ TRIBOX_IMPL_FN int tribox_impl_uses_open(unsigned open_lo, unsigned open_hi, int
     return sign != 0 && (((sign > 0 ? open_hi : open_lo) >> k) & 1u) != 0;
 }
 
-/* Edge i in the plane across axis a, [SS10] with the sign of n_a given: max over the box of w.(q - v_i) >= 0. */
+/* Edge i in the plane across axis a, [SS10] with the sign of n_a given:
+ * max over the box of w.(q - v_i) >= 0. */
 TRIBOX_IMPL_FN int tribox_impl_exact_edge(const tribox_impl_exact *f, int a, int i, int n_sign,
                                           unsigned open_lo, unsigned open_hi)
 {
@@ -1037,7 +1058,8 @@ TRIBOX_IMPL_FN int tribox_impl_exact_edge(const tribox_impl_exact *f, int a, int
     if (value != 0) {
         return value > 0;
     }
-    return !tribox_impl_uses_open(open_lo, open_hi, b, w_b) && !tribox_impl_uses_open(open_lo, open_hi, c, w_c);
+    return !tribox_impl_uses_open(open_lo, open_hi, b, w_b) &&
+           !tribox_impl_uses_open(open_lo, open_hi, c, w_c);
 }
 
 /* The plane, one side: side * n.(q - v0) >= 0 at the critical point along side * n. */
@@ -1064,8 +1086,8 @@ TRIBOX_IMPL_FN void tribox_impl_exact_normal(const tribox_impl_exact *f, int n_s
     }
 }
 
-/* Plane and edges; the faces are known to hold. Bits 0..2 of `asked`: the edges in the plane across that axis,
- * bit 3: the triangle's plane. Bit k of open_lo, open_hi: that face is not in the box. */
+/* Plane and edges; the faces are known to hold. Bits 0..2 of `asked`: the edges in the plane across that
+ * axis, bit 3: the triangle's plane. Bit k of open_lo, open_hi: that face is not in the box. */
 #define TRIBOX_IMPL_ALL_AXES 15u
 
 TRIBOX_IMPL_FN int tribox_impl_exact_axes(const tribox_impl_exact *f, unsigned asked, unsigned open_lo,
@@ -1086,8 +1108,8 @@ TRIBOX_IMPL_FN int tribox_impl_exact_axes(const tribox_impl_exact *f, unsigned a
                                  tribox_impl_exact_plane(f, n_sign, -1, open_lo, open_hi));
 }
 
-/* [SS10] 6-separating: max |n_k| h_k in place of the sum, so the critical point is the farthest of the voxel's
- * face centres. */
+/* [SS10] 6-separating: max |n_k| h_k in place of the sum, so the critical point is the farthest of
+ * the voxel's face centres. */
 TRIBOX_IMPL_FN int tribox_impl_exact_thin_edge(const tribox_impl_exact *f, int a, int i, int n_sign)
 {
     const int b = (a + 1) % 3;
@@ -1129,9 +1151,10 @@ TRIBOX_IMPL_FN int tribox_impl_exact_thin_axes(const tribox_impl_exact *f)
     return tribox_impl_exact_thin_plane(f, n_sign, 1) && tribox_impl_exact_thin_plane(f, n_sign, -1);
 }
 
-/* The exact answer for the triangle f->x[0..2] and the box rows LO..HI (MID for thin), every sign exact.
- * Conservative: the box is clipped to the triangle's bounding box first, so rows may be infinite (read as
- * +-2^1024, beyond every corner). A face is replaced, and then closed, only where it lies strictly outside. */
+/* The exact answer for the triangle f->x[0..2] and the box rows LO..HI (MID for thin), every sign
+ * exact. Conservative: the box is clipped to the triangle's bounding box first, so rows may be
+ * infinite (read as +-2^1024, beyond every corner). A face is replaced, and then closed, only where it
+ * lies strictly outside. */
 TRIBOX_IMPL_COLD int tribox_impl_exact_overlap(tribox_impl_exact *f, unsigned flags)
 {
     const int thin = (flags & TRIBOX_THIN) != 0;
@@ -1150,7 +1173,8 @@ TRIBOX_IMPL_COLD int tribox_impl_exact_overlap(tribox_impl_exact *f, unsigned fl
         tribox_impl_coord *hi = &f->x[TRIBOX_IMPL_HI][k];
         const int lo_to_max = tribox_impl_compare(lo, &t_max);
         const int hi_to_min = tribox_impl_compare(hi, &t_min);
-        if (lo_to_max > 0 || (lo_to_max == 0 && lo_is_open) || hi_to_min < 0 || (hi_to_min == 0 && hi_is_open)) {
+        if (lo_to_max > 0 || (lo_to_max == 0 && lo_is_open) ||
+            hi_to_min < 0 || (hi_to_min == 0 && hi_is_open)) {
             return 0;
         }
         if (thin) {
@@ -1169,7 +1193,8 @@ TRIBOX_IMPL_COLD int tribox_impl_exact_overlap(tribox_impl_exact *f, unsigned fl
         f->x[TRIBOX_IMPL_MID][k] = *lo;     /* unused */
     }
     tribox_impl_exact_finish(f);
-    return thin ? tribox_impl_exact_thin_axes(f) : tribox_impl_exact_axes(f, TRIBOX_IMPL_ALL_AXES, open_lo, open_hi);
+    return thin ? tribox_impl_exact_thin_axes(f)
+                : tribox_impl_exact_axes(f, TRIBOX_IMPL_ALL_AXES, open_lo, open_hi);
 }
 
 TRIBOX_IMPL_FN void tribox_impl_exact_corners(tribox_impl_exact *f, const double v0[3], const double v1[3],
@@ -1183,13 +1208,14 @@ TRIBOX_IMPL_FN void tribox_impl_exact_corners(tribox_impl_exact *f, const double
     }
 }
 
-/* ---- 10. Implementation: one box -------------------------------------------------------------------------
+/* ---- 10. Implementation: one box -----------------------------------------------------------------------
  *
  * The filter. T meets B iff T meets B clipped to T's bounding box, so every difference of two coordinates of
  * axis k is at most X_k, the triangle's extent. Let m be the clipped box's centre and h its half size, w_i =
  * v_i - m, and c_i = w_i x w_i+1, whose component a is the value of edge i's line of plane a at m. Then
  *
- *   n = c_0 + c_1 + c_2. Across edge i the triangle covers [0, n], the box c_i -+ r_i, r_i = |e_b| h_c + |e_c| h_b.
+ *   n = c_0 + c_1 + c_2. Across edge i the triangle covers [0, n],
+ *   the box c_i -+ r_i, r_i = |e_b| h_c + |e_c| h_b.
  *   They meet iff      r_i + |n/2| - |n/2 - c_i| >= 0          (two-sided, so no sign of n is needed)
  *   and the plane iff  |n|.h - |c_1.w_0| >= 0                  (n.(m - v0) = -c_1.w_0)
  *
@@ -1202,14 +1228,16 @@ TRIBOX_IMPL_FN void tribox_impl_exact_corners(tribox_impl_exact *f, const double
  *   sum: 8 + 33 + (33 + 20 + 2.5), and 3.5 + 1 for the last two additions: 101 <= 128 = EDGE_ULPS
  * In units of u X_x X_y X_z:
  *   c_1.w_0: three products of 20 + 2*2 + 2, and 12 for the two sums: 90
- *   |n|.h: twice three products of 33/2 + 1.5/2 + 1/4, and 2: 107; their difference 4: 201 <= 256 = PLANE_ULPS
+ *   |n|.h: twice three products of 33/2 + 1.5/2 + 1/4, and 2: 107; their difference 4:
+ *          201 <= 256 = PLANE_ULPS
  * What is left of 128 and 256 covers second-order terms, the rounding of the bound itself and reassociation.
  *
- * Underflow, and subnormals read as zero, change a number by at most 2^-126 (2^-1022). Extents are 0 or within
- * [2^-30, 2^41) ([2^-300, 2^301)), so a bound of degree d is at least 2^-16 * 2^-30d (2^-45 * 2^-300d), to which
- * such errors, times the other extents, add less than 2^-19 of it; and nothing overflows. Where X_k = 0, every
- * value with a factor of axis k is exactly 0, and so is its bound: "value >= bound" is right, since that axis
- * then follows from the faces, which lie strictly outside or are closed there under every rule. */
+ * Underflow, and subnormals read as zero, change a number by at most 2^-126 (2^-1022). Extents are 0 or
+ * within [2^-30, 2^41) ([2^-300, 2^301)), so a bound of degree d is at least 2^-16 * 2^-30d
+ * (2^-45 * 2^-300d), to which such errors, times the other extents, add less than 2^-19 of it; and nothing
+ * overflows. Where X_k = 0, every value with a factor of axis k is exactly 0, and so is its bound:
+ * "value >= bound" is right, since that axis then follows from the faces, which lie strictly outside or are
+ * closed there under every rule. */
 #define TRIBOX_IMPL_ULPS 256
 #define TRIBOX_IMPL_U32 1.1920928955078125e-07f             /* 2^-23 */
 #define TRIBOX_IMPL_U64 2.220446049250313080847263336e-16   /* 2^-52 */
@@ -1365,8 +1393,9 @@ TRIBOX_IMPL_FN void tribox_impl_filter(tribox_impl_values *out, const double v0[
                     tribox_impl_extent_in_range(x[2]);
 }
 
-/* Are all values of the filter exact? Coordinates that are multiples of some unit, and differ by less than 2^15 of
- * it, make them so: the largest, c_1.w_0, is below 3 * 2^33 * 2^16 < 2^53 in units of half that unit, cubed. */
+/* Are all values of the filter exact? Coordinates that are multiples of some unit, and differ by less
+ * than 2^15 of it, make them so: the largest, c_1.w_0, is below 3 * 2^33 * 2^16 < 2^53 in units of
+ * half that unit, cubed. */
 TRIBOX_IMPL_FN int tribox_impl_clip_on_lattice(const double v0[3], const double v1[3], const double v2[3],
                                                const tribox_impl_clip *clip)
 {
@@ -1399,8 +1428,8 @@ TRIBOX_IMPL_COLD int tribox_impl_clipped_exact(const double v0[3], const double 
     return tribox_impl_exact_axes(&f, unsure, clip->open_lo, clip->open_hi);
 }
 
-/* The scalar body, which is the specification: emptiness, faces and rules from bits, the nine edges and the plane
- * by the filter in double, what that leaves open by exact signs. */
+/* The scalar body, which is the specification: emptiness, faces and rules from bits, the nine edges and the
+ * plane by the filter in double, what that leaves open by exact signs. */
 TRIBOX_IMPL_NOINLINE int tribox_impl_overlap(const double v0[3], const double v1[3], const double v2[3],
                                              const double box_min[3], const double box_max[3], unsigned flags)
 {
@@ -1425,7 +1454,8 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_overlap(const double v0[3], const double v1
         }
     }
     if (unsure != 0 && (clip.open_lo | clip.open_hi) == 0 && tribox_impl_clip_on_lattice(v0, v1, v2, &clip)) {
-        return filter.value[0] >= 0.0 && filter.value[1] >= 0.0 && filter.value[2] >= 0.0 && filter.value[3] >= 0.0;
+        return filter.value[0] >= 0.0 && filter.value[1] >= 0.0 && filter.value[2] >= 0.0 &&
+               filter.value[3] >= 0.0;
     }
     return unsure == 0 || tribox_impl_clipped_exact(v0, v1, v2, &clip, unsure);
 }
@@ -1451,7 +1481,8 @@ TRIBOX_IMPL_FN float tribox_impl_absf(float a)
 #define TRG tribox_impl_any(out_of_range)
 #endif
 #if TRIBOX_SIMD
-/* The same filter in float, x, y, z in three lanes; the fourth stays 0. A cross product comes out as z, x, y. */
+/* The same filter in float, x, y, z in three lanes; the fourth stays 0.
+ * A cross product comes out as z, x, y. */
 typedef float tribox_impl_f4 __attribute__((vector_size(16)));
 typedef int32_t tribox_impl_i4 __attribute__((vector_size(16)));
 typedef double tribox_impl_d2 __attribute__((vector_size(16)));
@@ -1591,7 +1622,8 @@ TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_sums3(tribox_impl_f4 a, tribox_impl_f4
     return low + TRIBOX_IMPL_LANES(low, low, 2, 3, 2, 3) + high;
 }
 
-/* Sign bits: lanes whose magnitude, given by its bits, exceeds the float with bits `most`; NaN exceeds all. */
+/* Sign bits: lanes whose magnitude, given by its bits, exceeds the float with bits `most`;
+ * NaN exceeds all. */
 TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_above(tribox_impl_f4 magnitude, int32_t most)
 {
     return tribox_impl_splat_int(most) - (tribox_impl_i4)magnitude;
@@ -1604,7 +1636,8 @@ TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_below(tribox_impl_f4 magnitude, int32_
     return (bits - tribox_impl_splat_int(least)) & -bits;
 }
 
-/* Floats of at least 2^-100 are multiples of 2^-123, and so are their differences: none is flushed to zero. */
+/* Floats of at least 2^-100 are multiples of 2^-123, and so are their differences:
+ * none is flushed to zero. */
 TRIBOX_IMPL_FN int tribox_impl_may_flush(const float v[3])
 {
     return tribox_impl_any(tribox_impl_below(tribox_impl_abs4(tribox_impl_load3(v)), 0x0d800000));
@@ -1666,7 +1699,8 @@ TRIBOX_IMPL_FN int tribox_impl_filter4(const float v0[3], const float v1[3], con
         const tribox_impl_f4 value = TRIBOX_IMPL_LANES(edge, plane, 0, 1, 2, 4);
         const tribox_impl_f4 bound = TRIBOX_IMPL_LANES(edge_bound, plane_bound, 0, 1, 2, 4);
         /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as zero */
-        const int refused = tribox_impl_signs(tribox_impl_above(e0, 0x53000000) | tribox_impl_above(e2, 0x53000000) |
+        const int refused = tribox_impl_signs(tribox_impl_above(e0, 0x53000000) |
+                                              tribox_impl_above(e2, 0x53000000) |
                                               tribox_impl_above(tribox_impl_abs4(lo), 0x7f800000) |
                                               tribox_impl_above(tribox_impl_abs4(hi), 0x7f800000) |
                                               tribox_impl_below(x + tiny, 0x30800000));
@@ -1674,9 +1708,11 @@ TRIBOX_IMPL_FN int tribox_impl_filter4(const float v0[3], const float v1[3], con
         const int at_face = rule ? tribox_impl_signs((lo >= t_max) | (t_min >= hi) | (lo >= hi)) & 7 : 0;
         const int doubt = (tribox_impl_signs(value < bound) | at_face) != 0;
         const int open = doubt & !miss;
-        if (TRIBOX_IMPL_RARELY((refused != 8) | open)) {    /* one branch, hardly ever taken: miss alone is a coin toss */
+        /* one branch, hardly ever taken: miss alone is a coin toss */
+        if (TRIBOX_IMPL_RARELY((refused != 8) | open)) {
             if (open || (refused & 7) != 0 || tribox_impl_may_flush(v0) || tribox_impl_may_flush(v1) ||
-                tribox_impl_may_flush(v2) || tribox_impl_may_flush(box_min) || tribox_impl_may_flush(box_max)) {
+                tribox_impl_may_flush(v2) || tribox_impl_may_flush(box_min) ||
+                tribox_impl_may_flush(box_max)) {
                 return TRIBOX_IMPL_UNSURE;
             }
         }
@@ -1699,7 +1735,8 @@ TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const d
 
 /* The float entry of the scalar body. */
 TRIBOX_IMPL_NOINLINE int tribox_impl_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
-                                                     const float box_min[3], const float box_max[3], unsigned flags)
+                                                     const float box_min[3], const float box_max[3],
+                                                     unsigned flags)
 {
     double wide[5][3];
     int k;
@@ -1761,7 +1798,8 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
         e[2][a] = v[0][a] - v[2][a];
     }
     for (i = 0; i < 3; i++) {
-        const int j = (i + 2) % 3;      /* edge i joins corners i and i+1: the one at i and the third differ */
+        /* edge i joins corners i and i+1: the one at i and the third differ */
+        const int j = (i + 2) % 3;
         for (a = 0; a < 3; a++) {
             const int b = (a + 1) % 3;
             const int c = (a + 2) % 3;
@@ -1787,19 +1825,20 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
     return d <= r && d >= -r;
 }
 
-/* ---- 11. Implementation: one triangle, many voxels ------------------------------------------------------
+/* ---- 11. Implementation: one triangle, many voxels -----------------------------------------------------
  *
- * Bound. Condition i is A.(p - ref) + D, with |p - ref| <= R per axis wherever the faces hold. In double, setup finds A
- * within 4 u64 M_A and D within 8 u64 M_D, M being the sums of absolute values of the terms they are made of (local
- * differences, products of two or three). The test rounds each A (1) and p - ref (1), multiplies (1), adds three
- * times (3), and rounds D (1): 7 u of sum |A| R + |D|, u = 2^-23 or 2^-52. So
+ * Bound. Condition i is A.(p - ref) + D, with |p - ref| <= R per axis wherever the faces hold. In double,
+ * setup finds A within 4 u64 M_A and D within 8 u64 M_D, M being the sums of absolute values of the terms
+ * they are made of (local differences, products of two or three). The test rounds each A (1) and p - ref (1),
+ * multiplies (1), adds three times (3), and rounds D (1): 7 u of sum |A| R + |D|, u = 2^-23 or 2^-52. So
  *
  *   E = 8 u (sum |A| R + |D|) + 16 u64 (sum M_A R + M_D)
  *
- * leaves room for second-order terms and for its own rounding. A and D are scaled by a power of two 1/S, E <= S,
- * so that values below -1 are misses and from 1 on hits. Underflow and subnormals read as zero: R is taken as at
- * least 2^-60 (2^-300), so |A|/S <= 2^80 (2^352), which multiplies errors of 2^-126 (2^-1022) at most; outside
- * R <= 2^60 (2^300) and 2^-600 <= E <= 2^900 a condition is all zeros, which is unsure for every p. */
+ * leaves room for second-order terms and for its own rounding. A and D are scaled by a power of two 1/S,
+ * E <= S, so that values below -1 are misses and from 1 on hits. Underflow and subnormals read as zero: R
+ * is taken as at least 2^-60 (2^-300), so |A|/S <= 2^80 (2^352), which multiplies errors of 2^-126
+ * (2^-1022) at most; outside R <= 2^60 (2^300) and 2^-600 <= E <= 2^900 a condition is all zeros, which
+ * is unsure for every p. */
 
 /* Orders as floats do; +0 and -0 are 0. */
 TRIBOX_IMPL_FN int32_t tribox_impl_key32(const float *x)
@@ -1887,7 +1926,8 @@ TRIBOX_IMPL_FN void tribox_impl_tri_keys(tribox_tri *tri, int k, int lo_is_open,
         return;
     }
     /* the rounded difference is within a float or two of the least p, unless it overflows */
-    key = tribox_impl_is_finite(t_min - size) ? tribox_impl_key32_below(t_min - size) : -TRIBOX_IMPL_KEY32_MAX;
+    key = tribox_impl_is_finite(t_min - size) ? tribox_impl_key32_below(t_min - size)
+                                              : -TRIBOX_IMPL_KEY32_MAX;
     key = key < -TRIBOX_IMPL_KEY32_MAX ? -TRIBOX_IMPL_KEY32_MAX : key;
     while (key > -TRIBOX_IMPL_KEY32_MAX &&
            tribox_impl_far_face(tribox_impl_key32_value(key - 1), size, t_min) >= hi_is_open) {
@@ -1900,8 +1940,8 @@ TRIBOX_IMPL_FN void tribox_impl_tri_keys(tribox_tri *tri, int k, int lo_is_open,
     tri->key_min[k] = key;
 }
 
-TRIBOX_IMPL_COLD int tribox_impl_normal_sign_exact(const double v0[3], const double v1[3], const double v2[3], int b,
-                                                   int c)
+TRIBOX_IMPL_COLD int tribox_impl_normal_sign_exact(const double v0[3], const double v1[3],
+                                                   const double v2[3], int b, int c)
 {
     tribox_impl_exact f;
     int row;
@@ -1945,7 +1985,8 @@ TRIBOX_IMPL_FN void tribox_impl_edges_init(tribox_impl_edges *t, const double v0
         const double p = t->e[0][b] * t->e[1][c];
         const double q = t->e[0][c] * t->e[1][b];
         const double error = (tribox_impl_abs(p) + tribox_impl_abs(q)) * (8.0 * TRIBOX_IMPL_U64);
-        if ((t->e_sign[0][b] == 0 || t->e_sign[1][c] == 0) && (t->e_sign[0][c] == 0 || t->e_sign[1][b] == 0)) {
+        if ((t->e_sign[0][b] == 0 || t->e_sign[1][c] == 0) &&
+            (t->e_sign[0][c] == 0 || t->e_sign[1][b] == 0)) {
             t->n_sign[a] = 0;
         } else if (error > 1e-280 && error < 1e280 && (p - q > error || p - q < -error)) {
             t->n_sign[a] = p - q > 0.0 ? 1 : -1;
@@ -1988,7 +2029,8 @@ TRIBOX_IMPL_FN void tribox_impl_add_support(tribox_impl_condition *c, const trib
     c->d += s->thin ? largest : sum;
 }
 
-/* The power of two that scales the bound below 1; 0 where the bound does not hold. Reaches are within [0, most]. */
+/* The power of two that scales the bound below 1; 0 where the bound does not hold.
+ * Reaches are within [0, most]. */
 TRIBOX_IMPL_FN double tribox_impl_condition_scale(const tribox_impl_condition *c, const tribox_impl_setup *s,
                                                   double u, double least, double most)
 {
@@ -2004,7 +2046,8 @@ TRIBOX_IMPL_FN double tribox_impl_condition_scale(const tribox_impl_condition *c
         made += c->m[k] * reach;
     }
     bound = 8.0 * u * terms + 16.0 * TRIBOX_IMPL_U64 * made;
-    if (!(in_range && bound >= 2.409919865102884e-181 && bound <= 8.452712498170644e+270)) {  /* 2^-600, 2^900 */
+    if (!(in_range &&
+          bound >= 2.409919865102884e-181 && bound <= 8.452712498170644e+270)) {    /* 2^-600, 2^900 */
         return 0.0;
     }
     return tribox_impl_from_bits64((uint64_t)(2045 - (tribox_impl_bits64(&bound) >> 52)) << 52);
@@ -2103,8 +2146,8 @@ TRIBOX_IMPL_FN void tribox_impl_store_plane(tribox_tri *tri, const tribox_impl_s
                               ((tri->flags & TRIBOX_HALF_OPEN) != 0 && positive)) << i;
 }
 
-/* 2^14 and more units in the longest reach, if all that conditions are made of is whole in them; else 0. Sums of
- * products of three numbers below 2^15, and of half units, are exact in double. */
+/* 2^14 and more units in the longest reach, if all that conditions are made of is whole in them; else 0. Sums
+ * of products of three numbers below 2^15, and of half units, are exact in double. */
 TRIBOX_IMPL_FN double tribox_impl_tri_lattice(const tribox_tri *tri, const tribox_impl_setup *s)
 {
     double longest = s->reach[0] > s->reach[1] ? s->reach[0] : s->reach[1];
@@ -2171,7 +2214,8 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
                        tribox_impl_less(size[k], limit);
     }
     for (k = 0; k < 3; k++) {
-        tribox_impl_tri_keys(tri, k, (rule & TRIBOX_OPEN) != 0, (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
+        tribox_impl_tri_keys(tri, k, (rule & TRIBOX_OPEN) != 0,
+                             (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
         if (float_range && tribox_impl_less(1e-30, tribox_impl_abs(v0[k]))) {   /* never subnormal */
             tri->ref[k] = tribox_impl_key32_float(tribox_impl_key32_below(v0[k]));
         }
@@ -2228,7 +2272,8 @@ TRIBOX_IMPL_COLD int tribox_impl_tri_exact(const tribox_tri *tri, const double p
         f.x[TRIBOX_IMPL_LO][k] = tribox_impl_at(p[k], 0.0, 0);
         f.x[TRIBOX_IMPL_MID][k] = tribox_impl_at(p[k], tri->size[k], 1);
         /* an infinite step is read as 2^1024; four of them from any p lie beyond every corner */
-        f.x[TRIBOX_IMPL_HI][k] = tribox_impl_at(p[k], tri->size[k], tribox_impl_is_finite(tri->size[k]) ? 2 : 8);
+        f.x[TRIBOX_IMPL_HI][k] = tribox_impl_at(p[k], tri->size[k],
+                                                tribox_impl_is_finite(tri->size[k]) ? 2 : 8);
     }
     return tribox_impl_exact_overlap(&f, tri->flags);
 }
@@ -2308,7 +2353,8 @@ TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3])
     const tribox_impl_f4 x = { p[0], p[1], p[2], 0.0f };    /* one by one: p was often written just before */
     const tribox_impl_i4 negative = (tribox_impl_i4)x < 0;
     const tribox_impl_i4 key = ((tribox_impl_i4)tribox_impl_abs4(x) ^ negative) - negative;
-    const tribox_impl_i4 faces = (key < tribox_impl_load4i(tri->key_min)) | (key > tribox_impl_load4i(tri->key_max));
+    const tribox_impl_i4 faces = (key < tribox_impl_load4i(tri->key_min)) |
+                                 (key > tribox_impl_load4i(tri->key_max));
     tribox_impl_f4 q = x - tribox_impl_load4(tri->ref);
     TRIBOX_IMPL_KEEP4(q);
     {
@@ -2318,7 +2364,8 @@ TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3])
         const tribox_impl_f4 least = tribox_impl_least(tribox_impl_min4(
             tribox_impl_conditions(tri, 0, q_x, q_y, q_z), tribox_impl_min4(
             tribox_impl_conditions(tri, 4, q_x, q_y, q_z), tribox_impl_conditions(tri, 8, q_x, q_y, q_z))));
-        /* a face that does not hold, as one always does not where p is NaN or infinite, makes this a large negative */
+        /* a face that does not hold, as one always does not where p is NaN or infinite,
+         * makes this a large negative */
         const uint32_t bits = (uint32_t)((tribox_impl_i4)least)[0] | (uint32_t)-tribox_impl_signs(faces);
         if (TRIBOX_IMPL_RARELY((bits & 0x7fffffffu) < 0x3f800000u)) {      /* within 1 of 0 */
             return tribox_impl_tri_test_widened(tri, p);
@@ -2330,7 +2377,7 @@ TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3])
 #endif
 }
 
-/* ---- 12. Implementation: grids -------------------------------------------------------------------------- */
+/* ---- 12. Implementation: grids ------------------------------------------------------------------------- */
 
 /* The grid's region holds voxels: finite origin and size, size > 0, lo < hi. */
 TRIBOX_IMPL_FN int tribox_impl_grid_valid(const tribox_grid *grid)
@@ -2376,8 +2423,8 @@ TRIBOX_IMPL_FN int64_t tribox_impl_guess(double x, int64_t lo, int64_t hi)
 }
 
 /* The least plane i in [lo, hi] with plane(i) > x (strict) or >= x; hi if none below hi. */
-TRIBOX_IMPL_FN int64_t tribox_impl_plane_search(const tribox_grid *grid, int k, int64_t lo, int64_t hi, double x,
-                                                int strict)
+TRIBOX_IMPL_FN int64_t tribox_impl_plane_search(const tribox_grid *grid, int k, int64_t lo, int64_t hi,
+                                                double x, int strict)
 {
     int64_t i = tribox_impl_guess((x - grid->origin[k]) / grid->size[k] + 1.0, lo, hi);
     int steps;
@@ -2406,8 +2453,8 @@ TRIBOX_IMPL_FN size_t tribox_impl_saturating_add(size_t a, size_t b)
     return a + b < a ? (size_t)-1 : a + b;
 }
 
-/* One condition on voxels, A.index + D >= 0, or > 0 if strict; index counts from the walk's base. Edge conditions
- * have no term in their plane's axis. Beyond +-bound the value's sign is certain. */
+/* One condition on voxels, A.index + D >= 0, or > 0 if strict; index counts from the walk's base. Edge
+ * conditions have no term in their plane's axis. Beyond +-bound the value's sign is certain. */
 typedef struct tribox_impl_limit {
     double a[3];
     double d;
@@ -2429,11 +2476,13 @@ typedef struct tribox_impl_walk {
     int                on_lattice;  /* all values are exact, and shifted off zero: see tribox_impl_walk_add */
     double             size[3];
     double             v[3][3];     /* corners from the base's minimum corner */
-    double             slack[3];    /* bound of error of a coordinate difference, also of the few u of its arithmetic */
+    double             slack[3];    /* bound of error of a coordinate difference, also of the few u of its
+                                     * arithmetic */
     int                in_range;    /* the bounds hold */
     double             quantum;     /* on the lattice: its unit */
     int                limits;
-    int                first[5];    /* limits first[g]..first[g+1]-1: edges of xy, zx, yz; the plane's sides */
+    int                first[5];    /* limits first[g]..first[g+1]-1: edges of xy, zx, yz;
+                                     * the plane's sides */
     tribox_impl_limit  limit[11];
 } tribox_impl_walk;
 
@@ -2465,7 +2514,8 @@ TRIBOX_IMPL_COLD int tribox_impl_walk_exact(const tribox_impl_walk *w, int id, c
 TRIBOX_IMPL_FN int tribox_impl_limit_holds(const tribox_impl_walk *w, const tribox_impl_limit *c,
                                            const int64_t index[3])
 {
-    const double value = c->a[0] * (double)index[0] + c->a[1] * (double)index[1] + c->a[2] * (double)index[2] + c->d;
+    const double value = c->a[0] * (double)index[0] + c->a[1] * (double)index[1] +
+                         c->a[2] * (double)index[2] + c->d;
     if (value > c->bound) {
         return 1;
     }
@@ -2475,10 +2525,10 @@ TRIBOX_IMPL_FN int tribox_impl_limit_holds(const tribox_impl_walk *w, const trib
     return tribox_impl_walk_exact(w, c->id, index);
 }
 
-/* Narrows [*lo, *hi] to the indices along c->axis that the limit allows, the other two being index[]. The quotient is a
- * guess; what counts is that the value is certain on both sides of it. */
-TRIBOX_IMPL_FN void tribox_impl_limit_narrow(const tribox_impl_walk *w, const tribox_impl_limit *c, int64_t index[3],
-                                             int64_t *lo, int64_t *hi)
+/* Narrows [*lo, *hi] to the indices along c->axis that the limit allows, the other two being index[]. The
+ * quotient is a guess; what counts is that the value is certain on both sides of it. */
+TRIBOX_IMPL_FN void tribox_impl_limit_narrow(const tribox_impl_walk *w, const tribox_impl_limit *c,
+                                             int64_t index[3], int64_t *lo, int64_t *hi)
 {
     const double a = c->a[c->axis];
     int64_t least = *lo;
@@ -2495,7 +2545,8 @@ TRIBOX_IMPL_FN void tribox_impl_limit_narrow(const tribox_impl_walk *w, const tr
     }
     rest = c->a[0] * (double)index[0] + c->a[1] * (double)index[1] + c->a[2] * (double)index[2] + c->d;
     i = tribox_impl_guess(1.0 - rest / a, least, end);      /* a is 0 only where bound > 0 = value */
-    /* i should be the first index at which the limit's truth is (sign > 0), the last but one being the other */
+    /* i should be the first index at which the limit's truth is (sign > 0),
+     * the last but one being the other */
     value = rest + a * (double)i;
     if (c->sign > 0) {
         if ((i == end || value > c->bound) && (i == least || value - a < -c->bound)) {
@@ -2521,11 +2572,11 @@ TRIBOX_IMPL_FN void tribox_impl_limit_narrow(const tribox_impl_walk *w, const tr
     }
 }
 
-/* Completes a limit whose a holds n in units per length and d the value at the base's minimum corner: adds the
- * voxel's support, goes over to indices, and bounds the error (m: magnitudes that a was made of).
+/* Completes a limit whose a holds n in units per length and d the value at the base's minimum corner: adds
+ * the voxel's support, goes over to indices, and bounds the error (m: magnitudes that a was made of).
  *
- * Bound: sum m_k slack_k, see tribox_impl_walk_frame. On the lattice all this is exact; half a quantum up (or down,
- * where zero does not satisfy the limit) and no value is zero. */
+ * Bound: sum m_k slack_k, see tribox_impl_walk_frame. On the lattice all this is exact; half a quantum up
+ * (or down, where zero does not satisfy the limit) and no value is zero. */
 TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, int sign, const double n[3],
                                          const double m[3], double d)
 {
@@ -2550,7 +2601,8 @@ TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, 
     c->id = id;
     c->axis = axis;
     c->sign = sign;
-    if (!(w->in_range && c->bound >= 2.409919865102884e-181 && c->bound <= 8.452712498170644e+270)) {  /* 2^-600, 2^900 */
+    if (!(w->in_range &&
+          c->bound >= 2.409919865102884e-181 && c->bound <= 8.452712498170644e+270)) {  /* 2^-600, 2^900 */
         c->a[0] = c->a[1] = c->a[2] = c->d = 0.0;       /* exact signs alone */
         c->bound = 1.0;
         return;
@@ -2565,9 +2617,9 @@ TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, 
 
 /* Puts corners and voxels into one frame; finds out whether that frame is exact.
  *
- * Bound. A corner in this frame is within 4 u (|x| + |origin| + |base|) of its place; a limit's value is a sum of
- * n_k times differences of at most 2 reach_k, n_k being within 4 u m_k, through three more products and five sums:
- * within sum m_k (4 u (|x| + |origin| + |base|) + 32 u reach_k). */
+ * Bound. A corner in this frame is within 4 u (|x| + |origin| + |base|) of its place; a limit's value is a
+ * sum of n_k times differences of at most 2 reach_k, n_k being within 4 u m_k, through three more products
+ * and five sums: within sum m_k (4 u (|x| + |origin| + |base|) + 32 u reach_k). */
 TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
 {
     const tribox_grid *grid = w->grid;
@@ -2584,7 +2636,8 @@ TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
             w->v[i][k] = (x - grid->origin[k]) - base;
             farthest = tribox_impl_abs(x) > farthest ? tribox_impl_abs(x) : farthest;
         }
-        w->slack[k] = (farthest + tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) * (4.0 * TRIBOX_IMPL_U64);
+        w->slack[k] = (farthest + tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) *
+                      (4.0 * TRIBOX_IMPL_U64);
     }
     TRIBOX_IMPL_KEEP(w->v);
     w->in_range = 1;
@@ -2594,14 +2647,15 @@ TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
             reach = tribox_impl_abs(w->v[i][k]) > reach ? tribox_impl_abs(w->v[i][k]) : reach;
         }
         longest = reach > longest ? reach : longest;
-        w->in_range &= reach >= 4.909093465297727e-91 && reach <= 2.037035976334486e+90;        /* 2^-300, 2^300 */
+        w->in_range &= reach >= 4.909093465297727e-91 && reach <= 2.037035976334486e+90;  /* 2^-300, 2^300 */
         w->slack[k] += reach * (32.0 * TRIBOX_IMPL_U64);
     }
     w->on_lattice = 0;
     if (!(longest > 1e-80 && longest < 1e80)) {
         return;
     }
-    /* half units, for the centres of thin voxels: differences are below 2^15, degree-3 values below 2^51 of them */
+    /* half units, for the centres of thin voxels: differences are below 2^15,
+     * degree-3 values below 2^51 of them */
     scale = tribox_impl_lattice_scale(longest);
     w->quantum = 1.0 / scale;
     w->on_lattice = 1;
@@ -2615,8 +2669,8 @@ TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
     }
 }
 
-/* All limits but those that the index box implies: edges parallel to an axis, planes along two axes. In the order
- * in which the walk asks them: per row y, per layer z (first x, then y), per row and layer. */
+/* All limits but those that the index box implies: edges parallel to an axis, planes along two axes. In the
+ * order in which the walk asks them: per row y, per layer z (first x, then y), per row and layer. */
 TRIBOX_IMPL_FN void tribox_impl_walk_limits(tribox_impl_walk *w, const tribox_impl_edges *t)
 {
     int *first = w->first;
@@ -2682,9 +2736,11 @@ TRIBOX_IMPL_FN int tribox_impl_walk_box(tribox_impl_walk *w)
         const double x2 = w->corner[2][k];
         const int64_t lo = w->grid->lo[k];
         const int64_t hi = w->grid->hi[k];
-        w->base[k] = tribox_impl_plane_search(w->grid, k, lo + 1, hi + 1, tribox_impl_min(tribox_impl_min(x0, x1), x2),
+        w->base[k] = tribox_impl_plane_search(w->grid, k, lo + 1, hi + 1,
+                                              tribox_impl_min(tribox_impl_min(x0, x1), x2),
                                               hi_is_open) - 1;
-        w->count[k] = tribox_impl_plane_search(w->grid, k, lo, hi, tribox_impl_max(tribox_impl_max(x0, x1), x2),
+        w->count[k] = tribox_impl_plane_search(w->grid, k, lo, hi,
+                                               tribox_impl_max(tribox_impl_max(x0, x1), x2),
                                                !lo_is_open) - w->base[k];
         if (w->count[k] <= 0) {
             return 0;
@@ -2694,8 +2750,8 @@ TRIBOX_IMPL_FN int tribox_impl_walk_box(tribox_impl_walk *w)
 }
 
 /* Sets out over a valid grid. Returns 0 if no voxel's faces hold. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_walk_start(tribox_impl_walk *w, const tribox_grid *grid, const double v0[3],
-                                                const double v1[3], const double v2[3])
+TRIBOX_IMPL_NOINLINE int tribox_impl_walk_start(tribox_impl_walk *w, const tribox_grid *grid,
+                                                const double v0[3], const double v1[3], const double v2[3])
 {
     tribox_impl_edges t;
     int k;
@@ -2731,7 +2787,8 @@ TRIBOX_IMPL_FN void tribox_impl_set_run(const tribox_impl_target *t, uint64_t *r
     const uint64_t tail = ~(uint64_t)0 >> (63 - (to & 63));
     size_t word = from >> 6;
     const size_t last = to >> 6;
-    TRIBOX_IMPL_PREFETCH((uintptr_t)(row + word) + sizeof *row * t->ny * t->row_words);     /* the next layer's */
+    /* the next layer's */
+    TRIBOX_IMPL_PREFETCH((uintptr_t)(row + word) + sizeof *row * t->ny * t->row_words);
     if (word == last) {
         row[word] |= head & tail;
         return;
@@ -2751,13 +2808,13 @@ typedef struct tribox_impl_sink {
     size_t                    count;
 } tribox_impl_sink;
 
-TRIBOX_IMPL_FN void tribox_impl_walk_emit(const tribox_impl_walk *w, int64_t lo, int64_t hi, int64_t y, int64_t z,
-                                          tribox_impl_sink *sink)
+TRIBOX_IMPL_FN void tribox_impl_walk_emit(const tribox_impl_walk *w, int64_t lo, int64_t hi, int64_t y,
+                                          int64_t z, tribox_impl_sink *sink)
 {
     const tribox_impl_target *t = sink->target;
     if (t != NULL) {
-        uint64_t *row = t->bits + ((size_t)(w->base[2] + z - t->lo[2]) * t->ny + (size_t)(w->base[1] + y - t->lo[1])) *
-                                      t->row_words;
+        uint64_t *row = t->bits + ((size_t)(w->base[2] + z - t->lo[2]) * t->ny +
+                                   (size_t)(w->base[1] + y - t->lo[1])) * t->row_words;
         const int64_t start = w->base[0] - t->lo[0];
         tribox_impl_set_run(t, row, (size_t)(start + lo), (size_t)(start + hi));
         return;
@@ -2771,8 +2828,9 @@ TRIBOX_IMPL_FN void tribox_impl_walk_emit(const tribox_impl_walk *w, int64_t lo,
 
 #define TRIBOX_IMPL_TILE 64     /* rows y, and layers z, whose bounds are kept at once */
 
-/* The row walk: for a fixed row (y, z) every limit is a bound on x, so the voxels of a row are one span. The xy edges
- * bound x per y, the zx edges x per z, the yz edges y per z; only the plane's two sides depend on both. */
+/* The row walk: for a fixed row (y, z) every limit is a bound on x, so the voxels of a row are one
+ * span. The xy edges bound x per y, the zx edges x per z, the yz edges y per z; only the plane's
+ * two sides depend on both. */
 TRIBOX_IMPL_FN void tribox_impl_walk_rows(const tribox_impl_walk *w, tribox_impl_sink *sink)
 {
     int64_t tile_lo[TRIBOX_IMPL_TILE];
@@ -2831,10 +2889,10 @@ TRIBOX_IMPL_FN void tribox_impl_walk_rows(const tribox_impl_walk *w, tribox_impl
 /* A limit as four lines at once ask it, alpha*i + (beta*line + rest) >= 0, scaled to at most 1.
  *
  * Bound. alpha, beta and rest are rounded to float (1 u each), two products and two sums add 3 u, the sum of
- * magnitudes being at most 1: 4 u, taken as 8, on top of the limit's own. On a lattice and below 2^23 of its quanta
- * all is exact, and no value is zero. The root's quotient is a guess m, within one of the root: the values at m
- * and at its neighbour towards the other sign must both be certain. A limit too flat along i to have a root
- * takes its value at 0 for the whole line, up to |alpha| * count. */
+ * magnitudes being at most 1: 4 u, taken as 8, on top of the limit's own. On a lattice and below 2^23 of its
+ * quanta all is exact, and no value is zero. The root's quotient is a guess m, within one of the root: the
+ * values at m and at its neighbour towards the other sign must both be certain. A limit too flat along i to
+ * have a root takes its value at 0 for the whole line, up to |alpha| * count. */
 typedef struct tribox_impl_lines {
     double scale;
     float  alpha;
@@ -2876,8 +2934,9 @@ TRIBOX_IMPL_FN void tribox_impl_lines_init(tribox_impl_lines *q, const tribox_im
 }
 
 /* Narrows four lines. Returns the lanes in which the limit is not certain. */
-TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_lines_narrow(const tribox_impl_lines *q, tribox_impl_f4 line, float rest,
-                                                       tribox_impl_f4 count, tribox_impl_f4 *lo, tribox_impl_f4 *hi)
+TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_lines_narrow(const tribox_impl_lines *q, tribox_impl_f4 line,
+                                                       float rest, tribox_impl_f4 count,
+                                                       tribox_impl_f4 *lo, tribox_impl_f4 *hi)
 {
     const tribox_impl_f4 at_0 = tribox_impl_splat(q->beta) * line + tribox_impl_splat(rest);
     const tribox_impl_f4 root = at_0 * tribox_impl_splat(q->inverse);
@@ -2899,8 +2958,8 @@ typedef struct tribox_impl_bounds {
 } tribox_impl_bounds;
 
 /* One line's bounds, narrowed by a group of limits one by one: what the lanes leave open. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_line_exact(const tribox_impl_walk *w, int group, int64_t index[3], float *lo,
-                                                 float *hi)
+TRIBOX_IMPL_NOINLINE void tribox_impl_line_exact(const tribox_impl_walk *w, int group, int64_t index[3],
+                                                 float *lo, float *hi)
 {
     int64_t first = (int64_t)*lo;
     int64_t last = (int64_t)*hi;
@@ -2912,9 +2971,11 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_line_exact(const tribox_impl_walk *w, int 
     *hi = (float)last;
 }
 
-/* Bounds along `axis` of the tile of lines that starts at `start`, counted by line_axis, by the edges of a group. */
-TRIBOX_IMPL_FN void tribox_impl_tile_bounds(const tribox_impl_walk *w, const tribox_impl_lines *lines, int group,
-                                            int axis, int line_axis, int64_t start, tribox_impl_bounds *out)
+/* Bounds along `axis` of the tile of lines that starts at `start`, counted by line_axis,
+ * by the edges of a group. */
+TRIBOX_IMPL_FN void tribox_impl_tile_bounds(const tribox_impl_walk *w, const tribox_impl_lines *lines,
+                                            int group, int axis, int line_axis, int64_t start,
+                                            tribox_impl_bounds *out)
 {
     const tribox_impl_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
     const tribox_impl_f4 count = tribox_impl_splat((float)w->count[axis]);
@@ -2999,8 +3060,10 @@ TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_imp
                 y_start = y - row;
                 tribox_impl_tile_bounds(w, lines, 0, 0, 1, y_start, &x_of_y);
             }
-            lo_edges = tribox_impl_max4(tribox_impl_load4(x_of_y.lo + row), tribox_impl_splat(x_of_z.lo[layer]));
-            hi_edges = tribox_impl_min4(tribox_impl_load4(x_of_y.hi + row), tribox_impl_splat(x_of_z.hi[layer]));
+            lo_edges = tribox_impl_max4(tribox_impl_load4(x_of_y.lo + row),
+                                        tribox_impl_splat(x_of_z.lo[layer]));
+            hi_edges = tribox_impl_min4(tribox_impl_load4(x_of_y.hi + row),
+                                        tribox_impl_splat(x_of_z.hi[layer]));
             lo = lo_edges;
             hi = hi_edges;
             for (i = w->first[3]; i < w->first[4]; i++) {
@@ -3030,7 +3093,8 @@ TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_imp
                     }
                 }
                 if (t != NULL) {
-                    tribox_impl_set_run(t, row_bits + (size_t)i * t->row_words, start_x + (size_t)(int32_t)x_lo[i],
+                    tribox_impl_set_run(t, row_bits + (size_t)i * t->row_words,
+                                        start_x + (size_t)(int32_t)x_lo[i],
                                         start_x + (size_t)(int32_t)x_hi[i]);
                 } else {
                     tribox_impl_walk_emit(w, (int64_t)x_lo[i], (int64_t)x_hi[i], y + i, z, sink);
@@ -3194,14 +3258,14 @@ TRIBOX_IMPL_FN uint64_t tribox_impl_signs16(tribox_impl_b16 a)
 #define TRIBOX_IMPL_MIX8(name, a0, a1, a2, a3, a4, a5, a6, a7) \
     TRIBOX_IMPL_FN tribox_impl_b16 name(tribox_impl_b16 a, tribox_impl_b16 b) \
     { \
-        return __builtin_shufflevector(a, b, a0, a0 + 16, a1, a1 + 16, a2, a2 + 16, a3, a3 + 16, a4, a4 + 16, \
-                                       a5, a5 + 16, a6, a6 + 16, a7, a7 + 16); \
+        return __builtin_shufflevector(a, b, a0, a0 + 16, a1, a1 + 16, a2, a2 + 16, a3, a3 + 16, \
+                                       a4, a4 + 16, a5, a5 + 16, a6, a6 + 16, a7, a7 + 16); \
     }
 #define TRIBOX_IMPL_MIX16(name, a0, a1, a2, a3) \
     TRIBOX_IMPL_FN tribox_impl_b16 name(tribox_impl_b16 a, tribox_impl_b16 b) \
     { \
-        return (tribox_impl_b16)__builtin_shufflevector((tribox_impl_s8)a, (tribox_impl_s8)b, a0, a0 + 8, a1, \
-                                                        a1 + 8, a2, a2 + 8, a3, a3 + 8); \
+        return (tribox_impl_b16)__builtin_shufflevector((tribox_impl_s8)a, (tribox_impl_s8)b, a0, a0 + 8, \
+                                                        a1, a1 + 8, a2, a2 + 8, a3, a3 + 8); \
     }
 #else
 #define TRIBOX_IMPL_MIX8(name, a0, a1, a2, a3, a4, a5, a6, a7) \
@@ -3225,41 +3289,45 @@ TRIBOX_IMPL_MIX16(tribox_impl_high16, 4, 5, 6, 7)
 #define TRIBOX_IMPL_DWORDS(a, b, i, j, k, l) \
     ((tribox_impl_b16)TRIBOX_IMPL_LANES((tribox_impl_f4)(a), (tribox_impl_f4)(b), i, j, k, l))
 
-/* ---- Small triangles ------------------------------------------------------------------------------------
+/* ---- Small triangles -----------------------------------------------------------------------------------
  *
- * Conservative rules, count <= n = 2, 3 or 4 voxels on each axis. Three lanes hold the planes xy, yz, xz as (b, c);
- * n_a is twice the projected area there, as -n_y in xz. With sigma = sign n_a an edge from v along e says
+ * Conservative rules, count <= n = 2, 3 or 4 voxels on each axis. Three lanes hold the planes xy,
+ * yz, xz as (b, c); n_a is twice the projected area there, as -n_y in xz. With sigma = sign n_a
+ * an edge from v along e says
+ *   f(cell) = N.(cell - v) + max(N_b, 0) + max(N_c, 0) >= 0,   N = sigma (-e_c, e_b),      [SS10]
  *
- *   f(cell) = N.(cell - v) + max(N_b, 0) + max(N_c, 0) >= 0,   N = sigma (-e_c, e_b),                    [SS10]
+ * affine in the cell; the least of three decides the cell. The plane says
+ * |n|.(1/2, 1/2, 1/2) - |n.(centre - v0)| >= 0. A value's sign decides where all values are beyond their
+ * bounds, so that true signs are the same, and not 0: then every rule says the same. The sign of n_a is sure
+ * if |n_a| is above the bound too.
  *
- * affine in the cell; the least of three decides the cell. The plane says  |n|.(1/2, 1/2, 1/2) - |n.(centre - v0)|
- * >= 0. A value's sign decides where all values are beyond their bounds, so that true signs are the same, and not 0:
- * then every rule says the same. The sign of n_a is sure if |n_a| is above the bound too.
- *
- * Bound. u = 2^-23 as in section 10; X: the largest extent, |e| <= X <= n; |q - v| <= n for all corners q, v; so
- * |n_a| <= X^2 and |f| <= 2 n X. Coordinates d (delta) off move f = (v_i - q) x (v_j - q) by at most
- * d times the four differences: 4 n d. Rounding, in units of u n X:
+ * Bound. u = 2^-23 as in section 10; X: the largest extent, |e| <= X <= n; |q - v| <= n for all corners q, v;
+ * so |n_a| <= X^2 and |f| <= 2 n X. Coordinates d (delta) off move f = (v_i - q) x (v_j - q) by at most d
+ * times the four differences: 4 n d. Rounding, in units of u n X:
  *   N_b, N_c: 1 (X u each; edge 1, made of two differences: 3, of X u) times |q - v| <= n, twice: 2 (6)
  *   N.v: two products 2, their sum 2; the sum of the maxima, <= 2 X: 1 (X u 2, n >= 2); their difference: 2
  *   the steps to cell (b, c): at most 2 (n - 1) sums of at most 2 n X: 4 (n - 1)
- * In all 4 n + 3 (4 n + 7), so BOUND = n (u (4 n + 11) X + 4.125 d). n_a itself is off by 4 X d and, in units of
- * u X^2, by 2 + 2 (factors), 2 (products), 2 (difference; |n_a| <= X^2): 8, which is less.
- * The plane, with n_a off as said: d moves it by at most n (3 * 4 X d) + |n|.d <= 15 n X d; in units of u n X^2:
+ * In all 4 n + 3 (4 n + 7), so BOUND = n (u (4 n + 11) X + 4.125 d). n_a itself is off by 4 X d and, in units
+ * of u X^2, by 2 + 2 (factors), 2 (products), 2 (difference; |n_a| <= X^2): 8, which is less.
+ * The plane, with n_a off as said: d moves it by at most n (3 * 4 X d) + |n|.d <= 15 n X d;
+ * in units of u n X^2:
  *   n: 3 * 8; 1/2 - v0: 3; products: 3; two sums of at most 3: 6; steps: 3 (2 n - 1), and 1 for n_x * 3
  *   half the sum of |n|: (3 * 8 + 2 * 3) / 2 / n; the difference to |d|: 3
  * In all 37 + 6 n + 15/n, below 4 (4 n + 11) for n >= 2; so PLANE_BOUND = 4 X BOUND, and 1e-30 against
  * underflow: what flushing adds to a value is below 2^-120, to BOUND nothing since d >= 2^-100.
- * The rest (4.125, 11) covers second-order terms, coordinates outside [0, n] by d, and the bound's own rounding.
+ * The rest (4.125, 11) covers second-order terms, coordinates outside [0, n] by d,
+ * and the bound's own rounding.
  *
  * Flat in projection: where the sign of n_a is not sure, both sides of each edge are asked, f and
- * g = 2r + |n_a| - f, 2r = |N_b| + |N_c|. min(f, g) = r + |n/2| - |n/2 - c| of section 10 is meaningful for any n, and an error
- * of n counts once: 4 n d + 4 X d, and in units of u n X: f 4 n + 7, n_a 8, three sums 2 + 2 + 1 + 2: 4 n + 22;
- * both are below 2 BOUND.
- * An edge that is a point in projection has f = g = 0 everywhere; e is 0 as computed, so truly at most 2 d + u X. It
- * passes where it is implied: let the triangle's extent reach into each cell of the box by BOUND on each axis ("clear").
- * If another edge has both sides beyond 2 BOUND, |n_a| being below BOUND, its true line meets the cell; and its true
- * extent, at most 2 d + u X short of the triangle's on a side, meets it too. For a segment and a box these are all axes:
- * the segment, part of the triangle, meets the cell, and so all true conditions of this plane hold there. */
+ * g = 2r + |n_a| - f, 2r = |N_b| + |N_c|. min(f, g) = r + |n/2| - |n/2 - c| of section 10 is meaningful for
+ * any n, and an error of n counts once: 4 n d + 4 X d, and in units of u n X: f 4 n + 7, n_a 8, three sums
+ * 2 + 2 + 1 + 2: 4 n + 22; both are below 2 BOUND.
+ * An edge that is a point in projection has f = g = 0 everywhere; e is 0 as computed, so truly at most
+ * 2 d + u X. It passes where it is implied: let the triangle's extent reach into each cell of the box by
+ * BOUND on each axis ("clear"). If another edge has both sides beyond 2 BOUND, |n_a| being below BOUND, its
+ * true line meets the cell; and its true extent, at most 2 d + u X short of the triangle's on a side, meets
+ * it too. For a segment and a box these are all axes: the segment, part of the triangle, meets the cell, and
+ * so all true conditions of this plane hold there. */
 
 /* x, y of plane xy; y, z of plane yz; x, z of plane xz; lane 3 repeats lane 0 */
 #define TRIBOX_IMPL_FIRST(x) TRIBOX_IMPL_LANES(x, x, 0, 1, 0, 0)
@@ -3292,14 +3360,15 @@ TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_flip(tribox_impl_f4 a, tribox_impl
 }
 
 /* d from n and a corner: the value at the critical corner of cell 0. */
-TRIBOX_IMPL_FORCED void tribox_impl_small_through(tribox_impl_small_edge *e, tribox_impl_f4 v_b, tribox_impl_f4 v_c)
+TRIBOX_IMPL_FORCED void tribox_impl_small_through(tribox_impl_small_edge *e, tribox_impl_f4 v_b,
+                                                  tribox_impl_f4 v_c)
 {
     const tribox_impl_f4 zero = tribox_impl_splat(0.0f);
     e->d = (tribox_impl_max4(e->n_b, zero) + tribox_impl_max4(e->n_c, zero)) - (e->n_b * v_b + e->n_c * v_c);
 }
 
-TRIBOX_IMPL_FORCED void tribox_impl_small_init(tribox_impl_small_setup *s, tribox_impl_f4 x0, tribox_impl_f4 x1,
-                                               tribox_impl_f4 x2, float delta, float n)
+TRIBOX_IMPL_FORCED void tribox_impl_small_init(tribox_impl_small_setup *s, tribox_impl_f4 x0,
+                                               tribox_impl_f4 x1, tribox_impl_f4 x2, float delta, float n)
 {
     const tribox_impl_f4 t_min = tribox_impl_min4(tribox_impl_min4(x0, x1), x2);
     const tribox_impl_f4 t_max = tribox_impl_max4(tribox_impl_max4(x0, x1), x2);
@@ -3309,7 +3378,8 @@ TRIBOX_IMPL_FORCED void tribox_impl_small_init(tribox_impl_small_setup *s, tribo
     const tribox_impl_f4 v0_b = TRIBOX_IMPL_FIRST(x0);
     const tribox_impl_f4 v0_c = TRIBOX_IMPL_SECOND(x0);
     const tribox_impl_f4 half = { 0.5f, 0.5f, 0.5f, 0.0f };
-    const tribox_impl_i4 sign_bit = { TRIBOX_IMPL_SIGN_BIT, TRIBOX_IMPL_SIGN_BIT, TRIBOX_IMPL_SIGN_BIT, TRIBOX_IMPL_SIGN_BIT };
+    const tribox_impl_i4 sign_bit = { TRIBOX_IMPL_SIGN_BIT, TRIBOX_IMPL_SIGN_BIT,
+                                      TRIBOX_IMPL_SIGN_BIT, TRIBOX_IMPL_SIGN_BIT };
     const tribox_impl_i4 lane2 = { 0, 0, TRIBOX_IMPL_SIGN_BIT, 0 };
     tribox_impl_f4 a = x1 - x0;
     tribox_impl_f4 c = x2 - x0;
@@ -3332,7 +3402,8 @@ TRIBOX_IMPL_FORCED void tribox_impl_small_init(tribox_impl_small_setup *s, tribo
         const tribox_impl_f4 mw2 = mw + TRIBOX_IMPL_LANES(mw, mw, 1, 0, 3, 2);
         s->d = mw2 + TRIBOX_IMPL_LANES(mw2, mw2, 2, 3, 0, 1);
         s->n_abs = tribox_impl_flip(m, sign);
-        s->r = (TRIBOX_IMPL_LANES(s->n_abs, s->n_abs, 0, 0, 0, 0) + TRIBOX_IMPL_LANES(s->n_abs, s->n_abs, 1, 1, 1, 1) +
+        s->r = (TRIBOX_IMPL_LANES(s->n_abs, s->n_abs, 0, 0, 0, 0) +
+                TRIBOX_IMPL_LANES(s->n_abs, s->n_abs, 1, 1, 1, 1) +
                 TRIBOX_IMPL_LANES(s->n_abs, s->n_abs, 2, 2, 2, 2)) * tribox_impl_splat(0.5f);
         s->n_x = TRIBOX_IMPL_LANES(m, m, 1, 1, 1, 1);
         s->n_y = TRIBOX_IMPL_LANES(m, m, 2, 2, 2, 2);       /* negative */
@@ -3367,9 +3438,10 @@ TRIBOX_IMPL_FORCED tribox_impl_i4 tribox_impl_small_sign(tribox_impl_f4 value, t
 }
 
 /* The cells (b, 0..n-1): bytes plane + 4c; the last is repeated. */
-TRIBOX_IMPL_FORCED tribox_impl_b16 tribox_impl_small_cells(const tribox_impl_small_setup *s, tribox_impl_f4 f0,
-                                                           tribox_impl_f4 f1, tribox_impl_f4 f2,
-                                                           tribox_impl_f4 *least, int n, int what)
+TRIBOX_IMPL_FORCED tribox_impl_b16 tribox_impl_small_cells(const tribox_impl_small_setup *s,
+                                                           tribox_impl_f4 f0, tribox_impl_f4 f1,
+                                                           tribox_impl_f4 f2, tribox_impl_f4 *least,
+                                                           int n, int what)
 {
     const tribox_impl_f4 u0 = tribox_impl_min4(tribox_impl_min4(f0, f1), f2);
     const tribox_impl_f4 g0 = f0 + s->e0.n_c;
@@ -3385,21 +3457,26 @@ TRIBOX_IMPL_FORCED tribox_impl_b16 tribox_impl_small_cells(const tribox_impl_sma
     const tribox_impl_i4 v2 = tribox_impl_small_sign(u2, s->bound, least, what);
     tribox_impl_i4 v3 = v2;
     if (n > 3) {
-        const tribox_impl_f4 u3 = tribox_impl_min4(tribox_impl_min4(h0 + s->e0.n_c, h1 + s->e1.n_c), h2 + s->e2.n_c);
+        const tribox_impl_f4 u3 = tribox_impl_min4(tribox_impl_min4(h0 + s->e0.n_c, h1 + s->e1.n_c),
+                                                   h2 + s->e2.n_c);
         v3 = tribox_impl_small_sign(u3, s->bound, least, what);
     }
     return tribox_impl_pack16(tribox_impl_pack32(v0, v1), tribox_impl_pack32(v2, v3));
 }
 
 /* R - |d| at the voxels of a slice, bytes x + 4y; the last row is repeated. */
-TRIBOX_IMPL_FORCED tribox_impl_b16 tribox_impl_small_slice(const tribox_impl_small_setup *s, tribox_impl_f4 d0,
-                                                           tribox_impl_f4 *least, int n, int what)
+TRIBOX_IMPL_FORCED tribox_impl_b16 tribox_impl_small_slice(const tribox_impl_small_setup *s,
+                                                           tribox_impl_f4 d0, tribox_impl_f4 *least,
+                                                           int n, int what)
 {
     const tribox_impl_f4 d1 = d0 - s->n_y;
     const tribox_impl_f4 d2 = d1 - s->n_y;
-    const tribox_impl_i4 v0 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d0), s->plane_bound, least, what);
-    const tribox_impl_i4 v1 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d1), s->plane_bound, least, what);
-    const tribox_impl_i4 v2 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d2), s->plane_bound, least, what);
+    const tribox_impl_i4 v0 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d0), s->plane_bound,
+                                                     least, what);
+    const tribox_impl_i4 v1 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d1), s->plane_bound,
+                                                     least, what);
+    const tribox_impl_i4 v2 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d2), s->plane_bound,
+                                                     least, what);
     tribox_impl_i4 v3 = v2;
     if (n > 3) {
         v3 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d2 - s->n_y), s->plane_bound, least, what);
@@ -3418,7 +3495,6 @@ typedef struct tribox_impl_small_signs {
     tribox_impl_b16 p2;
     tribox_impl_b16 p3;
 } tribox_impl_small_signs;
-
 
 TRIBOX_IMPL_FORCED void tribox_impl_small_edges(tribox_impl_small_signs *v, const tribox_impl_small_setup *s,
                                                 tribox_impl_f4 *least, int n, int what)
@@ -3488,7 +3564,6 @@ TRIBOX_IMPL_FORCED uint64_t tribox_impl_small_voxels(const tribox_impl_small_sig
     return r;
 }
 
-
 /* The voxels of the box. */
 TRIBOX_IMPL_FN uint64_t tribox_impl_small_inside(const int count[3])
 {
@@ -3517,10 +3592,11 @@ TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_small_where(tribox_impl_i4 mask, tribo
     return (tribox_impl_f4)((mask & (tribox_impl_i4)a) | (~mask & (tribox_impl_i4)b));
 }
 
-
-/* What the quick way leaves open: areas without a sure sign, and doubts about voxels that something else decides. */
-TRIBOX_IMPL_COLD int tribox_impl_small_rare(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2, float delta,
-                                            float reach, const int count[3], uint64_t *out_voxels)
+/* What the quick way leaves open: areas without a sure sign,
+ * and doubts about voxels that something else decides. */
+TRIBOX_IMPL_COLD int tribox_impl_small_rare(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2,
+                                            float delta, float reach, const int count[3],
+                                            uint64_t *out_voxels)
 {
     tribox_impl_small_setup s;
     tribox_impl_small_signs v;
@@ -3539,7 +3615,8 @@ TRIBOX_IMPL_COLD int tribox_impl_small_rare(tribox_impl_f4 x0, tribox_impl_f4 x1
         const tribox_impl_f4 t_min = tribox_impl_min4(tribox_impl_min4(x0, x1), x2);
         const tribox_impl_f4 t_max = tribox_impl_max4(tribox_impl_max4(x0, x1), x2);
         const tribox_impl_f4 margin = s.bound;
-        const tribox_impl_f4 last = { (float)(count[0] - 1), (float)(count[1] - 1), (float)(count[2] - 1), 0.0f };
+        const tribox_impl_f4 last = { (float)(count[0] - 1), (float)(count[1] - 1),
+                                      (float)(count[2] - 1), 0.0f };
         const tribox_impl_i4 apart = (t_min > tribox_impl_splat(1.0f) - margin) | (t_max < last + margin);
         const tribox_impl_i4 clear = tribox_impl_splat_int((tribox_impl_signs(apart) & 7) == 0 ? -1 : 0);
         const tribox_impl_i4 point0 = tribox_impl_small_point(&s.e0) & clear;
@@ -3571,8 +3648,9 @@ TRIBOX_IMPL_COLD int tribox_impl_small_rare(tribox_impl_f4 x0, tribox_impl_f4 x1
     return (doubt & *out_voxels) == 0;
 }
 
-TRIBOX_IMPL_FORCED int tribox_impl_small_n(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2, float delta,
-                                           float reach, const int count[3], int n, uint64_t *out_voxels)
+TRIBOX_IMPL_FORCED int tribox_impl_small_n(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2,
+                                           float delta, float reach, const int count[3], int n,
+                                           uint64_t *out_voxels)
 {
     tribox_impl_small_setup s;
     tribox_impl_small_signs v;
@@ -3603,21 +3681,26 @@ TRIBOX_IMPL_FN int tribox_impl_small2(tribox_impl_f4 x0, tribox_impl_f4 x1, trib
         const tribox_impl_f4 f1 = s.e1.d + s.e1.n_b;
         const tribox_impl_f4 f2 = s.e2.d + s.e2.n_b;
         const tribox_impl_f4 v00 = tribox_impl_min4(tribox_impl_min4(s.e0.d, s.e1.d), s.e2.d);
-        const tribox_impl_f4 v01 = tribox_impl_min4(tribox_impl_min4(s.e0.d + s.e0.n_c, s.e1.d + s.e1.n_c), s.e2.d + s.e2.n_c);
+        const tribox_impl_f4 v01 = tribox_impl_min4(
+            tribox_impl_min4(s.e0.d + s.e0.n_c, s.e1.d + s.e1.n_c), s.e2.d + s.e2.n_c);
         const tribox_impl_f4 v10 = tribox_impl_min4(tribox_impl_min4(f0, f1), f2);
-        const tribox_impl_f4 v11 = tribox_impl_min4(tribox_impl_min4(f0 + s.e0.n_c, f1 + s.e1.n_c), f2 + s.e2.n_c);
+        const tribox_impl_f4 v11 = tribox_impl_min4(
+            tribox_impl_min4(f0 + s.e0.n_c, f1 + s.e1.n_c), f2 + s.e2.n_c);
         const tribox_impl_f4 least = tribox_impl_min4(
             tribox_impl_min4(tribox_impl_abs4(v00), tribox_impl_abs4(v01)),
             tribox_impl_min4(tribox_impl_min4(tribox_impl_abs4(v10), tribox_impl_abs4(v11)), s.n_abs));
-        const tribox_impl_b16 p0 = (tribox_impl_b16)tribox_impl_pack32((tribox_impl_i4)v00, (tribox_impl_i4)v01);
-        const tribox_impl_b16 p1 = (tribox_impl_b16)tribox_impl_pack32((tribox_impl_i4)v10, (tribox_impl_i4)v11);
+        const tribox_impl_b16 p0 = (tribox_impl_b16)tribox_impl_pack32((tribox_impl_i4)v00,
+                                                                       (tribox_impl_i4)v01);
+        const tribox_impl_b16 p1 = (tribox_impl_b16)tribox_impl_pack32((tribox_impl_i4)v10,
+                                                                       (tribox_impl_i4)v11);
         const tribox_impl_f4 d0 = s.d + (tribox_impl_f4)((tribox_impl_i4)s.n_x & at_x) -
                                   (tribox_impl_f4)((tribox_impl_i4)s.n_y & at_y);
         const tribox_impl_f4 d1 = d0 + s.n_z;
         const tribox_impl_f4 r0 = s.r - tribox_impl_abs4(d0);
         const tribox_impl_f4 r1 = s.r - tribox_impl_abs4(d1);
         const tribox_impl_f4 least_plane = tribox_impl_min4(tribox_impl_abs4(r0), tribox_impl_abs4(r1));
-        const tribox_impl_b16 plane = (tribox_impl_b16)tribox_impl_pack32((tribox_impl_i4)r0, (tribox_impl_i4)r1);
+        const tribox_impl_b16 plane = (tribox_impl_b16)tribox_impl_pack32((tribox_impl_i4)r0,
+                                                                          (tribox_impl_i4)r1);
         const tribox_impl_b16 low = tribox_impl_low16(p0, p1);
         const tribox_impl_b16 high = tribox_impl_high16(p0, p1);
         const tribox_impl_b16 low2 = tribox_impl_low16(low, low);
@@ -3637,11 +3720,12 @@ TRIBOX_IMPL_FN int tribox_impl_small2(tribox_impl_f4 x0, tribox_impl_f4 x1, trib
     return 1;
 }
 
-/* The voxels of a box of count <= 4 cells on each axis, its minimum corner at 0, that the triangle (x, y, z in voxels in
- * lanes 0..2, lane 3 is 0, each within delta) touches: bit x + 4*y + 16*z. The box is part of the triangle's index
- * box, which is at most `reach` voxels long, reach >= 2 and >= count. Returns 0 if a voxel is unsure. */
-TRIBOX_IMPL_FN int tribox_impl_small(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2, float delta, float reach,
-                                     const int count[3], uint64_t *out_voxels)
+/* The voxels of a box of count <= 4 cells on each axis, its minimum corner at 0, that the triangle
+ * (x, y, z in voxels in lanes 0..2, lane 3 is 0, each within delta) touches: bit x + 4*y + 16*z. The box is
+ * part of the triangle's index box, which is at most `reach` voxels long, reach >= 2 and >= count. Returns
+ * 0 if a voxel is unsure. */
+TRIBOX_IMPL_FN int tribox_impl_small(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2, float delta,
+                                     float reach, const int count[3], uint64_t *out_voxels)
 {
     const int all = (count[0] - 1) | (count[1] - 1) | (count[2] - 1);
     if (all < 2 && reach <= 2.0f) {
@@ -3653,17 +3737,19 @@ TRIBOX_IMPL_FN int tribox_impl_small(tribox_impl_f4 x0, tribox_impl_f4 x1, tribo
     return tribox_impl_small_n(x0, x1, x2, delta, reach, count, 4, out_voxels);
 }
 
-/* The fill's fast way, for triangles of a few voxels: most of every scanned mesh. Coordinates are voxels from the
- * region's minimum corner.
+/* The fill's fast way, for triangles of a few voxels: most of every scanned mesh. Coordinates are voxels from
+ * the region's minimum corner.
  *
- * Bound. X = v * inverse - origin / size: the product is off by 2 u |v| * inverse, the constant by u |origin| / size,
- * the sum by u |X|, u = 2^-23, where v lies within MARGIN of the region; doubles add less than 1e-9. Whoever comes that near to a grid plane, or lies more than MARGIN voxels off the
- * region, goes the exact way. Subnormals read as zero move X by less than 2^-126 * inverse, inverse <= 2^60. */
+ * Bound. X = v * inverse - origin / size: the product is off by 2 u |v| * inverse, the constant by
+ * u |origin| / size, the sum by u |X|, u = 2^-23, where v lies within MARGIN of the region; doubles add less
+ * than 1e-9. Whoever comes that near to a grid plane, or lies more than MARGIN voxels off the region, goes
+ * the exact way. Subnormals read as zero move X by less than 2^-126 * inverse, inverse <= 2^60. */
 typedef struct tribox_impl_quick {
     tribox_impl_f4 inverse;
     tribox_impl_f4 shift_down;  /* MARGIN - origin, less and plus the bound */
     tribox_impl_f4 shift_up;
-    tribox_impl_i4 start;       /* the region, MARGIN added: first voxel, last voxel, and the last that X may reach */
+    tribox_impl_i4 start;       /* the region, MARGIN added: first voxel, last voxel, and the last that X may
+                                 * reach */
     tribox_impl_i4 end;
     tribox_impl_i4 beyond;
     double         origin_f64[3];
@@ -3697,8 +3783,8 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         const double end = tribox_impl_abs(origin / size + n);
         const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + 1e-9;
         const double reach = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) / size + n + 64.0;
-        /* |x| <= 9, through two differences, a product with a rounded inverse, and a block's offset: 5 u of it; the
-         * corner's rest is within u of the corner, itself rounded: u u reach; doubles */
+        /* |x| <= 9, through two differences, a product with a rounded inverse, and a block's offset: 5 u of
+         * it; the corner's rest is within u of the corner, itself rounded: u u reach; doubles */
         const double delta = 48.0 * u + (u * u + 16.0 * TRIBOX_IMPL_U64) * 2.0 * reach;
         if (!(size > 1e-18 && size < 1e18 && n <= 65536.0 && slack < 0.125)) {
             q->on = 0;
@@ -3718,8 +3804,8 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
 }
 
 /* Sets the voxels of a box of up to 4 x 4 x 4 at `at`, bit x + 4 y + 16 z, where they lie in the region. */
-TRIBOX_IMPL_FN void tribox_impl_quick_set(const tribox_impl_quick *q, const tribox_impl_target *t, const int at[3],
-                                          const int count[3], uint64_t voxels)
+TRIBOX_IMPL_FN void tribox_impl_quick_set(const tribox_impl_quick *q, const tribox_impl_target *t,
+                                          const int at[3], const int count[3], uint64_t voxels)
 {
     const int cut_x = at[0] < 0 ? -at[0] : 0;
     const int room_x = q->n[0] - at[0];
@@ -3734,7 +3820,8 @@ TRIBOX_IMPL_FN void tribox_impl_quick_set(const tribox_impl_quick *q, const trib
     for (z = at[2] > 0 ? at[2] : 0; z < z_end; z++) {
         uint64_t *row = t->bits + (size_t)z * q->layer_words + ((size_t)x >> 6);
         for (y = at[1] > 0 ? at[1] : 0; y < y_end; y++) {
-            const uint64_t run = (voxels >> (16 * (z - at[2]) + 4 * (y - at[1])) & 15u) >> (cut_x < 4 ? cut_x : 4);
+            const uint64_t run = (voxels >> (16 * (z - at[2]) + 4 * (y - at[1])) & 15u) >>
+                                 (cut_x < 4 ? cut_x : 4);
             uint64_t *word = row + (size_t)y * t->row_words;
             if (run != 0) {
                 word[0] |= run << (x & 63);
@@ -3746,11 +3833,14 @@ TRIBOX_IMPL_FN void tribox_impl_quick_set(const tribox_impl_quick *q, const trib
     }
 }
 
-/* A triangle of up to 8 x 8 x 8 voxels, in blocks of 4 x 4 x 4. Returns 0 if unsure; voxels set by then are right. */
+/* A triangle of up to 8 x 8 x 8 voxels, in blocks of 4 x 4 x 4. Returns 0 if unsure;
+ * voxels set by then are right. */
 TRIBOX_IMPL_NOINLINE int tribox_impl_quick_small(const tribox_impl_quick *q, const tribox_impl_target *t,
-                                                 const void *const v[3], tribox_impl_i4 first, tribox_impl_i4 last)
+                                                 const void *const v[3], tribox_impl_i4 first,
+                                                 tribox_impl_i4 last)
 {
-    const int at[3] = { first[0] - TRIBOX_IMPL_MARGIN, first[1] - TRIBOX_IMPL_MARGIN, first[2] - TRIBOX_IMPL_MARGIN };
+    const int at[3] = { first[0] - TRIBOX_IMPL_MARGIN, first[1] - TRIBOX_IMPL_MARGIN,
+                        first[2] - TRIBOX_IMPL_MARGIN };
     const int count[3] = { last[0] - first[0] + 1, last[1] - first[1] + 1, last[2] - first[2] + 1 };
     const int longest = count[0] > count[1] ? count[0] : count[1];
     const float reach = (float)(longest > count[2] ? longest : count[2]);
@@ -3831,7 +3921,8 @@ TRIBOX_IMPL_FN void tribox_impl_quick_box(const tribox_impl_quick *q, const trib
                                   (last ^ __builtin_convertvector(high + q->shift_down, tribox_impl_i4));
     const tribox_impl_i4 not_finite = tribox_impl_above(tribox_impl_abs4(p0 + p1 + p2), 0x7f7fffff);
     const tribox_impl_i4 unsure = not_finite | differ | -differ | first | last | (q->beyond - last);
-    const tribox_impl_i4 other = (first - q->start) | (q->end - last) | (tribox_impl_splat_int(1) - (last - first));
+    const tribox_impl_i4 other = (first - q->start) | (q->end - last) |
+                                 (tribox_impl_splat_int(1) - (last - first));
     const tribox_impl_i4 at = first - q->start;
     const size_t word = (size_t)at[2] * q->layer_words + (size_t)at[1] * t->row_words + ((size_t)at[0] >> 6);
     boxes->first[i] = first;
@@ -3880,7 +3971,8 @@ TRIBOX_IMPL_FN int tribox_impl_quick_short(const tribox_impl_quick *q, const tri
                                                                                     : TRIBOX_IMPL_SMALL;
 }
 
-/* Triangles start..end-1, at most a batch. Leaves those that need the exact way in out_exact; returns how many. */
+/* Triangles start..end-1, at most a batch. Leaves those that need the exact way in out_exact;
+ * returns how many. */
 TRIBOX_IMPL_NOINLINE int tribox_impl_quick_batch(const tribox_impl_quick *q, const tribox_impl_target *t,
                                                  const tribox_mesh *mesh, size_t start, size_t end,
                                                  size_t out_exact[TRIBOX_IMPL_BATCH])
@@ -3911,8 +4003,8 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_quick_batch(const tribox_impl_quick *q, con
 #endif
 
 /* One triangle by the row walk. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_fill_exact(const tribox_grid *grid, const tribox_mesh *mesh, size_t triangle,
-                                                 const tribox_impl_target *target)
+TRIBOX_IMPL_NOINLINE void tribox_impl_fill_exact(const tribox_grid *grid, const tribox_mesh *mesh,
+                                                 size_t triangle, const tribox_impl_target *target)
 {
     tribox_impl_sink sink;
     const void *corner[3];
@@ -4006,7 +4098,8 @@ TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3],
     return inside;
 }
 
-/* Bounds of the mesh's triangles, those with a NaN or infinite corner left out. Returns 0 if there is none. */
+/* Bounds of the mesh's triangles, those with a NaN or infinite corner left out.
+ * Returns 0 if there is none. */
 TRIBOX_IMPL_FN int tribox_impl_mesh_bounds(const tribox_mesh *mesh, double out_min[3], double out_max[3])
 {
     int any = 0;
@@ -4051,7 +4144,8 @@ TRIBOX_IMPL_FN double tribox_impl_floor_to(double x, double q)
     return (whole > units ? whole - 1.0 : whole) * q;
 }
 
-/* Voxel size and origin are kept to few bits (24 and 2^-12 of a voxel), which keeps later exact signs short. */
+/* Voxel size and origin are kept to few bits (24 and 2^-12 of a voxel),
+ * which keeps later exact signs short. */
 TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
 {
     double t_min[3];
@@ -4101,7 +4195,7 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
 }
 
 #ifndef TRIBOX_NO_COMPANIONS
-/* ---- 13. Implementation: companions ---------------------------------------------------------------------
+/* ---- 13. Implementation: companions --------------------------------------------------------------------
  *
  * Each algorithm is written once, over tribox_impl_num, and runs at most twice: first in double with a bound
  * of the error beside each value, then, only if some sign was unsure, in integers. Both runs take the same
@@ -5779,7 +5873,7 @@ TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
 }
 #endif /* TRIBOX_NO_COMPANIONS */
 
-/* ---- 14. Undefine private macros ------------------------------------------------------------------------ */
+/* ---- 14. Undefine private macros ----------------------------------------------------------------------- */
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,5 @@
-# The checks that need more than cc and make: verification, golden answers, other platforms, fuzzing, mutation, proofs,
-# coverage, CUDA. A missing tool is named by a SKIP line.
+# The checks that need more than cc and make: verification, golden answers, other platforms, fuzzing,
+# mutation, proofs, coverage, CUDA. A missing tool is named by a SKIP line.
 
 VERIFY_THOUSANDS ?= 6000
 VERIFY_SEED      ?= 1

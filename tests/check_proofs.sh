@@ -26,7 +26,8 @@ MADE=$(constant '.*bound = [0-9.]* \* u \* terms + \([0-9.]*\) \* TRIBOX_IMPL_U6
 NORMAL=$(constant '.*abs(p) + tribox_impl_abs(q)) \* (\([0-9.]*\) \* TRIBOX_IMPL_U64);.*')
 FACE=$(constant '.*abs(t) + size) \* (\([0-9.]*\) \* TRIBOX_IMPL_U64);.*')
 export ULPS TERMS MADE NORMAL FACE
-echo "constants of tribox.h: one box $ULPS; prepared $TERMS and $MADE; sign of the normal $NORMAL; far face $FACE"
+echo "constants of tribox.h: one box $ULPS; prepared $TERMS and $MADE;" \
+    "sign of the normal $NORMAL; far face $FACE"
 
 # UNITS(n): n + 1/8 units of 2^-P, so that terms of second order fit. BELOW(n): n - 1 units, since the
 # header rounds its bound too. FUSED and PLAIN: lines for one kind of contraction.

@@ -189,7 +189,8 @@ int main(void)
         return 1;
     }
     printf("/* Written by gen_golden.c (`make golden`): do not edit. The first golden inputs as bit\n"
-           " * patterns (v0 v1 v2, box_min or p, box_max, size), the exact answers to them, and the hash of all\n"
+           " * patterns (v0 v1 v2, box_min or p, box_max, size), the exact answers to them, and the hash"
+           " of all\n"
            " * answers, to %d triangles and boxes and %d grids. golden_answers.h says what the bits of an\n"
            " * answer mean. */\n"
            "#ifndef GOLDEN_OVERLAP_H\n#define GOLDEN_OVERLAP_H\n\n",

@@ -1,5 +1,5 @@
-// The golden inputs answered by device code: one thread a chunk, then the same hash as everywhere. Without a GPU the
-// program says that it was only compiled, and passes.
+// The golden inputs answered by device code: one thread a chunk, then the same hash as everywhere. Without
+// a GPU the program says that it was only compiled, and passes.
 #include "golden_answers.h"
 #include "golden_overlap.h"
 
@@ -39,7 +39,8 @@ int main()
     }
     golden_kernel<<<GOLDEN_CHUNKS / 64, 64>>>(device);
     if (failed(cudaGetLastError(), "launch") || failed(cudaDeviceSynchronize(), "run") ||
-        failed(cudaMemcpy(chunks.data(), device, GOLDEN_CHUNKS * sizeof *device, cudaMemcpyDeviceToHost), "copy")) {
+        failed(cudaMemcpy(chunks.data(), device, GOLDEN_CHUNKS * sizeof *device, cudaMemcpyDeviceToHost),
+               "copy")) {
         return 1;
     }
     cudaFree(device);

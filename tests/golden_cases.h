@@ -7,7 +7,8 @@
  *
  *   golden_ask_single, golden_ask_grid, golden_ask_fill, golden_ask_locate
  *
- * C99 that is also C++98 and CUDA; calls no library. No expression draws twice: the order would be the compiler's.
+ * C99 that is also C++98 and CUDA; calls no library. No expression draws twice: the order would be the
+ * compiler's.
  */
 #ifndef GOLDEN_CASES_H
 #define GOLDEN_CASES_H
@@ -205,7 +206,8 @@ GOLDEN_FN void golden_triangle(uint64_t *state, int reach, int64_t v[9])
     }
 }
 
-/* a point of the triangle with weights in eighths, exact because corners are multiples of 8, slivers' nearly */
+/* a point of the triangle with weights in eighths, exact because corners are multiples of 8,
+ * slivers' nearly */
 GOLDEN_FN void golden_point(uint64_t *state, const int64_t v[9], int64_t point[3])
 {
     int k;
