@@ -50,6 +50,10 @@
  *
  * CHANGES          v0.1.0 2026-11-22  add: everything
  */
+#if defined(TRIBOX_H) && \
+    (TRIBOX_VERSION_MAJOR != 0 || TRIBOX_VERSION_MINOR != 1 || TRIBOX_VERSION_PATCH != 0)
+#error "two different versions of tribox.h in one file"
+#endif
 #ifndef TRIBOX_H
 #define TRIBOX_H
 
@@ -124,8 +128,9 @@
 /* Vectors of four floats, by the vector extensions of gcc and clang: no header, and the same source on every
  * ISA. 0 leaves the scalar body alone. Both give the same answers. */
 #ifndef TRIBOX_SIMD
-#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__TINYC__) && \
-    (defined(__SSE2__) || defined(__aarch64__))
+#if (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 9)) && \
+    (defined(__SSE2__) || defined(__aarch64__)) && \
+    !defined(__CUDACC__) && !defined(__TINYC__) && !defined(__INTEL_COMPILER) && !defined(__NVCOMPILER)
 #define TRIBOX_SIMD 1
 #else
 #define TRIBOX_SIMD 0
@@ -1475,11 +1480,6 @@ TRIBOX_IMPL_FN float tribox_impl_absf(float a)
     return a < 0.0f ? -a : a;
 }
 
-#ifdef NOG
-#define TRG 0
-#else
-#define TRG tribox_impl_any(out_of_range)
-#endif
 #if TRIBOX_SIMD
 /* The same filter in float, x, y, z in three lanes; the fourth stays 0.
  * A cross product comes out as z, x, y. */
@@ -3848,14 +3848,20 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_quick_small(const tribox_impl_quick *q, con
     const double c_x = q->origin_f64[0] + q->size_f64[0] * (double)at[0];
     const double c_y = q->origin_f64[1] + q->size_f64[1] * (double)at[1];
     const double c_z = q->origin_f64[2] + q->size_f64[2] * (double)at[2];
-    const tribox_impl_f4 corner = { (float)c_x, (float)c_y, (float)c_z, 0.0f };
-    const tribox_impl_f4 rest = { (float)(c_x - (double)corner[0]), (float)(c_y - (double)corner[1]),
-                                  (float)(c_z - (double)corner[2]), 0.0f };
-    tribox_impl_f4 x0 = tribox_impl_load3(v[0]) - corner;
-    tribox_impl_f4 x1 = tribox_impl_load3(v[1]) - corner;
-    tribox_impl_f4 x2 = tribox_impl_load3(v[2]) - corner;
+    tribox_impl_f4 corner = { (float)c_x, (float)c_y, (float)c_z, 0.0f };
+    tribox_impl_f4 rest = { 0.0f, 0.0f, 0.0f, 0.0f };
+    tribox_impl_f4 x0 = tribox_impl_load3(v[0]);
+    tribox_impl_f4 x1 = tribox_impl_load3(v[1]);
+    tribox_impl_f4 x2 = tribox_impl_load3(v[2]);
     int block[3];
     int k;
+    TRIBOX_IMPL_KEEP4(corner);      /* rounded: no compiler may use c_x in its place */
+    rest[0] = (float)(c_x - (double)corner[0]);
+    rest[1] = (float)(c_y - (double)corner[1]);
+    rest[2] = (float)(c_z - (double)corner[2]);
+    x0 -= corner;
+    x1 -= corner;
+    x2 -= corner;
     TRIBOX_IMPL_KEEP4(x0);
     TRIBOX_IMPL_KEEP4(x1);
     TRIBOX_IMPL_KEEP4(x2);
@@ -5874,6 +5880,40 @@ TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
 #endif /* TRIBOX_NO_COMPANIONS */
 
 /* ---- 14. Undefine private macros ----------------------------------------------------------------------- */
+
+#undef TRIBOX_IMPL_HD
+#undef TRIBOX_IMPL_INLINE
+#undef TRIBOX_IMPL_FN
+#undef TRIBOX_IMPL_COLD
+#undef TRIBOX_IMPL_NOINLINE
+#undef TRIBOX_IMPL_RARELY
+#undef TRIBOX_IMPL_PREFETCH
+#undef TRIBOX_IMPL_COPY
+#undef TRIBOX_IMPL_KEEP
+#undef TRIBOX_IMPL_KEEP4
+#undef TRIBOX_IMPL_KEEP_HERE
+#undef TRIBOX_IMPL_LIMBS
+#undef TRIBOX_IMPL_NO_EXPONENT
+#undef TRIBOX_IMPL_ALL_AXES
+#undef TRIBOX_IMPL_ULPS
+#undef TRIBOX_IMPL_U32
+#undef TRIBOX_IMPL_U64
+#undef TRIBOX_IMPL_LANES
+#undef TRIBOX_IMPL_KEY32_MAX
+#undef TRIBOX_IMPL_TILE
+#undef TRIBOX_IMPL_FAR
+#undef TRIBOX_IMPL_SIGN_BIT
+#undef TRIBOX_IMPL_FORCED
+#undef TRIBOX_IMPL_MIX8
+#undef TRIBOX_IMPL_MIX16
+#undef TRIBOX_IMPL_DWORDS
+#undef TRIBOX_IMPL_FIRST
+#undef TRIBOX_IMPL_SECOND
+#undef TRIBOX_IMPL_MARGIN
+#undef TRIBOX_IMPL_BATCH
+#undef TRIBOX_IMPL_NUM_LIMBS
+#undef TRIBOX_IMPL_NUM_U
+#undef TRIBOX_IMPL_KEY_INFINITY
 
 #ifdef __cplusplus
 }
