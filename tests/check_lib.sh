@@ -6,6 +6,7 @@
 CHECK_DIR=${CHECK_DIR:-build/check}
 CHECK_JOBS=${CHECK_JOBS:-2}
 CHECK_LIMIT=${CHECK_LIMIT:-900} # seconds a job may take
+# CHECK_SHOW=1: ok lines show the job's last line too
 export CHECK_DIR
 
 mkdir -p "$CHECK_DIR"
@@ -17,7 +18,7 @@ check_one() { # name, command...
     shift
     log=$(mktemp "$CHECK_DIR/log.XXXXXX")
     if timeout "$CHECK_LIMIT" bash -c '"$@"' job "$@" </dev/null >"$log" 2>&1; then
-        echo "ok   $name"
+        echo "ok   $name${CHECK_SHOW:+: $(tail -n 1 "$log")}"
         echo ok >>"$check_results"
     else
         { echo "FAIL $name"; echo "     $*"; tail -n 12 "$log" | sed 's/^/     /'; }

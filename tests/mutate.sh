@@ -10,22 +10,23 @@ set -u
 . tests/check_lib.sh
 
 out=$CHECK_DIR/mutate
-programs=${MUTATE_PROGRAMS:-"rule thin tri fill closed overlap frame nan grid symmetry exact mode field issues"}
+programs=${MUTATE_PROGRAMS:-"rule tri thin overlap grid fill exact nan mode symmetry frame closed field issues"}
 limit=${MUTATE_LIMIT:-20}
 cc=${MUTATE_CC:-gcc -std=c99 -O1}
 export programs limit cc
+CHECK_SHOW=1
 mkdir -p "$out"
 
-# 0 if some test program notices the broken header in the folder
+# 0 if some test program notices the broken header in the folder: first with few random questions, then as make test asks
 caught() { # folder
-    local name folder=$1
-    for name in $programs; do
-        [ -e "tests/test_$name.c" ] || continue
-        for variant in "" "-DTRIBOX_SIMD=0"; do
+    local name flags folder=$1
+    for flags in "-DTEST_SCALE=8" "" "-DTRIBOX_SIMD=0"; do
+        for name in $programs; do
+            [ -e "tests/test_$name.c" ] || continue
             # shellcheck disable=SC2086 # the compiler and flags are a list
-            $cc $variant -w -I"$folder" "$folder/tests/test_$name.c" -o "$folder/test" -lm || return 0
+            $cc $flags -w -I"$folder" "$folder/tests/test_$name.c" -o "$folder/test" -lm || return 0
             if ! timeout "$limit" "$folder/test" >"$folder/log" 2>&1; then
-                echo "caught by test_$name $variant"
+                echo "caught by test_$name $flags"
                 return 0
             fi
         done
@@ -36,23 +37,21 @@ caught() { # folder
 
 # makes a folder with the broken header and the tests; the text must occur exactly once
 mutant() { # number, old, new
-    local folder=$CHECK_DIR/mutate/$1 old=$2 new=$3 text rest
-    text=$(cat tribox.h; echo .)
-    text=${text%.}
-    rest=${text#*"$old"}
-    if [ "$rest" = "$text" ] || [ "${rest#*"$old"}" != "$rest" ]; then
-        echo "stale: the text is not found exactly once: $old"
-        return 1
-    fi
+    local folder=$CHECK_DIR/mutate/$1 status
     rm -rf "$folder"
     mkdir -p "$folder"
-    printf '%s' "${text%%"$old"*}$new$rest" >"$folder/tribox.h"
+    if ! OLD=$2 NEW=$3 awk -f tests/mutate.awk tribox.h >"$folder/tribox.h"; then
+        rm -rf "$folder"
+        echo "stale: the text is not found exactly once"
+        return 1
+    fi
     cp -r tests "$folder/"
     caught "$folder"
-    local status=$?
+    status=$?
     rm -rf "$folder"
     return $status
 }
+
 # the header as it is, on the same terms: else "caught" would mean nothing
 unbroken() {
     local folder=$CHECK_DIR/mutate/0 status
