@@ -3254,38 +3254,50 @@ TRIBOX_IMPL_FN uint64_t tribox_impl_signs16(tribox_impl_b16 a)
 #endif
 
 /* The low, or high, halves of a and b, lanes of 8 or 16 bits in turn. */
+TRIBOX_IMPL_FN tribox_impl_b16 tribox_impl_low8(tribox_impl_b16 a, tribox_impl_b16 b)
+{
 #if defined(__clang__)
-#define TRIBOX_IMPL_MIX8(name, a0, a1, a2, a3, a4, a5, a6, a7) \
-    TRIBOX_IMPL_FN tribox_impl_b16 name(tribox_impl_b16 a, tribox_impl_b16 b) \
-    { \
-        return __builtin_shufflevector(a, b, a0, a0 + 16, a1, a1 + 16, a2, a2 + 16, a3, a3 + 16, \
-                                       a4, a4 + 16, a5, a5 + 16, a6, a6 + 16, a7, a7 + 16); \
-    }
-#define TRIBOX_IMPL_MIX16(name, a0, a1, a2, a3) \
-    TRIBOX_IMPL_FN tribox_impl_b16 name(tribox_impl_b16 a, tribox_impl_b16 b) \
-    { \
-        return (tribox_impl_b16)__builtin_shufflevector((tribox_impl_s8)a, (tribox_impl_s8)b, a0, a0 + 8, \
-                                                        a1, a1 + 8, a2, a2 + 8, a3, a3 + 8); \
-    }
+    return __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19,
+                                   4, 20, 5, 21, 6, 22, 7, 23);
 #else
-#define TRIBOX_IMPL_MIX8(name, a0, a1, a2, a3, a4, a5, a6, a7) \
-    TRIBOX_IMPL_FN tribox_impl_b16 name(tribox_impl_b16 a, tribox_impl_b16 b) \
-    { \
-        const tribox_impl_b16 order = { a0, a0 + 16, a1, a1 + 16, a2, a2 + 16, a3, a3 + 16, \
-                                        a4, a4 + 16, a5, a5 + 16, a6, a6 + 16, a7, a7 + 16 }; \
-        return __builtin_shuffle(a, b, order); \
-    }
-#define TRIBOX_IMPL_MIX16(name, a0, a1, a2, a3) \
-    TRIBOX_IMPL_FN tribox_impl_b16 name(tribox_impl_b16 a, tribox_impl_b16 b) \
-    { \
-        const tribox_impl_s8 order = { a0, a0 + 8, a1, a1 + 8, a2, a2 + 8, a3, a3 + 8 }; \
-        return (tribox_impl_b16)__builtin_shuffle((tribox_impl_s8)a, (tribox_impl_s8)b, order); \
-    }
+    const tribox_impl_b16 order = { 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23 };
+    return __builtin_shuffle(a, b, order);
 #endif
-TRIBOX_IMPL_MIX8(tribox_impl_low8, 0, 1, 2, 3, 4, 5, 6, 7)
-TRIBOX_IMPL_MIX8(tribox_impl_high8, 8, 9, 10, 11, 12, 13, 14, 15)
-TRIBOX_IMPL_MIX16(tribox_impl_low16, 0, 1, 2, 3)
-TRIBOX_IMPL_MIX16(tribox_impl_high16, 4, 5, 6, 7)
+}
+
+TRIBOX_IMPL_FN tribox_impl_b16 tribox_impl_high8(tribox_impl_b16 a, tribox_impl_b16 b)
+{
+#if defined(__clang__)
+    return __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27,
+                                   12, 28, 13, 29, 14, 30, 15, 31);
+#else
+    const tribox_impl_b16 order = { 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31 };
+    return __builtin_shuffle(a, b, order);
+#endif
+}
+
+TRIBOX_IMPL_FN tribox_impl_b16 tribox_impl_low16(tribox_impl_b16 a, tribox_impl_b16 b)
+{
+#if defined(__clang__)
+    return (tribox_impl_b16)__builtin_shufflevector((tribox_impl_s8)a, (tribox_impl_s8)b,
+                                                    0, 8, 1, 9, 2, 10, 3, 11);
+#else
+    const tribox_impl_s8 order = { 0, 8, 1, 9, 2, 10, 3, 11 };
+    return (tribox_impl_b16)__builtin_shuffle((tribox_impl_s8)a, (tribox_impl_s8)b, order);
+#endif
+}
+
+TRIBOX_IMPL_FN tribox_impl_b16 tribox_impl_high16(tribox_impl_b16 a, tribox_impl_b16 b)
+{
+#if defined(__clang__)
+    return (tribox_impl_b16)__builtin_shufflevector((tribox_impl_s8)a, (tribox_impl_s8)b,
+                                                    4, 12, 5, 13, 6, 14, 7, 15);
+#else
+    const tribox_impl_s8 order = { 4, 12, 5, 13, 6, 14, 7, 15 };
+    return (tribox_impl_b16)__builtin_shuffle((tribox_impl_s8)a, (tribox_impl_s8)b, order);
+#endif
+}
+
 #define TRIBOX_IMPL_DWORDS(a, b, i, j, k, l) \
     ((tribox_impl_b16)TRIBOX_IMPL_LANES((tribox_impl_f4)(a), (tribox_impl_f4)(b), i, j, k, l))
 
@@ -3641,7 +3653,7 @@ TRIBOX_IMPL_COLD int tribox_impl_small_rare(tribox_impl_f4 x0, tribox_impl_f4 x1
         tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_DOUBT);
         doubt |= tribox_impl_small_voxels(&v, 4);
         tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_MISS);
-        v.p0 = v.p1 = v.p2 = v.p3 = v.e0 ^ v.e0;
+        v.p0 = v.p1 = v.p2 = v.p3 = (tribox_impl_b16)tribox_impl_splat_int(0);
         miss |= tribox_impl_small_voxels(&v, 4);
     }
     *out_voxels = ~miss & tribox_impl_small_inside(count);
@@ -4893,6 +4905,7 @@ TRIBOX_IMPL_COLD int tribox_impl_ray_box(const float origin[3], const float dir[
     int hit = 0;
     int exact;
     int k;
+    /* cppcheck-suppress uninitvar ; it is written there */
     tribox_impl_widen3(m.v[0], origin);
     tribox_impl_widen3(d, dir);
     tribox_impl_widen3(m.lo, box_min);
@@ -5163,6 +5176,7 @@ TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], flo
     const double t0 = tribox_impl_widen(&t_min);
     const double t1 = tribox_impl_widen(&t_max);
     int hit;
+    /* cppcheck-suppress uninitvar ; it is written there */
     tribox_impl_widen3(m.v[0], v0);
     tribox_impl_widen3(m.v[1], v1);
     tribox_impl_widen3(m.v[2], v2);
@@ -5243,6 +5257,7 @@ TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[
     float t[2];
     float axis[3];
     int hit;
+    /* cppcheck-suppress uninitvar ; it is written there */
     tribox_impl_widen3(m.v[0], v0);
     tribox_impl_widen3(m.v[1], v1);
     tribox_impl_widen3(m.v[2], v2);
@@ -5589,6 +5604,7 @@ TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3
 {
     tribox_impl_cut t;
     int count;
+    /* cppcheck-suppress uninitvar ; it is written there */
     tribox_impl_widen3(t.v[0], v0);
     tribox_impl_widen3(t.v[1], v1);
     tribox_impl_widen3(t.v[2], v2);
@@ -5904,8 +5920,6 @@ TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
 #undef TRIBOX_IMPL_FAR
 #undef TRIBOX_IMPL_SIGN_BIT
 #undef TRIBOX_IMPL_FORCED
-#undef TRIBOX_IMPL_MIX8
-#undef TRIBOX_IMPL_MIX16
 #undef TRIBOX_IMPL_DWORDS
 #undef TRIBOX_IMPL_FIRST
 #undef TRIBOX_IMPL_SECOND
