@@ -1230,16 +1230,15 @@ TRIBOX_IMPL_FN void tribox_impl_exact_corners(tribox_impl_exact *f, const double
  *   c_i: two products of 4 + 4 + 1, and 2 for their difference: 20
  *   n/2: (20 + 20 + 20 + 4 + 1)/2 = 33, |n/2| <= 1/2
  *   r_i: two products of 3/2 + 1.5 + 1/2, and 1: 8
- *   sum: 8 + 33 + (33 + 20 + 2.5), and 3.5 + 1 for the last two additions: 101 <= 128 = EDGE_ULPS
+ *   sum: 8 + 33 + (33 + 20 + 2.5), and 3.5 + 1 for the last two additions: 101
  * In units of u X_x X_y X_z:
  *   c_1.w_0: three products of 20 + 2*2 + 2, and 12 for the two sums: 90
- *   |n|.h: twice three products of 33/2 + 1.5/2 + 1/4, and 2: 107; their difference 4:
- *          201 <= 256 = PLANE_ULPS
- * What is left of 128 and 256 covers second-order terms, the rounding of the bound itself and reassociation.
+ *   |n|.h: twice three products of 33/2 + 1.5/2 + 1/4, and 2: 107; their difference 4: 201
+ * ULPS = 256 serves both; the rest covers second-order terms, the rounding of the bound and reassociation.
  *
  * Underflow, and subnormals read as zero, change a number by at most 2^-126 (2^-1022). Extents are 0 or
- * within [2^-30, 2^41) ([2^-300, 2^301)), so a bound of degree d is at least 2^-16 * 2^-30d
- * (2^-45 * 2^-300d), to which such errors, times the other extents, add less than 2^-19 of it; and nothing
+ * within [2^-30, 2^40] ([2^-300, 2^301)), so a bound of degree d is at least 2^-15 * 2^-30d
+ * (2^-44 * 2^-300d), to which such errors, times the other extents, add less than 2^-19 of it; and nothing
  * overflows. Where X_k = 0, every value with a factor of axis k is exactly 0, and so is its bound:
  * "value >= bound" is right, since that axis then follows from the faces, which lie strictly outside or are
  * closed there under every rule. */
