@@ -3938,17 +3938,18 @@ TRIBOX_IMPL_FN void tribox_impl_quick_box(const tribox_impl_quick *q, const trib
                                   (last ^ __builtin_convertvector(high + q->shift_down, tribox_impl_i4));
     const tribox_impl_i4 not_finite = tribox_impl_above(tribox_impl_abs4(p0 + p1 + p2), 0x7f7fffff);
     const tribox_impl_i4 unsure = not_finite | differ | -differ | first | last | (q->beyond - last);
-    const tribox_impl_i4 other = (first - q->start) | (q->end - last) |
-                                 (tribox_impl_splat_int(1) - (last - first));
+    const tribox_impl_i4 outside = (first - q->start) | (q->end - last);
     const tribox_impl_i4 at = first - q->start;
     const size_t word = (size_t)at[2] * q->layer_words + (size_t)at[1] * t->row_words + ((size_t)at[0] >> 6);
     boxes->first[i] = first;
     boxes->last[i] = last;
     boxes->unsure[i] = tribox_impl_signs(unsure) & 7;
-    boxes->other[i] = tribox_impl_signs(other) & 7;
+    boxes->other[i] = tribox_impl_signs(outside | (tribox_impl_splat_int(1) - (last - first))) & 7;
     boxes->word[i] = word;
-    TRIBOX_IMPL_PREFETCH((uintptr_t)t->bits + word * sizeof(uint64_t));
-    TRIBOX_IMPL_PREFETCH((uintptr_t)t->bits + (word + q->layer_words) * sizeof(uint64_t));
+    if ((tribox_impl_signs(outside) & 7) == 0) {
+        TRIBOX_IMPL_PREFETCH((uintptr_t)t->bits + word * sizeof(uint64_t));
+        TRIBOX_IMPL_PREFETCH((uintptr_t)t->bits + (word + q->layer_words) * sizeof(uint64_t));
+    }
 }
 
 /* What is to be done with a triangle of known box. */
@@ -3979,10 +3980,12 @@ TRIBOX_IMPL_FN int tribox_impl_quick_short(const tribox_impl_quick *q, const tri
                 return TRIBOX_IMPL_DONE;
             }
         }
+    } else if ((tribox_impl_signs((last - q->start) | (q->end - first)) & 7) != 0) {
+        /* off the region, by the guess on that side: X is off by the bound at most within MARGIN, by 2^-20 of
+         * itself beyond; a triangle that is not finite sets nothing anyway */
+        return TRIBOX_IMPL_DONE;
     } else if (boxes->unsure[i] != 0) {
         return TRIBOX_IMPL_EXACT;
-    } else if ((tribox_impl_signs((last - q->start) | (q->end - first)) & 7) != 0) {
-        return TRIBOX_IMPL_DONE;
     }
     return q->thin || (tribox_impl_signs(tribox_impl_splat_int(7) - extra) & 7) != 0 ? TRIBOX_IMPL_EXACT
                                                                                     : TRIBOX_IMPL_SMALL;
