@@ -1476,7 +1476,8 @@ TRIBOX_IMPL_FN float tribox_impl_maxf(float a, float b)
 
 TRIBOX_IMPL_FN float tribox_impl_absf(float a)
 {
-    return a < 0.0f ? -a : a;
+    const float zero = 0.0f;    /* a constant might be a double: FLT_EVAL_METHOD 1 */
+    return a < zero ? -a : a;
 }
 
 #if TRIBOX_SIMD
@@ -5823,6 +5824,8 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octant_values(const tribox_tri *tri, const f
     doubt = ~((unsigned)tribox_impl_signs((tribox_impl_i4)(below + one)) |
               (unsigned)tribox_impl_signs((tribox_impl_i4)(above + one)) << 4);
 #else
+    const float sure = 1.0f;
+    const float unsure = -1.0f;
     unsigned o;
     int i;
     for (o = 0; o < 8; o++) {
@@ -5834,8 +5837,8 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octant_values(const tribox_tri *tri, const f
             const float value = tri->n_x[i] * x + (tri->n_y[i] * y + tri->d[i] + tri->n_z[i] * z);
             least = value < least ? value : least;
         }
-        hits |= (unsigned)(least >= 1.0f) << o;
-        doubt |= (unsigned)(least >= -1.0f) << o;
+        hits |= (unsigned)(least >= sure) << o;
+        doubt |= (unsigned)(least >= unsure) << o;
     }
 #endif
     *out_doubt = doubt & ~hits;
