@@ -2426,7 +2426,8 @@ TRIBOX_IMPL_FN int64_t tribox_impl_guess(double x, int64_t lo, int64_t hi)
 TRIBOX_IMPL_FN int64_t tribox_impl_plane_search(const tribox_grid *grid, int k, int64_t lo, int64_t hi,
                                                 double x, int strict)
 {
-    int64_t i = tribox_impl_guess((x - grid->origin[k]) / grid->size[k] + 1.0, lo, hi);
+    const double size = grid->size[k];      /* a subnormal may be read as 0 */
+    int64_t i = tribox_impl_guess(size > 0.0 ? (x - grid->origin[k]) / size + 1.0 : 0.0, lo, hi);
     int steps;
     for (steps = 0; steps < 3; steps++) {
         if (i < hi && tribox_impl_plane_compare(grid, k, i, x) < strict) {
@@ -2544,7 +2545,7 @@ TRIBOX_IMPL_FN void tribox_impl_limit_narrow(const tribox_impl_walk *w, const tr
         return;
     }
     rest = c->a[0] * (double)index[0] + c->a[1] * (double)index[1] + c->a[2] * (double)index[2] + c->d;
-    i = tribox_impl_guess(1.0 - rest / a, least, end);      /* a is 0 only where bound > 0 = value */
+    i = tribox_impl_guess(a != 0.0 ? 1.0 - rest / a : 0.0, least, end);
     /* i should be the first index at which the limit's truth is (sign > 0),
      * the last but one being the other */
     value = rest + a * (double)i;
@@ -3791,10 +3792,11 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         const double base = (double)grid->lo[k] * size;
         const double origin = grid->origin[k] + base;
         const double n = (double)grid->hi[k] - (double)grid->lo[k];
-        const double start = tribox_impl_abs(origin) / size;
-        const double end = tribox_impl_abs(origin / size + n);
+        const double units = size > 1e-18 ? 1.0 / size : 0.0;
+        const double start = tribox_impl_abs(origin) * units;
+        const double end = tribox_impl_abs(origin * units + n);
         const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + 1e-9;
-        const double reach = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) / size + n + 64.0;
+        const double reach = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) * units + n + 64.0;
         /* |x| <= 9, through two differences, a product with a rounded inverse, and a block's offset: 5 u of
          * it; the corner's rest is within u of the corner, itself rounded: u u reach; doubles */
         const double delta = 48.0 * u + (u * u + 16.0 * TRIBOX_IMPL_U64) * 2.0 * reach;
