@@ -312,6 +312,58 @@ static void plane_almost_parallel_to_x_is_exact(void)
     }
 }
 
+/* Bounds of rows and layers are kept for 64 at a time: triangles over many more, in y and in z, set the voxels that
+ * the prepared test finds one by one. */
+static size_t rows_emitted;
+static unsigned char rows_hit[4][150][150];
+
+static void rows_mark(void *user, int x0, int x1, int y, int z)
+{
+    (void)user;
+    for (; x0 <= x1; x0++) {
+        rows_hit[x0][y][z]++;
+        rows_emitted++;
+    }
+}
+
+static void more_rows_than_are_kept_at_once_are_exact(void)
+{
+    const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {4, 150, 150}, 0};
+    const double size[3] = {1, 1, 1};
+    int i;
+
+    for (i = 0; i < TEST_LOOPS(8); i++) {
+        double v[3][3];
+        tribox_tri tri;
+        size_t expected = 0;
+        int bad = 0;
+        int x;
+        int y;
+        int z;
+        for (x = 0; x < 3; x++) {
+            v[x][0] = random_below(5) + random_signed();
+            v[x][1] = (x == 0 ? 2 : 75 * x) + random_signed();
+            v[x][2] = (x == 2 ? 3 : 140 - 60 * x) + random_signed();
+        }
+        tribox_tri_init_f64(&tri, v[0], v[1], v[2], size, 0);
+        memset(rows_hit, 0, sizeof rows_hit);
+        rows_emitted = 0;
+        tribox_grid_spans_f64(&grid, v[0], v[1], v[2], rows_mark, NULL);
+        for (x = 0; x < 4; x++) {
+            for (y = 0; y < 150; y++) {
+                for (z = 0; z < 150; z++) {
+                    const double p[3] = {x, y, z};
+                    const int hit = tribox_tri_test_f64(&tri, p);
+                    expected += (size_t)hit;
+                    bad += hit != rows_hit[x][y][z];
+                }
+            }
+        }
+        CHECK(bad == 0);
+        CHECK(rows_emitted == expected && expected > 0);
+    }
+}
+
 int main(void)
 {
     RUN(general_triangles_are_exact_on_every_voxel);
@@ -330,5 +382,6 @@ int main(void)
     RUN(small_triangle_in_the_largest_region_is_cheap);
     RUN(huge_triangle_over_a_small_region_is_cheap);
     RUN(plane_almost_parallel_to_x_is_exact);
+    RUN(more_rows_than_are_kept_at_once_are_exact);
     return test_report("test_grid");
 }
