@@ -232,8 +232,8 @@ typedef struct tribox_mesh {
  * Returns     1 = they share a point, 0 = they do not. NaN or an infinite corner: 0. box_min > box_max: 0.
  * Guarantees  Exact for every input; the same answer with any compiler, flags and rounding mode.
  * Cost        About 120 vector operations (float), 200 flops (double); within 2^-15 (2^-44) of
- *             touching, relative to the triangle's extent, up to a microsecond more, and up to
- *             100 for exponents far apart.
+ *             touching, relative to the triangle's extent, integers decide: their time grows with the
+ *             number of bits that the coordinates span.
  * Source      [AM01] for the axes; the bound is derived in "Implementation: one box".
  */
 TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
@@ -310,7 +310,7 @@ TRIBOX_FN int tribox_tri_test_f64(const tribox_tri *tri, const double p[3]);
  *             enough voxels to block every face-connected path. A face on a grid plane sets both layers when
  *             closed or thin, the upper one under HALF_OPEN, none under OPEN.
  * Cost        In the rows that the triangle crosses in the region, about 10 ns each, after about 400 ns; not
- *             in its size, the voxels' number, or the extent of the indices. 6 KiB of stack.
+ *             in its size, the voxels' number, or the extent of the indices. Less than 16 KiB of stack.
  * Source      The conditions of [SS10], each solved for x.
  */
 TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], const float v1[3],
@@ -333,7 +333,7 @@ TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid);
  * Guarantees  The voxels of tribox_grid_spans for every triangle. A z-slab of the region, given
  *             bits + (slab.lo[2] - whole.lo[2])*ny*row_words, writes exactly its part of the whole, so slabs
  *             can be filled by any number of threads. Where tribox_grid_words is 0, nothing is written.
- * Cost        Memory traffic for triangles of a voxel or two; see bench/. 8 KiB of stack.
+ * Cost        Memory traffic for triangles of a voxel or two; see bench/. Less than 16 KiB of stack.
  */
 TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits);
 
