@@ -91,9 +91,9 @@ static inline void take_question(bytes *b, question *ask, int f64)
     }
 }
 
-static inline exact *fuzz_judge(void)
+static inline exact_judge *fuzz_judge(void)
 {
-    static exact x;
+    static exact_judge x;
     static int ready;
     if (!ready) {
         exact_init(&x);

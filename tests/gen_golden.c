@@ -11,7 +11,7 @@
 
 #define TABLE 300
 
-static exact judge;
+static exact_judge judge;
 static int disagreements;
 
 static unsigned decide(const question *ask)

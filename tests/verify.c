@@ -37,8 +37,8 @@ typedef struct tally {
 } tally;
 
 typedef struct run {
-    exact x;
-    exact other;
+    exact_judge x;
+    exact_judge other;
     dice d;
     tally *count;
     uint64_t seed;

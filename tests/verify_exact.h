@@ -55,7 +55,7 @@ static const char *const exact_mutant_names[EXACT_MUTANTS] = {
 #define CLIP_MAX 16 /* a triangle clipped by six planes has at most nine corners */
 
 /* The question in integers at one scale, and work space. Infinite box faces are marked, not stored. */
-typedef struct exact {
+typedef struct exact_judge {
     int meaningful; /* 0: the answer is 0 under every rule */
     int endless;    /* some box face is infinite */
     int lo_inf[3];
@@ -72,9 +72,9 @@ typedef struct exact {
     mpq_t polygon[2][CLIP_MAX][3];
     mpq_t q[8];
     int touching; /* some axis had an exact contact */
-} exact;
+} exact_judge;
 
-static inline void exact_init(exact *x)
+static inline void exact_init(exact_judge *x)
 {
     int i, j, k;
     memset(x, 0, sizeof *x);
@@ -164,7 +164,7 @@ static inline int sign_of_double(double d)
 }
 
 /* the parts of a question that are no sets of points, by DESIGN's words on odd inputs */
-static inline int exact_meaningful(exact *x, const question *ask)
+static inline int exact_meaningful(exact_judge *x, const question *ask)
 {
     int i;
     for (i = 0; i < 9; ++i) {
@@ -198,7 +198,7 @@ static inline int exact_meaningful(exact *x, const question *ask)
     return 1;
 }
 
-static inline void exact_load(exact *x, const question *ask)
+static inline void exact_load(exact_judge *x, const question *ask)
 {
     int i, j, scale = 2000;
     x->touching = 0;
@@ -255,7 +255,7 @@ static inline void exact_load(exact *x, const question *ask)
 }
 
 /* the rules under which the box holds points at all */
-static inline unsigned exact_nonempty(const exact *x)
+static inline unsigned exact_nonempty(const exact_judge *x)
 {
     unsigned rules = 1u << RULE_CLOSED | 1u << RULE_HALF_OPEN | 1u << RULE_OPEN;
     int i;
@@ -276,7 +276,7 @@ static inline unsigned exact_nonempty(const exact *x)
 /* ---- separating axes, in integers ------------------------------------------------------------- */
 
 /* An infinite face may as well stand anywhere beyond the triangle: the part of the box there is the same. */
-static inline void axes_bound(exact *x)
+static inline void axes_bound(exact_judge *x)
 {
     int i;
     for (i = 0; i < 3; ++i) {
@@ -296,7 +296,7 @@ static inline void axes_bound(exact *x)
 }
 
 /* sign of the gap between two ends: the rules that survive when `gap` > 0 means apart, 0 means contact */
-static inline unsigned axes_gap(exact *x, int gap, int uses_lo, int uses_hi, int mutant)
+static inline unsigned axes_gap(exact_judge *x, int gap, int uses_lo, int uses_hi, int mutant)
 {
     unsigned closed = 1u << RULE_CLOSED;
     unsigned half = 1u << RULE_HALF_OPEN;
@@ -322,7 +322,7 @@ static inline unsigned axes_gap(exact *x, int gap, int uses_lo, int uses_hi, int
 
 /* rules not separated along x->d: the projections of the triangle, t[0]..t[1], and of the box, t[2]..t[3],
  * meet */
-static inline unsigned axes_along(exact *x, int mutant, int axis)
+static inline unsigned axes_along(exact_judge *x, int mutant, int axis)
 {
     int i, j;
     unsigned rules;
@@ -381,7 +381,7 @@ static inline unsigned axes_along(exact *x, int mutant, int axis)
     return rules;
 }
 
-static inline void exact_normal(exact *x)
+static inline void exact_normal(exact_judge *x)
 {
     int i;
     for (i = 0; i < 3; ++i) {
@@ -393,7 +393,7 @@ static inline void exact_normal(exact *x)
 }
 
 /* faces x y z, the plane, then edges 0 1 2 for axes x y z: the mask of rules under which they overlap */
-static inline unsigned axes_conservative(exact *x, int mutant)
+static inline unsigned axes_conservative(exact_judge *x, int mutant)
 {
     unsigned rules = exact_nonempty(x);
     int axis;
@@ -426,7 +426,7 @@ static inline unsigned axes_conservative(exact *x, int mutant)
 }
 
 /* out = |a| * (hi - lo) of axis k: the support of a thin voxel along one axis, doubled */
-static inline void thin_support(exact *x, mpz_t out, mpz_t a, int k)
+static inline void thin_support(exact_judge *x, mpz_t out, mpz_t a, int k)
 {
     mpz_sub(out, x->hi[k], x->lo[k]);
     mpz_mul(out, out, a);
@@ -434,7 +434,7 @@ static inline void thin_support(exact *x, mpz_t out, mpz_t a, int k)
 }
 
 /* keep the larger support (as defined), their sum, or the one of the larger |a| (mutants) */
-static inline void thin_gather(exact *x, mpz_t best, mpz_t largest, mpz_t a, int k, int mutant)
+static inline void thin_gather(exact_judge *x, mpz_t best, mpz_t largest, mpz_t a, int k, int mutant)
 {
     thin_support(x, x->t[7], a, k);
     if (mutant == MUTANT_THIN_SUM) {
@@ -451,7 +451,7 @@ static inline void thin_gather(exact *x, mpz_t best, mpz_t largest, mpz_t a, int
 
 /* [SS10] 6-separating with the products |n_a| h_a, the centre and half size of the whole voxel; everything
  * doubled */
-static inline int axes_thin(exact *x, int mutant)
+static inline int axes_thin(exact_judge *x, int mutant)
 {
     int a, i;
     if ((exact_nonempty(x) & 1u << RULE_CLOSED) == 0) {
@@ -504,12 +504,12 @@ static inline int axes_thin(exact *x, int mutant)
 }
 
 /* A thin voxel without end has no centre: it counts as the conservative one. A one-box test is never thin. */
-static inline int exact_thin_as_closed(const exact *x, const question *ask)
+static inline int exact_thin_as_closed(const exact_judge *x, const question *ask)
 {
     return x->endless || ask->kind == ASK_BOX;
 }
 
-static inline unsigned exact_axes_mutant(exact *x, const question *ask, int mutant)
+static inline unsigned exact_axes_mutant(exact_judge *x, const question *ask, int mutant)
 {
     unsigned rules;
     question rounded;
@@ -534,7 +534,7 @@ static inline unsigned exact_axes_mutant(exact *x, const question *ask, int muta
     return rules | axes_conservative(x, mutant);
 }
 
-static inline unsigned exact_axes(exact *x, const question *ask)
+static inline unsigned exact_axes(exact_judge *x, const question *ask)
 {
     return exact_axes_mutant(x, ask, MUTANT_NONE);
 }
@@ -543,7 +543,7 @@ static inline unsigned exact_axes(exact *x, const question *ask)
 
 /* keeps the part of polygon `from` with sign * (coordinate a - face) >= 0; returns the number of corners left
  */
-static inline int clip_by_face(exact *x, int from, int corners, int a, mpz_t face, int sign)
+static inline int clip_by_face(exact_judge *x, int from, int corners, int a, mpz_t face, int sign)
 {
     mpq_t(*in)[3] = x->polygon[from];
     mpq_t(*out)[3] = x->polygon[1 - from];
@@ -577,7 +577,7 @@ static inline int clip_by_face(exact *x, int from, int corners, int a, mpz_t fac
 
 /* Some corner of the polygon lies strictly inside the face; by convexity, if that holds for each open face,
  * the mean of such corners lies inside all of them. */
-static inline int clip_reaches_inside(exact *x, int from, int corners, int a, mpz_t face, int sign)
+static inline int clip_reaches_inside(exact_judge *x, int from, int corners, int a, mpz_t face, int sign)
 {
     int i;
     mpq_set_z(x->q[0], face);
@@ -589,7 +589,7 @@ static inline int clip_reaches_inside(exact *x, int from, int corners, int a, mp
     return 0;
 }
 
-static inline unsigned clip_conservative(exact *x)
+static inline unsigned clip_conservative(exact_judge *x)
 {
     unsigned rules = exact_nonempty(x);
     int i, k, now = 0, corners = 3;
@@ -627,7 +627,7 @@ static inline unsigned clip_conservative(exact *x)
 
 /* out = coordinate k of corner `which` of a thin voxel: 0 and 1 its ends along axis 0, 2 and 3 along 1, 4 and
  * 5 along 2 */
-static inline void thin_corner(exact *x, mpq_t out, int which, int k)
+static inline void thin_corner(exact_judge *x, mpq_t out, int which, int k)
 {
     if (which / 2 == k) {
         mpq_set_z(out, which % 2 == 0 ? x->lo[k] : x->hi[k]);
@@ -639,7 +639,7 @@ static inline void thin_corner(exact *x, mpq_t out, int which, int k)
 }
 
 /* orientation of triangle corners i, j and the thin voxel's corner, seen along axis a */
-static inline int thin_side(exact *x, int i, int j, int which, int a)
+static inline int thin_side(exact_judge *x, int i, int j, int which, int a)
 {
     int b = (a + 1) % 3;
     int c = (a + 2) % 3;
@@ -659,7 +659,7 @@ static inline int thin_side(exact *x, int i, int j, int which, int a)
 }
 
 /* orientation of the triangle seen along axis a */
-static inline int thin_turn(exact *x, int a)
+static inline int thin_turn(exact_judge *x, int a)
 {
     int b = (a + 1) % 3;
     int c = (a + 2) % 3;
@@ -673,7 +673,7 @@ static inline int thin_turn(exact *x, int a)
 }
 
 /* side of the triangle's plane on which a thin voxel's corner lies */
-static inline int thin_plane_side(exact *x, int which)
+static inline int thin_plane_side(exact_judge *x, int which)
 {
     int k;
     mpq_set_ui(x->q[6], 0, 1);
@@ -699,7 +699,7 @@ static inline int thin_plane_side(exact *x, int which)
 /* Thin support max |n_a| h_a is that of the six face centres: some centre must lie on or inside each edge
  * line of each projection, and centres on both sides of, or on, the plane; and the box must meet the
  * triangle's. */
-static inline int clip_thin(exact *x)
+static inline int clip_thin(exact_judge *x)
 {
     int a, i, which, above = 0, below = 0;
     if ((exact_nonempty(x) & 1u << RULE_CLOSED) == 0) {
@@ -740,7 +740,7 @@ static inline int clip_thin(exact *x)
     return 1;
 }
 
-static inline unsigned exact_clip(exact *x, const question *ask)
+static inline unsigned exact_clip(exact_judge *x, const question *ask)
 {
     unsigned rules;
     exact_load(x, ask);
@@ -757,7 +757,7 @@ static inline unsigned exact_clip(exact *x, const question *ask)
 /* ---- grid indices ----------------------------------------------------------------------------- */
 
 /* out = floor((point - origin) / size); 0 when there is no such integer */
-static inline int exact_index(exact *x, double point, double origin, double size, mpz_t out)
+static inline int exact_index(exact_judge *x, double point, double origin, double size, mpz_t out)
 {
     uint64_t m;
     int e, i, scale = 2000;
