@@ -1156,18 +1156,21 @@ TRIBOX_IMPL_FN int tribox_impl_exact_thin_axes(const tribox_impl_exact *f)
     return tribox_impl_exact_thin_plane(f, n_sign, 1) && tribox_impl_exact_thin_plane(f, n_sign, -1);
 }
 
-/* The exact answer for the triangle f->x[0..2] and the box rows LO..HI (MID for thin), every sign
- * exact. Conservative: the box is clipped to the triangle's bounding box first, so rows may be
- * infinite (read as +-2^1024, beyond every corner). A face is replaced, and then closed, only where it
- * lies strictly outside. */
+/* The exact answer for the triangle f->x[0..2] and the box rows LO..HI (MID for thin), whose faces are known
+ * to hold, every sign exact. Conservative: the box is clipped to the triangle's bounding box first, so
+ * rows may be infinite (read as +-2^1024, beyond every corner). A face is replaced, and then closed, only
+ * where it lies strictly outside. */
 TRIBOX_IMPL_COLD int tribox_impl_exact_overlap(tribox_impl_exact *f, unsigned flags)
 {
-    const int thin = (flags & TRIBOX_THIN) != 0;
-    const int lo_is_open = !thin && (flags & TRIBOX_OPEN) != 0;
-    const int hi_is_open = !thin && (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
+    const int hi_is_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
     unsigned open_lo = 0;
     unsigned open_hi = 0;
     int k;
+    if ((flags & TRIBOX_THIN) != 0) {
+        tribox_impl_exact_finish(f);
+        return tribox_impl_exact_thin_axes(f);
+    }
     for (k = 0; k < 3; k++) {
         const double t0 = f->x[0][k].base;
         const double t1 = f->x[1][k].base;
@@ -1176,15 +1179,6 @@ TRIBOX_IMPL_COLD int tribox_impl_exact_overlap(tribox_impl_exact *f, unsigned fl
         const tribox_impl_coord t_max = tribox_impl_at(tribox_impl_max(tribox_impl_max(t0, t1), t2), 0.0, 0);
         tribox_impl_coord *lo = &f->x[TRIBOX_IMPL_LO][k];
         tribox_impl_coord *hi = &f->x[TRIBOX_IMPL_HI][k];
-        const int lo_to_max = tribox_impl_compare(lo, &t_max);
-        const int hi_to_min = tribox_impl_compare(hi, &t_min);
-        if (lo_to_max > 0 || (lo_to_max == 0 && lo_is_open) ||
-            hi_to_min < 0 || (hi_to_min == 0 && hi_is_open)) {
-            return 0;
-        }
-        if (thin) {
-            continue;
-        }
         if (tribox_impl_compare(lo, &t_min) < 0) {
             *lo = t_min;
         } else if (lo_is_open) {
@@ -1198,8 +1192,7 @@ TRIBOX_IMPL_COLD int tribox_impl_exact_overlap(tribox_impl_exact *f, unsigned fl
         f->x[TRIBOX_IMPL_MID][k] = *lo;     /* unused */
     }
     tribox_impl_exact_finish(f);
-    return thin ? tribox_impl_exact_thin_axes(f)
-                : tribox_impl_exact_axes(f, TRIBOX_IMPL_ALL_AXES, open_lo, open_hi);
+    return tribox_impl_exact_axes(f, TRIBOX_IMPL_ALL_AXES, open_lo, open_hi);
 }
 
 TRIBOX_IMPL_FN void tribox_impl_exact_corners(tribox_impl_exact *f, const double v0[3], const double v1[3],
@@ -1458,8 +1451,8 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_overlap(const double v0[3], const double v1
         }
     }
     if (unsure != 0 && (clip.open_lo | clip.open_hi) == 0 && tribox_impl_clip_on_lattice(v0, v1, v2, &clip)) {
-        return filter.value[0] >= 0.0 && filter.value[1] >= 0.0 && filter.value[2] >= 0.0 &&
-               filter.value[3] >= 0.0;
+        /* an edge is a multiple of 1/8 of the unit squared, its bound below 2^-14 of it: unsure is zero */
+        return filter.value[3] >= 0.0;
     }
     return unsure == 0 || tribox_impl_clipped_exact(v0, v1, v2, &clip, unsure);
 }
@@ -1837,8 +1830,8 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
  * leaves room for second-order terms and for its own rounding. A and D are scaled by a power of two 1/S,
  * E <= S, so that values below -1 are misses and from 1 on hits. Underflow and subnormals read as zero: R
  * is taken as at least 2^-60 (2^-300), so |A|/S <= 2^80 (2^352), which multiplies errors of 2^-126
- * (2^-1022) at most; outside R <= 2^60 (2^300) and 2^-600 <= E <= 2^900 a condition is all zeros, which
- * is unsure for every p. */
+ * (2^-1022) at most; outside R <= 2^60 (2^300) and 2^-600 <= E a condition is all zeros, which is unsure
+ * for every p. */
 
 /* Orders as floats do; +0 and -0 are 0. */
 TRIBOX_IMPL_FN int32_t tribox_impl_key32(const float *x)
@@ -1925,14 +1918,10 @@ TRIBOX_IMPL_FN void tribox_impl_tri_keys(tribox_tri *tri, int k, int lo_is_open,
         tri->key_min[k] = -TRIBOX_IMPL_KEY32_MAX;
         return;
     }
-    /* the rounded difference is within a float or two of the least p, unless it overflows */
+    /* the rounded difference is a float or two below the least p, or is it: rounding is monotone */
     key = tribox_impl_is_finite(t_min - size) ? tribox_impl_key32_below(t_min - size)
                                               : -TRIBOX_IMPL_KEY32_MAX;
     key = key < -TRIBOX_IMPL_KEY32_MAX ? -TRIBOX_IMPL_KEY32_MAX : key;
-    while (key > -TRIBOX_IMPL_KEY32_MAX &&
-           tribox_impl_far_face(tribox_impl_key32_value(key - 1), size, t_min) >= hi_is_open) {
-        key--;
-    }
     while (key <= TRIBOX_IMPL_KEY32_MAX &&
            tribox_impl_far_face(tribox_impl_key32_value(key), size, t_min) < hi_is_open) {
         key++;
@@ -2030,7 +2019,7 @@ TRIBOX_IMPL_FN void tribox_impl_add_support(tribox_impl_condition *c, const trib
 }
 
 /* The power of two that scales the bound below 1; 0 where the bound does not hold.
- * Reaches are within [0, most]. */
+ * Reaches are within [0, most], so M <= 16 most^2, terms and made <= 2^7 most^3, the bound below 2^900. */
 TRIBOX_IMPL_FN double tribox_impl_condition_scale(const tribox_impl_condition *c, const tribox_impl_setup *s,
                                                   double u, double least, double most)
 {
@@ -2046,8 +2035,7 @@ TRIBOX_IMPL_FN double tribox_impl_condition_scale(const tribox_impl_condition *c
         made += c->m[k] * reach;
     }
     bound = 8.0 * u * terms + 16.0 * TRIBOX_IMPL_U64 * made;
-    if (!(in_range &&
-          bound >= 2.409919865102884e-181 && bound <= 8.452712498170644e+270)) {    /* 2^-600, 2^900 */
+    if (!(in_range && bound >= 2.409919865102884e-181)) {      /* 2^-600 */
         return 0.0;
     }
     return tribox_impl_from_bits64((uint64_t)(2045 - (tribox_impl_bits64(&bound) >> 52)) << 52);
@@ -2116,14 +2104,16 @@ TRIBOX_IMPL_FN void tribox_impl_store_edge(tribox_tri *tri, const tribox_impl_se
                               (edge.a[b] > 0.0 || edge.a[c] > 0.0))) << (3 * a + i);
 }
 
-/* side * n.(q - v0) >= 0. A plane along two axes bounds what a face bounds; n = 0 bounds nothing. */
+/* side * n.(q - v0) >= 0. A plane along axis k (n_k = 0) bounds what the edges across k bound: there they lie
+ * on one line, and ask about both its sides. Along two axes it bounds what a face bounds; n = 0 bounds
+ * nothing. */
 TRIBOX_IMPL_FN void tribox_impl_store_plane(tribox_tri *tri, const tribox_impl_setup *s, int side)
 {
     const int i = side > 0 ? 9 : 10;
     tribox_impl_condition plane;
     int positive = 0;
     int k;
-    if ((s->t.n_sign[0] != 0) + (s->t.n_sign[1] != 0) + (s->t.n_sign[2] != 0) < 2) {
+    if (s->t.n_sign[0] == 0 || s->t.n_sign[1] == 0 || s->t.n_sign[2] == 0) {
         tribox_impl_store_true(tri, i);
         return;
     }
@@ -2462,7 +2452,7 @@ typedef struct tribox_impl_limit {
     double bound;
     double quantum;         /* if bound = 0, on the lattice: all of the above are multiples of half of it */
     int    axis;            /* the index it limits */
-    int    sign;            /* of a[axis], exact */
+    int    sign;            /* of a[axis], exact: -1 or 1 */
     int    id;              /* 3*plane + edge; 9, 10: the two sides of the triangle's plane */
 } tribox_impl_limit;
 
@@ -2538,12 +2528,6 @@ TRIBOX_IMPL_FN void tribox_impl_limit_narrow(const tribox_impl_walk *w, const tr
     double value;
     int64_t i;
     index[c->axis] = 0;
-    if (c->sign == 0) {
-        if (!tribox_impl_limit_holds(w, c, index)) {
-            *hi = *lo - 1;
-        }
-        return;
-    }
     rest = c->a[0] * (double)index[0] + c->a[1] * (double)index[1] + c->a[2] * (double)index[2] + c->d;
     i = tribox_impl_guess(a != 0.0 ? 1.0 - rest / a : 0.0, least, end);
     /* i should be the first index at which the limit's truth is (sign > 0),
@@ -2602,8 +2586,7 @@ TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, 
     c->id = id;
     c->axis = axis;
     c->sign = sign;
-    if (!(w->in_range &&
-          c->bound >= 2.409919865102884e-181 && c->bound <= 8.452712498170644e+270)) {  /* 2^-600, 2^900 */
+    if (!(w->in_range && c->bound >= 2.409919865102884e-181)) {        /* 2^-600 */
         c->a[0] = c->a[1] = c->a[2] = c->d = 0.0;       /* exact signs alone */
         c->bound = 1.0;
         return;
@@ -2620,7 +2603,11 @@ TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, 
  *
  * Bound. A corner in this frame is within 4 u (|x| + |origin| + |base|) of its place; a limit's value is a
  * sum of n_k times differences of at most 2 reach_k, n_k being within 4 u m_k, through three more products
- * and five sums: within sum m_k (4 u (|x| + |origin| + |base|) + 32 u reach_k). */
+ * and five sums: within sum m_k (4 u (|x| + |origin| + |base|) + 32 u reach_k).
+ *
+ * In range, reaches are in [2^-300, 2^301), and slack is finite, so that m_k = 0 adds 0. Where m_k is not 0,
+ * the corners differ on axis k, by at most 2^303, so |x| is below 2^357, or the one corner would be lost in
+ * the other's spacing; |base| is below 2^333, |origin| below 2^358: no bound reaches 2^920. */
 TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
 {
     const tribox_grid *grid = w->grid;
@@ -2648,8 +2635,9 @@ TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
             reach = tribox_impl_abs(w->v[i][k]) > reach ? tribox_impl_abs(w->v[i][k]) : reach;
         }
         longest = reach > longest ? reach : longest;
-        w->in_range &= reach >= 4.909093465297727e-91 && reach <= 2.037035976334486e+90;  /* 2^-300, 2^300 */
         w->slack[k] += reach * (32.0 * TRIBOX_IMPL_U64);
+        w->in_range &= tribox_impl_extent_in_range(reach) & (reach > 0.0) &
+                       tribox_impl_is_finite(w->slack[k]);
     }
     w->on_lattice = 0;
     if (!(longest > 1e-80 && longest < 1e80)) {
@@ -2661,17 +2649,18 @@ TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
     w->quantum = 1.0 / scale;
     w->on_lattice = 1;
     for (k = 0; k < 3 && w->on_lattice; k++) {
+        /* so base*size is whole too: below 2^15 * 2^32 units, rounded nowhere */
         w->on_lattice = tribox_impl_on_lattice(grid->origin[k], scale) &&
-                        tribox_impl_on_lattice(grid->size[k], scale * 0.5) &&
-                        tribox_impl_on_lattice((double)w->base[k] * grid->size[k], scale);
+                        tribox_impl_on_lattice(grid->size[k], scale * 0.5);
         for (i = 0; i < 3; i++) {
             w->on_lattice &= tribox_impl_on_lattice(w->corner[i][k], scale);
         }
     }
 }
 
-/* All limits but those that the index box implies: edges parallel to an axis, planes along two axes. In the
- * order in which the walk asks them: per row y, per layer z (first x, then y), per row and layer. */
+/* All limits but those that the index box implies: edges parallel to an axis; and those that edges imply:
+ * a plane along an axis, see tribox_impl_store_plane. In the order in which the walk asks them: per row y,
+ * per layer z (first x, then y), per row and layer. */
 TRIBOX_IMPL_FN void tribox_impl_walk_limits(tribox_impl_walk *w, const tribox_impl_edges *t)
 {
     int *first = w->first;
@@ -2704,7 +2693,7 @@ TRIBOX_IMPL_FN void tribox_impl_walk_limits(tribox_impl_walk *w, const tribox_im
         }
     }
     first[3] = w->limits;
-    if ((t->n_sign[0] != 0) + (t->n_sign[1] != 0) + (t->n_sign[2] != 0) >= 2) {
+    if (t->n_sign[0] != 0 && t->n_sign[1] != 0 && t->n_sign[2] != 0) {
         int side;
         for (side = 1; side >= -1; side -= 2) {
             double n[3];
@@ -2921,7 +2910,7 @@ TRIBOX_IMPL_FN void tribox_impl_lines_init(tribox_impl_lines *q, const tribox_im
     if (c->bound > 0.0 || terms > c->quantum * 8388608.0) {     /* 2^23 */
         bound = c->bound * scale + (double)(8.0f * TRIBOX_IMPL_U32);
     }
-    flat = c->sign == 0 || along <= 4.0 * bound;
+    flat = along <= 4.0 * bound;
     q->scale = scale;
     q->alpha = flat ? 0.0f : (float)(c->a[c->axis] * scale);
     q->beta = (float)(c->a[line_axis] * scale);
@@ -3166,7 +3155,7 @@ TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid)
         }
         words *= (size_t)n;
     }
-    return words <= most ? words : 0;
+    return words;
 }
 
 /* Corner c of the mesh's triangle t. */

@@ -85,6 +85,17 @@ for std in c++98 c++11 c++17 c++20; do
     done
 done
 
+# the whole suite where floating-point arithmetic is least to be trusted
+suite() { # compiler, flags
+    make -s test B="$CHECK_DIR/suite/$1$2" CC="$1" CFLAGS="$2"
+}
+export -f suite
+for cc in gcc clang; do
+    have $cc && job "make test: $cc -Ofast -march=native" suite $cc "-Ofast -march=native"
+done
+# not -Ofast: the tests' own conversions to float would then round nowhere
+have gcc && job "make test: gcc -O2, x87" suite gcc "-O2 -m32 -mfpmath=387 -mno-sse"
+
 # Emulated machines; static, so that the emulator needs no libraries of theirs. All three fuse by default.
 for arch in aarch64 s390x riscv64; do
     for flags in -O0 -O2 "-O3 -ffast-math"; do

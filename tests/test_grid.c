@@ -254,6 +254,134 @@ static void counts_saturate(void)
     const size_t      expected = exact > SIZE_MAX ? SIZE_MAX : (size_t)exact;
 
     CHECK(tribox_grid_spans_f64(&grid, v0, v1, v2, 0, 0) == expected);
+    /* no grid has the rows for it where size_t has 64 bits, so the sum itself is asked */
+    CHECK(tribox_impl_saturating_add((size_t)-1, 2) == (size_t)-1);
+    CHECK(tribox_impl_saturating_add((size_t)-3, 2) == (size_t)-1);
+}
+
+/* Voxel sizes near 1e308: differences of corner and origin overflow, so the first guess at an index is an
+ * end of the region, many voxels off. */
+static void grids_over_all_doubles_are_exact_on_every_voxel(void)
+{
+    static voxels v;
+    int           i;
+
+    random_seed(97);
+    for (i = 0; i < TEST_LOOPS(60); i++) {
+        int far_axis = i % 3;
+        int a;
+        v.seed = random_state;
+        for (a = 0; a < 3; a++) {
+            int sign = random_below(2) ? 1 : -1;
+            int j;
+            v.grid.origin[a] = a == far_axis ? sign * -1.7e308 : 0;
+            v.grid.size[a] = a == far_axis ? 1e307 + random_below(9) * 1e307 : 1;
+            v.grid.lo[a] = a == far_axis ? -16 : 0;
+            v.grid.hi[a] = a == far_axis ? 48 : 3;
+            for (j = 0; j < 3; j++) {
+                v.t.v[j][a] = a != far_axis ? 3 * random_signed()
+                              : i % 2       ? 1.7e308
+                                            : 1.7e308 * random_signed();
+            }
+        }
+        voxels_finish(&v);
+        CHECK(voxels_ask_all(&v));
+    }
+}
+
+/* Triangles in a plane at 1.7e308, where the sum of two coordinates' magnitudes is infinite: a layer of
+ * the grid like any other. */
+static void layers_at_the_largest_doubles_are_exact_on_every_voxel(void)
+{
+    static voxels v;
+    int           i;
+
+    random_seed(98);
+    for (i = 0; i < TEST_LOOPS(60); i++) {
+        int flat = i % 3;
+        int a;
+        v.seed = random_state;
+        for (a = 0; a < 3; a++) {
+            int j;
+            v.grid.origin[a] = a == flat ? 1.7e308 : 0;
+            v.grid.size[a] = a == flat ? power_of_two(random_below(1000) - 100) : 1;
+            v.grid.lo[a] = a == flat ? -2 : 0;
+            v.grid.hi[a] = a == flat ? 2 : 5;
+            for (j = 0; j < 3; j++) {
+                v.t.v[j][a] = a == flat ? 1.7e308 : 2.5 + 3 * random_signed();
+            }
+        }
+        voxels_finish(&v);
+        CHECK(voxels_ask_all(&v));
+    }
+}
+
+/* Triangles of 1e-200 about a corner of voxels of size 1: their bounds of error are out of every range. */
+static void vanishing_triangles_are_exact_on_every_voxel(void)
+{
+    static voxels v;
+    int           i;
+
+    random_seed(99);
+    for (i = 0; i < TEST_LOOPS(200); i++) {
+        int a;
+        v.seed = random_state;
+        for (a = 0; a < 3; a++) {
+            int j;
+            v.grid.origin[a] = 0;
+            v.grid.size[a] = 1;
+            v.grid.lo[a] = -2;
+            v.grid.hi[a] = 2;
+            for (j = 0; j < 3; j++) {
+                v.t.v[j][a] = (random_below(9) - 4) * power_of_two(-660);
+            }
+        }
+        voxels_finish(&v);
+        CHECK(voxels_ask_all(&v));
+    }
+}
+
+/* Whole coordinates on a grid whose planes are not: sizes, or the origin, of which no power of two makes
+ * whole numbers. */
+static void whole_corners_on_a_broken_grid_are_exact_on_every_voxel(void)
+{
+    static voxels v;
+    int           i;
+
+    random_seed(100);
+    for (i = 0; i < TEST_LOOPS(200); i++) {
+        int a;
+        v.seed = random_state;
+        for (a = 0; a < 3; a++) {
+            int j;
+            v.grid.origin[a] = i % 2 ? 1 : 0.1;
+            v.grid.size[a] = i % 4 == 0 ? 1 : 1.1;
+            v.grid.lo[a] = -1;
+            v.grid.hi[a] = 6;
+            for (j = 0; j < 3; j++) {
+                v.t.v[j][a] = random_below(9) - 1;
+            }
+        }
+        voxels_finish(&v);
+        CHECK(voxels_ask_all(&v));
+    }
+}
+
+/* More than 2^20 rows, in y or in z: a segment along each axis is a row of that many voxels. */
+static void a_million_rows_are_counted(void)
+{
+    const size_t n = (size_t)1048580;
+    int          a;
+
+    for (a = 0; a < 3; a++) {
+        tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {-4, -4, -4}, {2000000, 2000000, 2000000}, 0};
+        double      v0[3] = {0.5, 0.5, 0.5};
+        double      v1[3] = {0.5, 0.5, 0.5};
+        v1[a] = (double)n - 0.5;
+        CHECK(tribox_grid_spans_f64(&grid, v0, v1, v1, 0, 0) == n);
+        v1[(a + 1) % 3] = 1.25;     /* and one that crosses a grid plane: one voxel more */
+        CHECK(tribox_grid_spans_f64(&grid, v0, v1, v1, 0, 0) == n + 1);
+    }
 }
 
 /* The largest region there is, and a triangle of two voxels: the cost is the triangle's. */
@@ -312,8 +440,8 @@ static void plane_almost_parallel_to_x_is_exact(void)
     }
 }
 
-/* Bounds of rows and layers are kept for 64 at a time: triangles over many more, in y and in z, set the voxels that
- * the prepared test finds one by one. */
+/* Bounds of rows and layers are kept for 64 at a time: triangles over many more, in y and in z, set the
+ * voxels that the prepared test finds one by one. */
 static size_t rows_emitted;
 static unsigned char rows_hit[4][150][150];
 
@@ -379,6 +507,11 @@ int main(void)
     RUN(cut_regions_emit_their_part_of_the_whole);
     RUN(one_row_through_all_indices_is_one_span);
     RUN(counts_saturate);
+    RUN(grids_over_all_doubles_are_exact_on_every_voxel);
+    RUN(layers_at_the_largest_doubles_are_exact_on_every_voxel);
+    RUN(vanishing_triangles_are_exact_on_every_voxel);
+    RUN(whole_corners_on_a_broken_grid_are_exact_on_every_voxel);
+    RUN(a_million_rows_are_counted);
     RUN(small_triangle_in_the_largest_region_is_cheap);
     RUN(huge_triangle_over_a_small_region_is_cheap);
     RUN(plane_almost_parallel_to_x_is_exact);

@@ -166,6 +166,46 @@ static void flushed_subnormals_still_decide(void)
     }
 }
 
+/* One number alone that the processor reads as zero, in each of a question's fifteen places, is noticed:
+ * the float filter looks at every argument, whatever the others are. */
+static void one_flushed_number_still_decides(void)
+{
+    static question batch[15];
+    int             round;
+
+    if (!flush_subnormals(0)) {
+        printf("SKIP: no flush-to-zero here\n");
+        return;
+    }
+    random_seed(66);
+    for (round = 0; round < TEST_LOOPS(400); round++) {
+        int bad = 0;
+        int i;
+        for (i = 0; i < 15; i++) {
+            question *q = &batch[i];
+            double   *number = i < 9 ? &q->t.v[i / 3][i % 3] : i < 12 ? &q->lo[i - 9] : &q->hi[i - 12];
+            int       a;
+            q->seed = random_state;
+            for (a = 0; a < 3; a++) {
+                int j;
+                for (j = 0; j < 3; j++) {
+                    q->t.v[j][a] = random_below(7) - 3;
+                }
+                q->lo[a] = random_below(5) - 3;
+                q->hi[a] = q->lo[a] + 1 + random_below(3);
+            }
+            *number = (random_below(2) ? 1 : -1) * power_of_two(-127 - random_below(22));
+            question_from_box(q);
+        }
+        flush_subnormals(1);
+        for (i = 0; i < 15; i++) {
+            bad += !ask_all(&batch[i]);
+        }
+        flush_subnormals(0);
+        CHECK(bad == 0);
+    }
+}
+
 /* Equality of faces one subnormal apart: the point 2^-149 lies on the face of [2^-149, 1], and 0 does not. */
 static void flushed_faces_differ_by_one_subnormal(void)
 {
@@ -203,6 +243,7 @@ int main(void)
     RUN(rounding_toward_zero_changes_no_answer);
     RUN(flushing_subnormals_changes_no_answer);
     RUN(flushed_subnormals_still_decide);
+    RUN(one_flushed_number_still_decides);
     RUN(flushed_faces_differ_by_one_subnormal);
     return test_report("test_mode");
 }

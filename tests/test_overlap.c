@@ -282,6 +282,71 @@ static void questions_on_three_points_a_side_are_exact(void)
     }
 }
 
+/* Where coordinates are whole and values exact, their sign decides, also within the bound: a corner of the
+ * box misses the plane by one unit cubed, the least there is, 32,000 units from corner to corner; as far on
+ * the other side of the plane, it touches. One corner is the origin; q lies over the triangle's inside. */
+static void planes_missed_by_one_unit_cubed_are_exact(void)
+{
+    static const int cases[6][3][3] = {     /* v1, v2, q: n.q = 1, found by Euclid's algorithm */
+        {{3566, 28895, 31786}, {31285, 1370, 408}, {8282, 8328, 8905}},
+        {{30421, 29085, 31046}, {28773, 2704, 3089}, {14777, 4735, 5131}},
+        {{29793, 0, 29242}, {0, 30653, 3672}, {7975, 8811, 8883}},
+        {{31013, 0, 1220}, {30324, 28393, 28357}, {22726, 17675, 17804}},
+        {{29689, 30993, 0}, {0, 1065, 30142}, {13751, 14435, 2265}},
+        {{3481, 29546, 28821}, {31451, 30948, 0}, {18241, 24607, 7346}},
+    };
+    int i;
+    int side;
+    int as_voxel;
+
+    for (i = 0; i < 6; i++) {
+        const int(*c)[3] = cases[i];
+        int64_t  n[3];
+        int64_t  value = 0;
+        int      a;
+        for (a = 0; a < 3; a++) {
+            const int b = (a + 1) % 3;
+            const int d = (a + 2) % 3;
+            n[a] = (int64_t)c[0][b] * c[1][d] - (int64_t)c[0][d] * c[1][b];
+            value += n[a] * c[2][a];
+        }
+        CHECK(value == 1);
+        for (side = -1; side <= 1; side += 2) {     /* the box is at q and on, along n or against it */
+            for (as_voxel = 0; as_voxel < 2; as_voxel++) {
+                question q;
+                q.seed = 0;
+                for (a = 0; a < 3; a++) {
+                    q.t.v[0][a] = 0;
+                    q.t.v[1][a] = c[0][a];
+                    q.t.v[2][a] = c[1][a];
+                    q.lo[a] = side * n[a] > 0 ? c[2][a] : c[2][a] - 6;
+                    q.hi[a] = q.lo[a] + 6;
+                    q.size[a] = 6;
+                }
+                if (as_voxel) {
+                    question_from_voxel(&q);
+                } else {
+                    question_from_box(&q);
+                }
+                CHECK(ask_all(&q));
+            }
+            {
+                double corner[3][3];
+                double lo[3];
+                double hi[3];
+                for (a = 0; a < 3; a++) {
+                    corner[0][a] = 0;
+                    corner[1][a] = c[0][a];
+                    corner[2][a] = c[1][a];
+                    lo[a] = side * n[a] > 0 ? c[2][a] : c[2][a] - 6;
+                    hi[a] = lo[a] + 6;
+                }
+                CHECK(tribox_overlap_f64(corner[0], corner[1], corner[2], lo, hi) == (side < 0));
+            }
+        }
+    }
+}
+
 int main(void)
 {
     RUN(touching_face_overlaps_and_next_float_does_not);
@@ -293,5 +358,6 @@ int main(void)
     RUN(walks_round_contacts_are_exact);
     RUN(all_questions_on_two_points_a_side_are_exact);
     RUN(questions_on_three_points_a_side_are_exact);
+    RUN(planes_missed_by_one_unit_cubed_are_exact);
     return test_report("test_overlap");
 }
