@@ -7,7 +7,7 @@ VERIFY_JOBS      ?= 2
 FUZZ_SECONDS     ?= 60
 FUZZ_TARGETS     := overlap tri grid mesh
 FUZZ_FLAGS       := -std=c99 -I. -O1 -g -fno-sanitize-recover=all \
-                    -fsanitize=fuzzer,address,undefined,float-cast-overflow
+                    -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow
 CHECK_PARTS      := verify golden-check platforms headers sanitize proofs mutate cuda fuzz coverage
 
 .PHONY: check verify golden golden-check platforms headers sanitize proofs mutate cuda fuzz coverage

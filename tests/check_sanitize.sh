@@ -6,8 +6,7 @@ set -u
 
 out=$CHECK_DIR/sanitize
 scale=${CHECK_SCALE:-8} # loop counts of the tests are divided by this
-# not float-divide-by-zero: the walk divides by a zero coefficient on purpose, where any guess will do
-all=undefined,float-cast-overflow,bounds
+all=undefined,float-divide-by-zero,float-cast-overflow,bounds
 mkdir -p "$out"
 
 suite() { # folder, compiler, flags
