@@ -4513,20 +4513,23 @@ TRIBOX_IMPL_FN float tribox_impl_from_key32(int64_t key)
 
 /* Is x, rounded, at least the float with this key? The least x for which it is: the float itself (down),
  * just above the one before (up), or half-way between the two, itself included for an even float
- * (nearest). */
+ * (nearest; x is then no larger than the largest float). */
 TRIBOX_IMPL_FN int tribox_impl_rounds_to_at_least(tribox_impl_calc *c, const tribox_impl_fraction *x,
                                                   int64_t key, int rounding)
 {
-    const int64_t from = rounding == TRIBOX_IMPL_UP ? key - 1 : key;
+    const int64_t from = rounding == TRIBOX_IMPL_DOWN ? key : key - 1;
     double border;
     tribox_impl_fraction b;
     int order;
-    if (from <= -TRIBOX_IMPL_KEY_INFINITY || from >= TRIBOX_IMPL_KEY_INFINITY) {
-        return from < 0;
+    if (from <= -TRIBOX_IMPL_KEY_INFINITY) {
+        return 1;
+    }
+    if ((rounding == TRIBOX_IMPL_UP ? from : key) >= TRIBOX_IMPL_KEY_INFINITY) {
+        return 0;
     }
     border = tribox_impl_key32_value((int32_t)from);
     if (rounding == TRIBOX_IMPL_NEAREST) {
-        border = (border + tribox_impl_key32_value((int32_t)key - 1)) * 0.5;
+        border = (border + tribox_impl_key32_value((int32_t)key)) * 0.5;
     }
     tribox_impl_fraction_set(c, &b, border);
     order = tribox_impl_fraction_compare(c, x, &b);
@@ -5056,10 +5059,10 @@ TRIBOX_IMPL_FN int tribox_impl_ray_filter(const float origin[3], const float dir
         }
     }
     if (out_t0 != NULL) {
-        *out_t0 = key0 != 0 ? tribox_impl_from_key32(key0) : t_min;
+        *out_t0 = tribox_impl_from_key32(key0 != 0 ? key0 : tribox_impl_key32(&t_min));     /* never -0 */
     }
     if (out_t1 != NULL) {
-        *out_t1 = key1 != 0 ? tribox_impl_from_key32(key1) : t_max;
+        *out_t1 = tribox_impl_from_key32(key1 != 0 ? key1 : tribox_impl_key32(&t_max));
     }
     return TRIBOX_IMPL_HIT;
 }
@@ -5837,14 +5840,16 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octant_values(const tribox_tri *tri, const f
 }
 
 /* Sets the octants that the faces of axis k leave, the upper ones `shift` bits above the lower ones, and
- * q_k. */
+ * q_k; 0 and *out_beyond where that is too large for a float, or infinite. */
 TRIBOX_IMPL_FN unsigned tribox_impl_octant_axis(const tribox_tri *tri, int k, double p, unsigned lower,
-                                                int shift, float q_near[3], float q_far[3])
+                                                int shift, float q_near[3], float q_far[3], int *out_beyond)
 {
     const unsigned faces = tribox_impl_octant_faces(tri, k, p);
     const double q = p - (double)tri->ref[k];
-    q_near[k] = (float)q;
-    q_far[k] = (float)(q + tri->size[k]);
+    const int fits = tribox_impl_abs(q) + tri->size[k] < 1.2676506002282294e+30;    /* 2^100 */
+    q_near[k] = fits ? (float)q : 0.0f;
+    q_far[k] = fits ? (float)(q + tri->size[k]) : 0.0f;
+    *out_beyond |= !fits;
     return lower * ((faces & 1u) | (faces >> 1) << shift);
 }
 
@@ -5858,18 +5863,23 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octants(const tribox_tri *tri, const double 
     float q_near[3];
     float q_far[3];
     unsigned o;
+    int beyond = 0;
     if (tri->empty) {
         return 0;
     }
-    asked = tribox_impl_octant_axis(tri, 0, p[0], 0x55, 1, q_near, q_far);
-    asked &= tribox_impl_octant_axis(tri, 1, p[1], 0x33, 2, q_near, q_far);
-    asked &= tribox_impl_octant_axis(tri, 2, p[2], 0x0f, 4, q_near, q_far);
+    asked = tribox_impl_octant_axis(tri, 0, p[0], 0x55, 1, q_near, q_far, &beyond);
+    asked &= tribox_impl_octant_axis(tri, 1, p[1], 0x33, 2, q_near, q_far, &beyond);
+    asked &= tribox_impl_octant_axis(tri, 2, p[2], 0x0f, 4, q_near, q_far, &beyond);
 #if !TRIBOX_SIMD
     TRIBOX_IMPL_KEEP(q_near);
     TRIBOX_IMPL_KEEP(q_far);
 #endif
     hits = asked & tribox_impl_octant_values(tri, q_near, q_far, &doubt);
     doubt &= asked;
+    if (TRIBOX_IMPL_RARELY(beyond)) {
+        hits = 0;
+        doubt = asked;
+    }
     for (o = 0; TRIBOX_IMPL_RARELY(doubt >> o != 0); o++) {
         if ((doubt >> o & 1u) != 0) {
             hits |= (unsigned)tribox_impl_octant(tri, p, o) << o;

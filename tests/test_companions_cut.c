@@ -476,6 +476,18 @@ static void clips_without_a_question(void)
     CHECK(tribox_clip(v0, v1, v2, lo, hi, p) == 0);
 }
 
+/* A corner at the largest float, of either sign, stays there and does not become infinite. */
+static void corners_at_the_largest_float_stay(void)
+{
+    const float lo[3] = {-infinity(), -infinity(), -infinity()};
+    const float hi[3] = {infinity(), infinity(), infinity()};
+    const float v[3] = {-FLT_MAX, FLT_MAX, -FLT_MAX};
+    float       polygon[9][3];
+
+    CHECK(tribox_clip(v, v, v, lo, hi, polygon) == 1);
+    CHECK(memcmp(polygon[0], v, sizeof v) == 0);
+}
+
 /* Corners that round alike are given once: the box is one float wide, the triangle crosses it at a slant. */
 static void corners_that_round_alike_are_merged(void)
 {
@@ -980,12 +992,38 @@ static void octants_of_odd_sizes(void)
     CHECK(tribox_tri_octants_f64(&tri, p) != tribox_tri_octants_f64(&fresh, p));
 }
 
+/* Octants of doubles too large for floats: a small question times 2^e has the same answer for every e. */
+static void octants_of_doubles_beyond_floats(void)
+{
+    int i;
+
+    random_seed(71);
+    for (i = 0; i < TEST_LOOPS(4000); i++) {
+        const unsigned flags = (1u << random_below(4)) >> 1;
+        const double   scale = power_of_two(random_below(2) ? 1018 - random_below(900) : -random_below(1050));
+        double         x[15];
+        double         large[15];
+        tribox_tri     tri;
+        unsigned       truth;
+        int            k;
+        for (k = 0; k < 15; k++) {
+            x[k] = (double)(k < 12 ? random_below(17) : 1 + random_below(8));
+            large[k] = x[k] * scale;
+        }
+        tribox_tri_init_f64(&tri, x, x + 3, x + 6, x + 12, flags);
+        truth = tribox_tri_octants_f64(&tri, x + 9);
+        tribox_tri_init_f64(&tri, large, large + 3, large + 6, large + 12, flags);
+        CHECK(tribox_tri_octants_f64(&tri, large + 9) == truth);
+    }
+}
+
 int main(void)
 {
     RUN(clipped_polygons_are_exact);
     RUN(a_clipped_triangle_can_have_nine_corners);
     RUN(clips_of_any_floats_lie_inside);
     RUN(clips_without_a_question);
+    RUN(corners_at_the_largest_float_stay);
     RUN(corners_that_round_alike_are_merged);
     RUN(nearest_points_are_exact);
     RUN(nearest_points_of_any_floats);
@@ -995,5 +1033,6 @@ int main(void)
     RUN(mesh_queries_are_exact);
     RUN(octants_are_exact);
     RUN(octants_of_odd_sizes);
+    RUN(octants_of_doubles_beyond_floats);
     return test_report("test_companions_cut");
 }

@@ -504,6 +504,30 @@ static void rays_that_graze(void)
     }
 }
 
+/* An end that is zero is +0 on every path: also t = -0 where both slabs leave it to t, and where the direction
+ * takes the slow way. */
+static void ends_at_minus_zero_are_zero(void)
+{
+    static const float dirs[2][3] = {{1.0f, 0.75f, 0.5f}, {1.0f, 0.0f, 0.0f}};
+    const float        origin[3] = {0.25f, 0.125f, 0.375f};
+    const float        lo[3] = {-1, -1, -1};
+    const float        hi[3] = {1, 1, 1};
+    int                i;
+
+    for (i = 0; i < 2; i++) {
+        float    t0 = 5;
+        float    t1 = 5;
+        uint32_t bits0;
+        uint32_t bits1;
+        CHECK(tribox_ray_box(origin, dirs[i], -10.0f, -0.0f, lo, hi, NULL, &t1) == 1);
+        CHECK(tribox_ray_box(origin, dirs[i], -0.0f, 10.0f, lo, hi, &t0, NULL) == 1);
+        memcpy(&bits0, &t0, sizeof t0);
+        memcpy(&bits1, &t1, sizeof t1);
+        CHECK(bits0 == 0);
+        CHECK(bits1 == 0);
+    }
+}
+
 static void rays_without_a_question(void)
 {
     static const float lo[3] = {-1, -1, -1};
@@ -1176,6 +1200,7 @@ int main(void)
     RUN(segments_are_exact);
     RUN(rays_and_boxes_are_exact);
     RUN(rays_that_graze);
+    RUN(ends_at_minus_zero_are_zero);
     RUN(rays_without_a_question);
     RUN(sweeps_are_exact);
     RUN(sweeps_of_any_floats_stop_at_contact);
