@@ -5,7 +5,7 @@ VERIFY_THOUSANDS ?= 6000
 VERIFY_SEED      ?= 1
 VERIFY_JOBS      ?= 2
 FUZZ_SECONDS     ?= 60
-FUZZ_TARGETS     := overlap tri grid mesh
+FUZZ_TARGETS     := overlap tri grid mesh companions
 FUZZ_FLAGS       := -std=c99 -I. -O1 -g -fno-sanitize-recover=all \
                     -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow
 CHECK_PARTS      := verify golden-check platforms headers sanitize proofs mutate cuda fuzz coverage
@@ -15,14 +15,14 @@ CHECK_PARTS      := verify golden-check platforms headers sanitize proofs mutate
 check: ## all checks below, one after the other, and their sum
 	@bash tests/check.sh $(CHECK_PARTS)
 
-$(B)/verify: tests/verify.c tests/verify_cases.h tests/verify_exact.h tribox.h
+$(B)/verify: tests/verify.c $(wildcard tests/verify_*.h tests/companions*.h) tribox.h
 	@mkdir -p $(B)
 	$(CC_C99) -o $@ tests/verify.c -lgmp
 
 verify: $(B)/verify ## every answer against GMP, by two methods, on millions of hard cases
 	$(B)/verify $(VERIFY_THOUSANDS) $(VERIFY_SEED) $(VERIFY_JOBS)
 
-$(B)/gen_golden: tests/gen_golden.c tests/golden_cases.h tests/verify_exact.h
+$(B)/gen_golden: tests/gen_golden.c tests/golden_cases.h tests/verify_exact.h $(wildcard tests/companions*.h)
 	@mkdir -p $(B)
 	$(CC_C99) -o $@ tests/gen_golden.c -lgmp
 

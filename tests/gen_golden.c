@@ -1,8 +1,8 @@
 /* gen_golden: writes golden_overlap.h: the hash of all answers to the golden inputs and the first few inputs
- * with their answers. The answers are those of the exact judges of verify_exact.h, and both must agree;
- * tribox.h has no say. Needs GMP. `make golden` runs it.
+ * with their answers. The answers are those of the exact judges of verify_exact.h and companions_exact.h, and
+ * their two methods must agree; tribox.h has no say. Needs GMP. `make golden` runs it.
  */
-#include "verify_exact.h"
+#include "companions_exact.h"
 
 #include <stdio.h>
 
@@ -12,6 +12,7 @@
 #define TABLE 300
 
 static exact_judge judge;
+static companion_work work;
 static int disagreements;
 
 static unsigned decide(const question *ask)
@@ -167,6 +168,14 @@ static uint64_t golden_ask_locate(const golden_grid *g)
     return inside ? golden_mix_span(GOLDEN_BASIS, at[0], at[1], at[2], 0) : GOLDEN_BASIS;
 }
 
+static void golden_ask_companion(const companion *c, companion_answer *out)
+{
+    companion_judge(&work, c, WRONG_NOTHING, out);
+    if (!companion_confirm(&work, c, out)) {
+        ++disagreements;
+    }
+}
+
 static void print_words(const uint64_t *words, int n)
 {
     int i;
@@ -181,6 +190,7 @@ int main(void)
     uint64_t hash = GOLDEN_BASIS;
     uint32_t i;
     exact_init(&judge);
+    companion_init(&work);
     for (i = 0; i < GOLDEN_CHUNKS; ++i) {
         hash = golden_mix(hash, golden_chunk(i));
     }
@@ -191,10 +201,10 @@ int main(void)
     printf("/* Written by gen_golden.c (`make golden`): do not edit. The first golden inputs as bit\n"
            " * patterns (v0 v1 v2, box_min or p, box_max, size), the exact answers to them, and the hash"
            " of all\n"
-           " * answers, to %d triangles and boxes and %d grids. golden_answers.h says what the bits of an\n"
-           " * answer mean. */\n"
+           " * answers, to %d triangles and boxes, %d grids and %d questions to companions.\n"
+           " * golden_answers.h says what the bits of an answer mean. */\n"
            "#ifndef GOLDEN_OVERLAP_H\n#define GOLDEN_OVERLAP_H\n\n",
-           GOLDEN_CHUNKS * GOLDEN_SINGLES, GOLDEN_CHUNKS);
+           GOLDEN_CHUNKS * GOLDEN_SINGLES, GOLDEN_CHUNKS, GOLDEN_CHUNKS * GOLDEN_COMPANIONS);
     printf("#define GOLDEN_HASH (((uint64_t)0x%08lxu << 32) | 0x%08lxu)\n", (unsigned long)(hash >> 32),
            (unsigned long)(hash & 0xffffffffu));
     printf("#define GOLDEN_TABLE %d\n\n", TABLE);

@@ -13,6 +13,7 @@
 #endif
 #endif
 
+#include "companions_answers.h"
 #include "golden_cases.h"
 
 GOLDEN_FN void golden_copy(void *to, const void *from, size_t bytes)
@@ -197,6 +198,11 @@ GOLDEN_FN uint64_t golden_ask_locate(const golden_grid *g)
         return GOLDEN_BASIS;
     }
     return golden_mix_span(GOLDEN_BASIS, at[0], at[1], at[2], 0);
+}
+
+GOLDEN_FN void golden_ask_companion(const companion *c, companion_answer *out)
+{
+    companion_ask(c, out);
 }
 
 #endif

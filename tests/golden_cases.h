@@ -5,7 +5,7 @@
  * exact judge of verify_exact.h. They define GOLDEN_FN (the linkage of functions) and, after the include, the
  * functions
  *
- *   golden_ask_single, golden_ask_grid, golden_ask_fill, golden_ask_locate
+ *   golden_ask_single, golden_ask_grid, golden_ask_fill, golden_ask_locate, golden_ask_companion
  *
  * C99 that is also C++98 and CUDA; calls no library. No expression draws twice: the order would be the
  * compiler's.
@@ -13,11 +13,11 @@
 #ifndef GOLDEN_CASES_H
 #define GOLDEN_CASES_H
 
-#include <stddef.h>
-#include <stdint.h>
+#include "companions.h"
 
 #define GOLDEN_CHUNKS 2048 /* a chunk is hashed alone, so that chunks may run in any order */
 #define GOLDEN_SINGLES 32  /* triangles and boxes in a chunk; beside them one grid and one point */
+#define GOLDEN_COMPANIONS 20 /* questions to companions in a chunk */
 #define GOLDEN_EDGE 8      /* the region of a golden grid is 8 x 8 x 8 */
 
 /* A triangle and a box; bit patterns, those of floats in the low half of a word. */
@@ -43,6 +43,7 @@ GOLDEN_FN uint32_t golden_ask_single(const golden_single *c);
 GOLDEN_FN uint64_t golden_ask_grid(const golden_grid *g, unsigned flags);
 GOLDEN_FN uint64_t golden_ask_fill(const golden_grid *g, unsigned flags);
 GOLDEN_FN uint64_t golden_ask_locate(const golden_grid *g);
+GOLDEN_FN void golden_ask_companion(const companion *c, companion_answer *out);
 
 /* ---- hash: FNV-1a, 64 bits -------------------------------------------------------------------- */
 
@@ -391,7 +392,155 @@ GOLDEN_FN void golden_make_grid(uint64_t index, golden_grid *g)
     }
 }
 
+/* ---- questions to companions ------------------------------------------------------------------ */
+
+/* a small direction: along axes and diagonals, or any */
+GOLDEN_FN void golden_direction(uint64_t *state, int reach, int64_t w[3])
+{
+    int k;
+    int small = golden_between(state, 0, 1);
+    for (k = 0; k < 3; ++k) {
+        w[k] = small ? 8 * golden_between(state, -2, 2) : golden_between(state, -8 * reach, 8 * reach);
+    }
+}
+
+/* a point of the box: on its faces or edges, at its corners, inside */
+GOLDEN_FN void golden_box_point(uint64_t *state, const int64_t lo[3], const int64_t hi[3], int64_t point[3])
+{
+    int k;
+    for (k = 0; k < 3; ++k) {
+        int w = golden_between(state, -2, 6);
+        w = w < 0 ? 0 : w > 4 ? 4 : w;
+        point[k] = lo[k] + (hi[k] - lo[k]) / 4 * w;
+        if (w == 4) {
+            point[k] = hi[k];
+        }
+    }
+}
+
+/* What the function adds to triangle and box: x[15..20] at the scale of the others; t in eighths. */
+GOLDEN_FN void golden_add_numbers(uint64_t *state, int which, int reach, int64_t x[23])
+{
+    int64_t *lo = x + COMPANION_LO;
+    int64_t *hi = x + COMPANION_HI;
+    int64_t *w = x + COMPANION_W;
+    int64_t *o = x + COMPANION_O;
+    int64_t point[3];
+    int64_t sum = 0;
+    int k;
+    int at = golden_between(state, -2, 4);
+    golden_direction(state, reach, w);
+    if (which == COMPANION_RAY_TRIANGLE || which == COMPANION_CLOSEST) {
+        golden_point(state, x, point);
+    } else {
+        golden_box_point(state, lo, hi, point);
+    }
+    for (k = 0; k < 3; ++k) {
+        const int64_t size = hi[k] - lo[k];
+        const int more = golden_between(state, 0, 8 * reach);
+        o[k] = point[k] - at * w[k];
+        if (which == COMPANION_BOX_BOX) {
+            w[k] = golden_between(state, 0, 1) ? hi[k] : lo[k] - more;
+            o[k] = golden_between(state, 0, 1) ? w[k] + more : w[k] > lo[k] ? w[k] : lo[k];
+        } else if (which == COMPANION_SEGMENT_BOX) {
+            w[k] = golden_between(state, 0, 3) ? point[k] + w[k] : point[k];
+        } else if (which == COMPANION_SWEEP) {
+            lo[k] -= at * w[k];
+            hi[k] -= at * w[k];
+        } else if (which == COMPANION_PLANE_BOX) {
+            w[k] = golden_between(state, -3, 3);
+            sum -= w[k] * point[k];
+        } else if (which == COMPANION_OCTANTS) {
+            lo[k] -= golden_between(state, 0, 1) ? size : 0;
+            hi[k] = size;
+            w[k] = more;
+        }
+    }
+    x[COMPANION_T0] = golden_between(state, 0, 2) ? 0 : 8 * at - golden_between(state, 0, 8);
+    x[COMPANION_T1] = 8 * at + (golden_between(state, 0, 1) ? golden_between(state, -2, 16) : 0);
+    if (which == COMPANION_PLANE_BOX) {
+        x[COMPANION_T0] = sum;
+    }
+}
+
+GOLDEN_FN void golden_make_companion(uint64_t index, companion *c)
+{
+    uint64_t state = index * 1013 + 3;
+    int64_t x[COMPANION_NUMBERS];
+    int i, e = 0, decimal, reach, plane;
+    int kind = golden_between(&state, 0, 15);
+    int nudges = golden_between(&state, -3, 3);
+    int endless = golden_between(&state, 0, 7);
+    c->which = (int)(index % COMPANIONS);
+    c->f64 = c->which == COMPANION_OCTANTS && (index / COMPANIONS & 1) != 0;
+    c->flags = (1u << golden_between(&state, 0, 3)) >> 1;
+    plane = c->which == COMPANION_PLANE_BOX;
+    if (kind < 2) {
+        for (i = 0; i < COMPANION_NUMBERS; ++i) {
+            c->x[i] = golden_loose(&state, kind, c->f64);
+        }
+        return;
+    }
+    for (i = 0; i < COMPANION_NUMBERS; ++i) {
+        x[i] = 0;
+    }
+    reach = kind < 6 ? golden_between(&state, 1, 8) : 1 << golden_between(&state, 3, 17);
+    golden_triangle(&state, reach, x);
+    if (kind == 6) {
+        reach = 1 << golden_between(&state, 0, 20); /* box and triangle of very different sizes */
+    }
+    golden_box(&state, x, reach, x + COMPANION_LO, x + COMPANION_HI);
+    golden_add_numbers(&state, c->which, reach, x);
+    decimal = kind == 2 || kind == 3;
+    if (decimal) { /* multiples of the number nearest to 0.1, rounded */
+        for (i = 0; i < COMPANION_T0; ++i) {
+            if (!plane || i < COMPANION_W) {
+                x[i] = x[i] / 8 * (c->f64 ? (int64_t)7205759403792794 : 13421773);
+            }
+        }
+        e = c->f64 ? -56 : -27;
+    } else if (kind == 7) { /* the least numbers: subnormals */
+        e = (c->f64 ? -1074 : -149) + golden_between(&state, -8, 30);
+    } else if (kind == 8) { /* the largest */
+        e = (c->f64 ? 1024 : 128) - golden_between(&state, 20, 30);
+    } else if (kind > 10) {
+        e = golden_between(&state, -40, 20);
+    }
+    for (i = 0; i < COMPANION_NUMBERS; ++i) {
+        int scale = i >= COMPANION_T0 ? (plane ? e : -3) : plane && i >= COMPANION_W ? 0 : e;
+        c->x[i] = golden_encode(x[i], scale, c->f64);
+    }
+    if (endless < 2 && !plane) { /* rays and lines */
+        c->x[COMPANION_T1] = (uint64_t)0xff << 23;
+        if (endless == 0) {
+            c->x[COMPANION_T0] = (uint64_t)0x1ff << 23;
+        }
+    }
+    for (; nudges > 0; --nudges) {
+        i = golden_between(&state, 0, COMPANION_NUMBERS - 1);
+        c->x[i] = golden_nudge(c->x[i], golden_between(&state, -2, 2), c->f64);
+    }
+    if (kind == 9) {
+        i = golden_between(&state, 0, COMPANION_NUMBERS - 1);
+        c->x[i] = golden_special(&state, c->f64);
+    }
+}
+
 /* ---- the hash --------------------------------------------------------------------------------- */
+
+GOLDEN_FN uint64_t golden_mix_companion(uint64_t hash, uint64_t index)
+{
+    companion c;
+    companion_answer answer;
+    int i;
+    golden_make_companion(index, &c);
+    golden_ask_companion(&c, &answer);
+    hash = golden_mix(hash, ((uint64_t)(uint32_t)answer.value << 32) | (uint32_t)answer.n);
+    for (i = 0; i < answer.n; ++i) {
+        hash = golden_mix(hash, answer.word[i]);
+    }
+    return hash;
+}
 
 GOLDEN_FN uint64_t golden_chunk(uint32_t chunk)
 {
@@ -403,6 +552,9 @@ GOLDEN_FN uint64_t golden_chunk(uint32_t chunk)
     for (i = 0; i < GOLDEN_SINGLES; ++i) {
         golden_make_single((uint64_t)chunk * GOLDEN_SINGLES + i, &c);
         hash = golden_mix(hash, golden_ask_single(&c));
+    }
+    for (i = 0; i < GOLDEN_COMPANIONS; ++i) {
+        hash = golden_mix_companion(hash, (uint64_t)chunk * GOLDEN_COMPANIONS + i);
     }
     golden_make_grid(chunk, &g);
     for (rule = 0; rule < 4; ++rule) {

@@ -504,8 +504,8 @@ static void rays_that_graze(void)
     }
 }
 
-/* An end that is zero is +0 on every path: also t = -0 where both slabs leave it to t, and where the direction
- * takes the slow way. */
+/* An end that is zero is +0 on every path: t = -0 within the slabs, and where the direction takes the slow
+ * way. */
 static void ends_at_minus_zero_are_zero(void)
 {
     static const float dirs[2][3] = {{1.0f, 0.75f, 0.5f}, {1.0f, 0.0f, 0.0f}};

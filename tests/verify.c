@@ -3,15 +3,17 @@
  *   build/verify [thousands of one-box cases] [seed] [processes]
  *
  * The judge is separating axes in GMP integers; one case in eight is also clipped in GMP rationals, and the
- * two must agree. For the class "flip", two adjacent floating-point numbers are found by bisection of one
- * coordinate between which the exact answer changes, and both are asked. A broken judge (verify_exact.h lists
- * how it is broken) is run beside the true one on some cases: each way must come to light, else the cases
- * would not reveal such a header. Needs GMP and POSIX; the program prints its seed, what it asked, and every
- * wrong answer as hex floats.
+ * two must agree. The companions have judges and second methods of their own (companions_exact.h), and their
+ * times, corners and weights are compared bit by bit. For the class "flip", and for companions, two adjacent
+ * floating-point numbers are found by bisection of one coordinate between which the exact answer changes, and
+ * both are asked. A broken judge (verify_exact.h and companions_exact.h list how it is broken) is run beside
+ * the true one on some cases: each way must come to light, else the cases would not reveal such a header.
+ * Needs GMP and POSIX; the program prints its seed, what it asked, and every wrong answer as hex floats.
  */
 #define _DEFAULT_SOURCE
+#include "companions_answers.h"
 #include "verify_cases.h"
-#include "../tribox.h"
+#include "verify_companions.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,9 +21,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { ROW_FLIP = CASES, ROW_WALK, ROW_FILL, ROW_LOCATE, ROWS };
+enum { ROW_FLIP = CASES, ROW_WALK, ROW_FILL, ROW_LOCATE, ROW_COMPANION, ROWS = ROW_COMPANION + COMPANIONS };
 
-static const char *const row_names[ROWS - CASES] = {"flip", "grid walks (rows)", "fills (voxels)", "locate"};
+static const char *row_name(int row)
+{
+    static const char *const more[ROW_COMPANION - CASES] = {"flip", "grid walks (rows)", "fills (voxels)",
+                                                            "locate"};
+    return row < CASES           ? case_names[row]
+           : row < ROW_COMPANION ? more[row - CASES]
+                                 : companion_names[row - ROW_COMPANION];
+}
 
 /* what the processes count, in shared memory */
 typedef struct tally {
@@ -34,11 +43,14 @@ typedef struct tally {
     uint64_t disagree[ROWS];
     uint64_t mutant_tried[EXACT_MUTANTS];
     uint64_t mutant_caught[EXACT_MUTANTS];
+    uint64_t companion_mutant_tried[COMPANION_MUTANTS];
+    uint64_t companion_mutant_caught[COMPANION_MUTANTS];
 } tally;
 
 typedef struct run {
     exact_judge x;
     exact_judge other;
+    companion_work work;
     dice d;
     tally *count;
     uint64_t seed;
@@ -70,7 +82,7 @@ static void report(run *r, const char *what, unsigned flags, long long got, long
     if (r->printed < 10) {
         ++r->printed;
         printf("WRONG %s flags %u: got %lld, exact %lld; class %s, seed %llu", what, flags, got, want,
-               r->row < CASES ? case_names[r->row] : row_names[r->row - CASES], (unsigned long long)r->seed);
+               row_name(r->row), (unsigned long long)r->seed);
         print_question(ask);
         fflush(stdout);
     }
@@ -799,6 +811,178 @@ static void locate(run *r)
     expect(r, "index of tribox_grid_locate (point in v0)", 0, right, 1, &ask);
 }
 
+/* ---- companions ------------------------------------------------------------------------------- */
+
+static void print_companion(const companion *ask, const companion_answer *got, const companion_answer *want)
+{
+    int i;
+    printf("    f64 %d flags %u", ask->f64, ask->flags);
+    for (i = 0; i < COMPANION_NUMBERS; ++i) {
+        printf("%s%a", i == COMPANION_T1 || i % 3 != 0 ? ", " : "\n    ",
+               companion_number(ask->x[i], ask->f64));
+    }
+    printf("\n    (v0 v1 v2 box_min box_max w o t_min t_max)\n    got   %d:", got->value);
+    for (i = 0; i < got->n; ++i) {
+        printf(" %a", companion_number(got->word[i], 0));
+    }
+    for (i = 0; i < 3; ++i) {
+        printf(" %a", companion_number(got->axis[i], 0));
+    }
+    printf("\n    exact %d:", want->value);
+    for (i = 0; i < want->n; ++i) {
+        printf(" %a", companion_number(want->word[i], 0));
+    }
+    printf("\n");
+}
+
+static void companion_report(run *r, const char *what, const companion *ask, const companion_answer *got,
+                             const companion_answer *want)
+{
+    if (r->printed < 10) {
+        ++r->printed;
+        printf("%s %s, seed %llu\n", what, companion_names[ask->which], (unsigned long long)r->seed);
+        print_companion(ask, got, want);
+        fflush(stdout);
+    }
+}
+
+/* Outputs may be left out, and the others are the same then. */
+static int companion_same_without(run *r, const companion *ask, const companion_answer *got)
+{
+    float x[COMPANION_NUMBERS];
+    float t[2] = {0.0f, 0.0f};
+    int which = dice_below(&r->d, 4);
+    int value = got->value;
+    companion_floats(x, ask->x, COMPANION_NUMBERS);
+    if (ask->which == COMPANION_RAY_BOX) {
+        value = tribox_ray_box(x + COMPANION_O, x + COMPANION_W, x[COMPANION_T0], x[COMPANION_T1],
+                               x + COMPANION_LO, x + COMPANION_HI, which & 1 ? t : NULL,
+                               which & 2 ? t + 1 : NULL);
+    } else if (ask->which == COMPANION_SWEEP) {
+        value = tribox_sweep(x, x + 3, x + 6, x + COMPANION_LO, x + COMPANION_HI, x + COMPANION_W,
+                             which & 1 ? t : NULL, which & 2 ? t + 1 : NULL, NULL);
+    } else if (ask->which == COMPANION_RAY_TRIANGLE) {
+        which = 0;
+        value = tribox_ray_triangle(x + COMPANION_O, x + COMPANION_W, x[COMPANION_T0], x[COMPANION_T1], x,
+                                    x + 3, x + 6, NULL);
+    } else {
+        return 1;
+    }
+    return value == got->value && (!value || which % 2 == 0 || memcmp(t, got->word, sizeof *t) == 0) &&
+           (!value || which < 2 || memcmp(t + 1, got->word + 1, sizeof *t) == 0);
+}
+
+static void companion_question(run *r, const companion *ask)
+{
+    companion_answer got, want, wrong;
+    int mutant = dice_once_in(&r->d, 2) ? dice_between(&r->d, 1, COMPANION_MUTANTS - 1) : 0;
+    int right;
+    mutant = companion_mutant_applies(ask->which, mutant) ? mutant : 0;
+    companion_ask(ask, &got);
+    companion_judge(&r->work, ask, WRONG_NOTHING, &want);
+    right = companion_same(&got, &want);
+    if (ask->which == COMPANION_SWEEP && want.value) {
+        ++r->count->answers[r->row];
+        right = right && motion_axis_is(&r->work, got.axis);
+    }
+    if (companion_moves(ask->which) && want.value) {
+        r->count->touching[r->row] += mpq_equal(r->work.first, r->work.last) ? 1 : 0;
+    }
+    ++r->count->asked[r->row];
+    r->count->answers[r->row] += 1 + (uint64_t)want.n;
+    r->count->overlap[r->row] += want.value != 0 ? 1 : 0;
+    right = right && companion_same_without(r, ask, &got);
+    if (!right) {
+        ++r->count->wrong[r->row];
+        companion_report(r, "WRONG", ask, &got, &want);
+    }
+    if (dice_once_in(&r->d, 8)) {
+        ++r->count->both[r->row];
+        if (!companion_confirm(&r->work, ask, &want)) {
+            ++r->count->disagree[r->row];
+            companion_report(r, "METHODS DISAGREE:", ask, &got, &want);
+        }
+    }
+    if (mutant != 0) {
+        companion_judge(&r->work, ask, mutant, &wrong);
+        ++r->count->companion_mutant_tried[mutant];
+        if (!companion_same(&wrong, &want) ||
+            (ask->which == COMPANION_SWEEP && want.value && right && !motion_axis_is(&r->work, got.axis))) {
+            ++r->count->companion_mutant_caught[mutant];
+        }
+    }
+}
+
+static int companion_value(run *r, const companion *ask)
+{
+    companion_answer answer;
+    companion_judge(&r->work, ask, WRONG_NOTHING, &answer);
+    return answer.value;
+}
+
+/* Moves one number until the answer changes, closes in on the two neighbours between which it does, and asks
+ * both. */
+static void companion_flip(run *r, companion *ask)
+{
+    double x[COMPANION_NUMBERS];
+    const int i = dice_below(&r->d, ask->which == COMPANION_OCTANTS ? COMPANION_W : COMPANION_NUMBERS);
+    const int here = companion_value(r, ask);
+    int64_t a, b;
+    int k, tries;
+    for (k = 0; k < COMPANION_NUMBERS; ++k) {
+        x[k] = companion_number(ask->x[k], ask->f64);
+    }
+    if (!is_finite(x[i])) {
+        return;
+    }
+    a = number_key(x[i], ask->f64);
+    b = a;
+    for (tries = 0; tries < 12 && a == b; ++tries) {
+        double reach = power_of_two(2 * tries - 16) * (dice_once_in(&r->d, 2) ? 1.0 : -1.0);
+        x[i] = number_fit(key_number(a, ask->f64) + reach, ask->f64);
+        companion_write(ask, x);
+        if (is_finite(x[i]) && companion_value(r, ask) != here) {
+            b = number_key(x[i], ask->f64);
+        }
+    }
+    if (a == b) {
+        return;
+    }
+    while (b - a > 1 || a - b > 1) {
+        int64_t m = a / 2 + b / 2 + (a % 2 + b % 2) / 2;
+        x[i] = key_number(m, ask->f64);
+        companion_write(ask, x);
+        if (companion_value(r, ask) == here) {
+            a = m;
+        } else {
+            b = m;
+        }
+    }
+    for (k = 0; k < 2; ++k) {
+        x[i] = key_number(k == 0 ? a : b, ask->f64);
+        companion_write(ask, x);
+        companion_question(r, ask);
+    }
+}
+
+static void companions(run *r, int n)
+{
+    while (n-- > 0) {
+        companion ask;
+        int which = dice_below(&r->d, COMPANIONS + 2);
+        int class = dice_below(&r->d, CASES);
+        which = which < COMPANIONS ? which : COMPANION_SWEEP; /* more of these: they have 13 axes */
+        r->row = ROW_COMPANION + which;
+        companion_make(&r->d, which, class, &ask);
+        if (class != CASE_SPECIAL && class != CASE_BITS && which != COMPANION_CLOSEST &&
+            dice_once_in(&r->d, 16)) {
+            companion_flip(r, &ask);
+        } else {
+            companion_question(r, &ask);
+        }
+    }
+}
+
 /* ---- the whole -------------------------------------------------------------------------------- */
 
 static void work(run *r, long thousands)
@@ -816,7 +1000,15 @@ static void work(run *r, long thousands)
             r->row = ROW_LOCATE;
             locate(r);
         }
+        companions(r, 800);
     }
+}
+
+static uint64_t print_mutant(const char *name, uint64_t caught, uint64_t tried)
+{
+    printf("  %-20s %8llu of %8llu%s\n", name, (unsigned long long)caught, (unsigned long long)tried,
+           caught == 0 ? "  NOT CAUGHT" : "");
+    return caught == 0;
 }
 
 static uint64_t print_table(const tally *t)
@@ -826,10 +1018,10 @@ static uint64_t print_table(const tally *t)
     printf("%-20s %10s %10s %10s %10s %10s %6s\n", "class", "questions", "answers", "overlap", "touching",
            "two ways", "wrong");
     for (i = 0; i < ROWS; ++i) {
-        printf("%-20s %10llu %10llu %10llu %10llu %10llu %6llu\n",
-               i < CASES ? case_names[i] : row_names[i - CASES], (unsigned long long)t->asked[i],
-               (unsigned long long)t->answers[i], (unsigned long long)t->overlap[i],
-               (unsigned long long)t->touching[i], (unsigned long long)t->both[i],
+        printf("%-20s %10llu %10llu %10llu %10llu %10llu %6llu\n", row_name(i),
+               (unsigned long long)t->asked[i], (unsigned long long)t->answers[i],
+               (unsigned long long)t->overlap[i], (unsigned long long)t->touching[i],
+               (unsigned long long)t->both[i],
                (unsigned long long)(t->wrong[i] + t->disagree[i]));
         bad += t->wrong[i] + t->disagree[i];
         asked += t->asked[i];
@@ -838,9 +1030,11 @@ static uint64_t print_table(const tally *t)
     printf("%-20s %10llu %10llu\n", "total", (unsigned long long)asked, (unsigned long long)answers);
     printf("judges broken on purpose, and cases that reveal it:\n");
     for (i = 1; i < EXACT_MUTANTS; ++i) {
-        printf("  %-18s %8llu of %8llu%s\n", exact_mutant_names[i], (unsigned long long)t->mutant_caught[i],
-               (unsigned long long)t->mutant_tried[i], t->mutant_caught[i] == 0 ? "  NOT CAUGHT" : "");
-        bad += t->mutant_caught[i] == 0 ? 1 : 0;
+        bad += print_mutant(exact_mutant_names[i], t->mutant_caught[i], t->mutant_tried[i]);
+    }
+    for (i = 1; i < COMPANION_MUTANTS; ++i) {
+        bad += print_mutant(companion_mutant_names[i], t->companion_mutant_caught[i],
+                            t->companion_mutant_tried[i]);
     }
     return bad;
 }
@@ -871,6 +1065,7 @@ int main(int argc, char **argv)
             static run r;
             exact_init(&r.x);
             exact_init(&r.other);
+            companion_init(&r.work);
             r.count = counts + i;
             r.seed = seed;
             r.d.state = seed * UINT64_C(0x2545f4914f6cdd1d) + (uint64_t)i * UINT64_C(0xd1342543de82ef95);

@@ -19,7 +19,7 @@ enum { RULE_CLOSED, RULE_HALF_OPEN, RULE_OPEN, RULE_THIN, RULES };
 enum { ASK_BOX, ASK_TRI, ASK_GRID };
 
 /* One triangle against one box: numbers 0..8 are the corners, 9..11 box_min, p or origin, 12..14 box_max or
- * size, both of these exact: the box of ASK_TRI is [p, p + size] in real numbers. */
+ * size, both of these exact: the box of ASK_TRI is [p, p + size] in real numbers, moved by index * size. */
 typedef struct question {
     double x[15];
     int index[3]; /* ASK_GRID: the first voxel */
@@ -192,15 +192,39 @@ static inline int exact_meaningful(exact_judge *x, const question *ask)
         if (ask->kind == ASK_GRID && (!is_finite(b) || sign_of_double(b) <= 0)) {
             return 0;
         }
+        if (ask->kind == ASK_TRI && !is_finite(b) && ask->index[i] != 0) { /* [inf, inf] */
+            return 0;
+        }
         x->hi_inf[i] = !is_finite(b);
         x->endless |= x->lo_inf[i] | x->hi_inf[i];
     }
     return 1;
 }
 
+/* what follows from the corners: edges and bounds */
+static inline void exact_prepare(exact_judge *x)
+{
+    int i, j;
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 3; ++j) {
+            mpz_sub(x->e[i][j], x->v[(i + 1) % 3][j], x->v[i][j]);
+        }
+        mpz_set(x->tmin[i], x->v[0][i]);
+        mpz_set(x->tmax[i], x->v[0][i]);
+        for (j = 1; j < 3; ++j) {
+            if (mpz_cmp(x->v[j][i], x->tmin[i]) < 0) {
+                mpz_set(x->tmin[i], x->v[j][i]);
+            }
+            if (mpz_cmp(x->v[j][i], x->tmax[i]) > 0) {
+                mpz_set(x->tmax[i], x->v[j][i]);
+            }
+        }
+    }
+}
+
 static inline void exact_load(exact_judge *x, const question *ask)
 {
-    int i, j, scale = 2000;
+    int i, scale = 2000;
     x->touching = 0;
     x->meaningful = exact_meaningful(x, ask);
     if (!x->meaningful) {
@@ -234,24 +258,12 @@ static inline void exact_load(exact_judge *x, const question *ask)
             mpz_set(x->hi[i], x->t[2]);
             mpz_addmul(x->hi[i], x->t[3], x->t[1]);
         } else if (ask->kind == ASK_TRI && !x->hi_inf[i]) {
+            mpz_set_si(x->t[0], ask->index[i]);
+            mpz_addmul(x->lo[i], x->hi[i], x->t[0]);
             mpz_add(x->hi[i], x->lo[i], x->hi[i]);
         }
     }
-    for (i = 0; i < 3; ++i) {
-        for (j = 0; j < 3; ++j) {
-            mpz_sub(x->e[i][j], x->v[(i + 1) % 3][j], x->v[i][j]);
-        }
-        mpz_set(x->tmin[i], x->v[0][i]);
-        mpz_set(x->tmax[i], x->v[0][i]);
-        for (j = 1; j < 3; ++j) {
-            if (mpz_cmp(x->v[j][i], x->tmin[i]) < 0) {
-                mpz_set(x->tmin[i], x->v[j][i]);
-            }
-            if (mpz_cmp(x->v[j][i], x->tmax[i]) > 0) {
-                mpz_set(x->tmax[i], x->v[j][i]);
-            }
-        }
-    }
+    exact_prepare(x);
 }
 
 /* the rules under which the box holds points at all */
@@ -589,13 +601,10 @@ static inline int clip_reaches_inside(exact_judge *x, int from, int corners, int
     return 0;
 }
 
-static inline unsigned clip_conservative(exact_judge *x)
+/* The triangle clipped by the box, in polygon[*out_now]: corners may coincide or lie between others. */
+static inline int clip_polygon(exact_judge *x, int *out_now)
 {
-    unsigned rules = exact_nonempty(x);
     int i, k, now = 0, corners = 3;
-    if (rules == 0) {
-        return 0;
-    }
     for (i = 0; i < 3; ++i) {
         for (k = 0; k < 3; ++k) {
             mpq_set_z(x->polygon[0][i][k], x->v[i][k]);
@@ -611,6 +620,18 @@ static inline unsigned clip_conservative(exact_judge *x)
             now = 1 - now;
         }
     }
+    *out_now = now;
+    return corners;
+}
+
+static inline unsigned clip_conservative(exact_judge *x)
+{
+    unsigned rules = exact_nonempty(x);
+    int k, now, corners;
+    if (rules == 0) {
+        return 0;
+    }
+    corners = clip_polygon(x, &now);
     if (corners == 0) {
         return 0;
     }

@@ -1,0 +1,144 @@
+/* tribox.h's answers to the questions of companions.h, for golden.c, golden.cu, verify.c and
+ * fuzz_companions.c. Numbers are only copied, never computed with. */
+#ifndef COMPANIONS_ANSWERS_H
+#define COMPANIONS_ANSWERS_H
+
+#include "../tribox.h"
+#include "companions.h"
+
+COMPANION_FN void companion_copy(void *to, const void *from, size_t bytes)
+{
+    unsigned char *t = (unsigned char *)to;
+    const unsigned char *f = (const unsigned char *)from;
+    size_t i;
+    for (i = 0; i < bytes; ++i) {
+        t[i] = f[i];
+    }
+}
+
+COMPANION_FN void companion_floats(float *out, const uint64_t *bits, int n)
+{
+    int i;
+    for (i = 0; i < n; ++i) {
+        const uint32_t word = (uint32_t)bits[i];
+        companion_copy(out + i, &word, sizeof word);
+    }
+}
+
+COMPANION_FN void companion_wrote(companion_answer *out, const float *x, int n)
+{
+    companion_copy(out->word + out->n, x, sizeof *x * (size_t)n);
+    out->n += n;
+}
+
+COMPANION_FN int companion_octants(const companion *c)
+{
+    tribox_tri tri;
+    if (c->f64) {
+        double x[18];
+        companion_copy(x, c->x, sizeof x);
+        tribox_tri_init_f64(&tri, x, x + 3, x + 6, x + 15, c->flags);
+        tribox_tri_resize_f64(&tri, x + 12);
+        return (int)tribox_tri_octants_f64(&tri, x + 9);
+    } else {
+        float x[18];
+        companion_floats(x, c->x, 18);
+        tribox_tri_init(&tri, x, x + 3, x + 6, x + 15, c->flags);
+        tribox_tri_resize(&tri, x + 12);
+        return (int)tribox_tri_octants(&tri, x + 9);
+    }
+}
+
+/* How many triangles of the indexed mesh touch the box, and 256 more if the one without indices does:
+ * box_max w o. */
+COMPANION_FN void companion_query(const float x[COMPANION_NUMBERS], companion_answer *out)
+{
+    uint32_t indices[3 * COMPANION_MESH];
+    float corners[5][4];
+    tribox_mesh mesh;
+    int i;
+    size_t touching;
+    for (i = 0; i < 5; ++i) {
+        companion_copy(corners[i], x + (i < 3 ? 3 * i : COMPANION_W + 3 * (i - 3)), 3 * sizeof(float));
+    }
+    companion_mesh(indices);
+    mesh.positions = corners[0];
+    mesh.stride = sizeof corners[0];
+    mesh.indices = indices;
+    mesh.triangles = COMPANION_MESH;
+    touching = tribox_mesh_query(&mesh, x + COMPANION_LO, x + COMPANION_HI, out->word, COMPANION_CAPACITY);
+    out->n = touching < COMPANION_CAPACITY ? (int)touching : COMPANION_CAPACITY;
+    mesh.positions = x + COMPANION_HI;
+    mesh.stride = 0;
+    mesh.indices = NULL;
+    mesh.triangles = 1;
+    out->value = (int)touching;
+    out->value += 256 * (int)tribox_mesh_query(&mesh, x + COMPANION_LO, x + COMPANION_HI, NULL, 0);
+}
+
+COMPANION_FN void companion_ask(const companion *c, companion_answer *out)
+{
+    float x[COMPANION_NUMBERS];
+    float polygon[9][3];
+    float t[2];
+    float three[3];
+    const float *v = x;
+    const float *lo = x + COMPANION_LO;
+    const float *hi = x + COMPANION_HI;
+    const float *w = x + COMPANION_W;
+    const float *o = x + COMPANION_O;
+    int i;
+    out->value = 0;
+    out->n = 0;
+    for (i = 0; i < 27; ++i) {
+        out->word[i] = 0;
+    }
+    for (i = 0; i < 3; ++i) {
+        out->axis[i] = 0;
+    }
+    companion_floats(x, c->x, COMPANION_NUMBERS);
+    switch (c->which) {
+    case COMPANION_BOX_BOX:
+        out->value = tribox_box_box(lo, hi, w, o);
+        break;
+    case COMPANION_PLANE_BOX:
+        out->value = tribox_plane_box(w, x[COMPANION_T0], lo, hi);
+        break;
+    case COMPANION_SEGMENT_BOX:
+        out->value = tribox_segment_box(w, o, lo, hi);
+        break;
+    case COMPANION_RAY_BOX:
+        out->value = tribox_ray_box(o, w, x[COMPANION_T0], x[COMPANION_T1], lo, hi, &t[0], &t[1]);
+        companion_wrote(out, t, out->value ? 2 : 0);
+        break;
+    case COMPANION_RAY_TRIANGLE:
+        out->value = tribox_ray_triangle(o, w, x[COMPANION_T0], x[COMPANION_T1], v, v + 3, v + 6, t);
+        companion_wrote(out, t, out->value ? 1 : 0);
+        break;
+    case COMPANION_SWEEP:
+        out->value = tribox_sweep(v, v + 3, v + 6, lo, hi, w, &t[0], &t[1], three);
+        companion_wrote(out, t, out->value ? 2 : 0);
+        if (out->value) {
+            companion_copy(out->axis, three, sizeof three);
+        }
+        break;
+    case COMPANION_CLIP:
+        out->value = tribox_clip(v, v + 3, v + 6, lo, hi, polygon);
+        for (i = 0; i < out->value; ++i) {
+            companion_wrote(out, polygon[i], 3);
+        }
+        break;
+    case COMPANION_CLOSEST:
+        tribox_closest(v, v + 3, v + 6, o, three);
+        companion_wrote(out, three, 3);
+        break;
+    case COMPANION_OCTANTS:
+        out->value = companion_octants(c);
+        break;
+    default:
+        companion_query(x, out);
+        break;
+    }
+}
+
+#endif
