@@ -5840,16 +5840,16 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octant_values(const tribox_tri *tri, const f
 }
 
 /* Sets the octants that the faces of axis k leave, the upper ones `shift` bits above the lower ones, and
- * q_k; 0 and *out_beyond where that is too large for a float, or infinite. */
+ * q_k. A condition in float has no coefficient but 0 unless all reaches are at most 2^60; so where q is too
+ * large for a float, or infinite, it does not matter, and 0 will do. */
 TRIBOX_IMPL_FN unsigned tribox_impl_octant_axis(const tribox_tri *tri, int k, double p, unsigned lower,
-                                                int shift, float q_near[3], float q_far[3], int *out_beyond)
+                                                int shift, float q_near[3], float q_far[3])
 {
     const unsigned faces = tribox_impl_octant_faces(tri, k, p);
     const double q = p - (double)tri->ref[k];
     const int fits = tribox_impl_abs(q) + tri->size[k] < 1.2676506002282294e+30;    /* 2^100 */
     q_near[k] = fits ? (float)q : 0.0f;
     q_far[k] = fits ? (float)(q + tri->size[k]) : 0.0f;
-    *out_beyond |= !fits;
     return lower * ((faces & 1u) | (faces >> 1) << shift);
 }
 
@@ -5863,23 +5863,18 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octants(const tribox_tri *tri, const double 
     float q_near[3];
     float q_far[3];
     unsigned o;
-    int beyond = 0;
     if (tri->empty) {
         return 0;
     }
-    asked = tribox_impl_octant_axis(tri, 0, p[0], 0x55, 1, q_near, q_far, &beyond);
-    asked &= tribox_impl_octant_axis(tri, 1, p[1], 0x33, 2, q_near, q_far, &beyond);
-    asked &= tribox_impl_octant_axis(tri, 2, p[2], 0x0f, 4, q_near, q_far, &beyond);
+    asked = tribox_impl_octant_axis(tri, 0, p[0], 0x55, 1, q_near, q_far);
+    asked &= tribox_impl_octant_axis(tri, 1, p[1], 0x33, 2, q_near, q_far);
+    asked &= tribox_impl_octant_axis(tri, 2, p[2], 0x0f, 4, q_near, q_far);
 #if !TRIBOX_SIMD
     TRIBOX_IMPL_KEEP(q_near);
     TRIBOX_IMPL_KEEP(q_far);
 #endif
     hits = asked & tribox_impl_octant_values(tri, q_near, q_far, &doubt);
     doubt &= asked;
-    if (TRIBOX_IMPL_RARELY(beyond)) {
-        hits = 0;
-        doubt = asked;
-    }
     for (o = 0; TRIBOX_IMPL_RARELY(doubt >> o != 0); o++) {
         if ((doubt >> o & 1u) != 0) {
             hits |= (unsigned)tribox_impl_octant(tri, p, o) << o;

@@ -10,10 +10,12 @@ set -u
 . tests/check_lib.sh
 
 out=$CHECK_DIR/mutate
-programs=${MUTATE_PROGRAMS:-"rule tri thin overlap grid fill exact nan mode symmetry frame closed field issues"}
+programs=${MUTATE_PROGRAMS:-"rule tri thin overlap grid fill exact nan mode symmetry frame closed field issues \
+    companions_motion companions_cut companions_mode"}
+first= # programs to try before the others
 limit=${MUTATE_LIMIT:-20}
 cc=${MUTATE_CC:-gcc -std=c99 -O1}
-export programs limit cc
+export programs first limit cc
 CHECK_SHOW=1
 mkdir -p "$out"
 
@@ -21,7 +23,7 @@ mkdir -p "$out"
 caught() { # folder
     local name flags folder=$1
     for flags in "-DTEST_SCALE=8" "" "-DTRIBOX_SIMD=0"; do
-        for name in $programs; do
+        for name in $first $programs; do
             [ -e "tests/test_$name.c" ] || continue
             # shellcheck disable=SC2086 # the compiler and flags are a list
             $cc $flags -w -I"$folder" "$folder/tests/test_$name.c" -o "$folder/test" -lm || return 0
@@ -66,7 +68,8 @@ unbroken() {
 export -f caught mutant unbroken
 job "the header as it is passes" unbroken
 
-# The list: "# name", then "- old" lines, then "+ new" lines; several lines of one kind are joined.
+# The list: "# name", then "- old" lines, then "+ new" lines; several lines of one kind are joined. "@ programs"
+# are tried first from there on.
 number=0
 name=
 old=
@@ -85,6 +88,7 @@ newline=$'\n'
 while IFS= read -r line || [ -n "$line" ]; do
     case $line in
     '# '*) finish "$@"; name=${line#\# } ;;
+    '@ '*) finish "$@"; first=${line#@ } ;;
     '- '*) old=${old:+$old$newline}${line#- } ;;
     '+ '*) new=${new:+$new$newline}${line#+ } ;;
     '+') new= ;;

@@ -992,6 +992,24 @@ static void octants_of_odd_sizes(void)
     CHECK(tribox_tri_octants_f64(&tri, p) != tribox_tri_octants_f64(&fresh, p));
 }
 
+/* Faces at p + size and p + 2 size that are no doubles, 2^-60 beside 1: the plane x + y = 0 meets the boxes
+ * with upper x and lower y at one corner, exactly. */
+static void octants_whose_corners_are_no_doubles(void)
+{
+    static const double v[9] = {-2, 2, -1, 2, -2, -1, 0, 0, 3};
+    const double        s = power_of_two(-60);
+    const double        p[3] = {-1, 1 - power_of_two(-53), -1};
+    const double        size[3] = {s, power_of_two(-53) - 2 * s, 0.5};
+    tribox_tri          tri;
+
+    tribox_tri_init_f64(&tri, v, v + 3, v + 6, size, 0);
+    CHECK(tribox_tri_octants_f64(&tri, p) == 0xee);
+    tribox_tri_init_f64(&tri, v, v + 3, v + 6, size, TRIBOX_HALF_OPEN);
+    CHECK(tribox_tri_octants_f64(&tri, p) == 0xcc);
+    tribox_tri_init_f64(&tri, v, v + 3, v + 6, size, TRIBOX_OPEN);
+    CHECK(tribox_tri_octants_f64(&tri, p) == 0xcc);
+}
+
 /* Octants of doubles too large for floats: a small question times 2^e has the same answer for every e. */
 static void octants_of_doubles_beyond_floats(void)
 {
@@ -1000,7 +1018,7 @@ static void octants_of_doubles_beyond_floats(void)
     random_seed(71);
     for (i = 0; i < TEST_LOOPS(4000); i++) {
         const unsigned flags = (1u << random_below(4)) >> 1;
-        const double   scale = power_of_two(random_below(2) ? 1018 - random_below(900) : -random_below(1050));
+        const double   scale = power_of_two(random_below(4) ? random_below(2060) - 1050 : 90 + random_below(40));
         double         x[15];
         double         large[15];
         tribox_tri     tri;
@@ -1033,6 +1051,7 @@ int main(void)
     RUN(mesh_queries_are_exact);
     RUN(octants_are_exact);
     RUN(octants_of_odd_sizes);
+    RUN(octants_whose_corners_are_no_doubles);
     RUN(octants_of_doubles_beyond_floats);
     return test_report("test_companions_cut");
 }
