@@ -1886,15 +1886,18 @@ TRIBOX_IMPL_FN double tribox_impl_key32_value(int32_t key)
     return tribox_impl_widen(&x);
 }
 
-/* The sign of p + size - t, in real numbers; size >= 0, may be infinite. */
+/* The sign of p + size - t, in real numbers; size >= 0, may be infinite. Rounding is monotone, in every mode:
+ * p - t rounds to above -size, a double, only from above it, so a sum other than 0 has the sign of the
+ * true one. So it is in any order of summation. Two numbers that are read as zero are less than a normal
+ * third. */
 TRIBOX_IMPL_FN int tribox_impl_far_face(double p, double size, double t)
 {
     const double sum = (p - t) + size;
-    const double error = (tribox_impl_abs(p) + tribox_impl_abs(t) + size) * (8.0 * TRIBOX_IMPL_U64);
+    const double terms = tribox_impl_abs(p) + tribox_impl_abs(t) + size;
     if (!tribox_impl_is_finite(size)) {
         return 1;
     }
-    if (tribox_impl_is_finite(error) && error > 1e-290 && (sum > error || sum < -error)) {
+    if (tribox_impl_is_finite(terms) && terms > 1e-290 && (sum > 0.0 || sum < 0.0)) {
         return sum > 0.0 ? 1 : -1;
     } else {
         const tribox_impl_coord face = tribox_impl_at(p, size, 2);

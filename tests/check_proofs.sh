@@ -24,10 +24,9 @@ ULPS=$(constant '^#define TRIBOX_IMPL_ULPS \([0-9]*\)$')
 TERMS=$(constant '.*bound = \([0-9.]*\) \* u \* terms + [0-9.]* \* TRIBOX_IMPL_U64 \* made.*')
 MADE=$(constant '.*bound = [0-9.]* \* u \* terms + \([0-9.]*\) \* TRIBOX_IMPL_U64 \* made.*')
 NORMAL=$(constant '.*abs(p) + tribox_impl_abs(q)) \* (\([0-9.]*\) \* TRIBOX_IMPL_U64);.*')
-FACE=$(constant '.*abs(t) + size) \* (\([0-9.]*\) \* TRIBOX_IMPL_U64);.*')
-export ULPS TERMS MADE NORMAL FACE
+export ULPS TERMS MADE NORMAL
 echo "constants of tribox.h: one box $ULPS; prepared $TERMS and $MADE;" \
-    "sign of the normal $NORMAL; far face $FACE"
+    "sign of the normal $NORMAL"
 
 # UNITS(n): n + 1/8 units of 2^-P, so that terms of second order fit. BELOW(n): n - 1 units, since the
 # header rounds its bound too. FUSED and PLAIN: lines for one kind of contraction.
@@ -35,7 +34,7 @@ prove() { # script, P, FUSED or PLAIN
     local other=PLAIN
     [ "$3" = PLAIN ] && other=FUSED
     sed -E -e "s/^$3 //" -e "/^$other /d" -e "s/@ULPS@/$ULPS/g; s/@TERMS@/$TERMS/g; s/@MADE@/$MADE/g" \
-        -e "s/@NORMAL@/$NORMAL/g; s/@FACE@/$FACE/g; s/\bP\b/$2/g" "tests/proofs/$1.gappa" |
+        -e "s/@NORMAL@/$NORMAL/g; s/\bP\b/$2/g" "tests/proofs/$1.gappa" |
         awk -v p="$2" '{
             while (match($0, /(UNITS|BELOW)\([0-9]+\)/)) {
                 n = substr($0, RSTART + 6, RLENGTH - 7) * 64

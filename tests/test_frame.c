@@ -2,6 +2,7 @@
  * tribox_grid_locate finds. */
 #include "tribox.h"
 
+#include <fenv.h>
 #include <float.h>
 #include <limits.h>
 
@@ -244,6 +245,46 @@ static void located_voxel_holds_the_point(void)
     CHECK(found > 0);
 }
 
+/* Rounded up or down, origin - x and i*size err in one direction: points within an ulp or two of a plane, in
+ * every rounding mode. */
+static void located_voxel_holds_the_point_in_every_rounding_mode(void)
+{
+    static const int modes[] = {
+        FE_TONEAREST,
+#ifdef FE_UPWARD
+        FE_UPWARD,
+#endif
+#ifdef FE_DOWNWARD
+        FE_DOWNWARD,
+#endif
+#ifdef FE_TOWARDZERO
+        FE_TOWARDZERO,
+#endif
+    };
+    int i;
+
+    random_seed(115);
+    for (i = 0; i < TEST_LOOPS(20000); i++) {
+        const int   mode = modes[(size_t)random_below(4) % (sizeof modes / sizeof *modes)];
+        tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {-2000, -2000, -2000}, {2000, 2000, 2000}, 0};
+        double      p[3];
+        int         index[3] = {0, 0, 0};
+        int         a;
+        for (a = 0; a < 3; a++) {
+            grid.origin[a] = random_signed();
+            grid.size[a] = 0.001 + 0.001 * random_signed() * random_signed();
+            p[a] = nudge_double(grid_plane(&grid, a, random_below(2000) - 1000), random_below(5) - 2);
+        }
+        fesetround(mode);
+        tribox_grid_locate(&grid, p, index);
+        fesetround(FE_TONEAREST);
+        for (a = 0; a < 3; a++) {
+            CHECK(plane_against(&grid, a, index[a], p[a]) <= 0 &&
+                  plane_against(&grid, a, index[a] + 1, p[a]) > 0);
+        }
+    }
+}
+
 /* Half-open voxels partition space: a point triangle sets exactly the voxel that locate finds. */
 static void point_triangle_sets_exactly_the_located_voxel(void)
 {
@@ -313,6 +354,7 @@ int main(void)
     RUN(frame_leaves_its_surroundings_untouched);
     RUN(mesh_without_extent_has_no_frame);
     RUN(located_voxel_holds_the_point);
+    RUN(located_voxel_holds_the_point_in_every_rounding_mode);
     RUN(point_triangle_sets_exactly_the_located_voxel);
     RUN(locate_reaches_the_ends_of_the_index_range);
     return test_report("test_frame");

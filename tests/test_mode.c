@@ -105,6 +105,82 @@ static void rounding_toward_zero_changes_no_answer(void)
     ask_in_rounding(3);
 }
 
+/* Pairs where plain float arithmetic errs most, in one mode or another: the value that the float filter
+ * compares is on the wrong side of zero by more than 2.56 of the units that its bound has 256 of. Found by
+ * hill climbing, from random corners v0, v1, v2, box_min, box_max. */
+static void worst_float_errors_change_no_answer(void)
+{
+    static const float worst[16][15] = {
+        {0x1.00ecbp-1f, -0x1.6d9894p-3f, 0x1.24012ep+0f, 0x1.6d1a52p+0f, 0x1.774d72p-3f,
+         0x1.f97206p-5f, 0x1.51c7bcp-3f, 0x1.768b72p-3f, 0x1.013df2p-4f, -0x1.8c42cap+1f,
+         -0x1.4e317ep+1f, -0x1.267c58p-1f, 0x1.8fb894p+1f, 0x1.49d6bep-3f, 0x1.05f3f8p-3f},
+        {0x1.4008fep+0f, -0x1.867dbep+2f, 0x1.9796eep-1f, -0x1.832cd2p-4f, -0x1.2165d4p-2f,
+         -0x1.4cb444p-3f, -0x1.832f44p-4f, -0x1.21638ap-2f, 0x1.5c1636p+0f, -0x1.67ed8ap-4f,
+         -0x1.3edfeep-2f, -0x1.823cc2p+2f, 0x1.4eed4cp+2f, 0x1.12f23ep-1f, 0x1.14461cp+2f},
+        {0x1.4f4ed2p-1f, 0x1.67efa6p-4f, 0x1.ecf836p-1f, 0x1.d3138ap-4f, 0x1.ccaa12p-3f,
+         -0x1.1fffbep-2f, 0x1.825f6ap-4f, 0x1.d7325p-3f, 0x1.e9bc2ap-2f, -0x1.778aeap+1f,
+         0x1.c65488p-4f, -0x1.d239ccp+0f, 0x1.e65846p-4f, 0x1.ca3914p-3f, 0x1.cbefb8p-2f},
+        {0x1.2f63dp-1f, 0x1.8a1292p-1f, -0x1.1a84dap+1f, 0x1.3fb236p-5f, -0x1.6b1532p-1f,
+         -0x1.0d51e8p+1f, -0x1.0b3742p-7f, -0x1.023d64p-6f, 0x1.bfe79ep-4f, 0x1.e6dca4p-6f,
+         -0x1.fdc3fap-4f, -0x1.2c8ccp-5f, 0x1.bba772p-2f, 0x1.e84a8ap-2f, 0x1.f368p+0f},
+        {0x1.6acb92p-2f, -0x1.1f9d76p+0f, -0x1.eb048ap-2f, 0x1.067008p+1f, -0x1.378724p+0f,
+         0x1.167552p-1f, 0x1.1865a4p+1f, 0x1.354328p-3f, -0x1.262242p-1f, 0x1.a3fa94p-2f,
+         0x1.354328p-3f, -0x1.8b0caap-1f, 0x1.c44568p+3f, 0x1.6d748p+3f, 0x1.3df036p+5f},
+        {-0x1.402328p+0f, 0x1.62bbccp-1f, 0x1.309dbap-1f, 0x1.ef64fep+0f, 0x1.5f9988p-1f,
+         -0x1.858f2cp-2f, -0x1.0b1072p-3f, 0x1.4f57a4p-3f, -0x1.ab0b9p-2f, -0x1.256594p+0f,
+         -0x1.2144d8p-1f, -0x1.5ca4e2p-2f, 0x1.231cd8p+0f, 0x1.a152b6p-3f, 0x1.2aee58p-1f},
+        {-0x1.fe47d2p-2f, -0x1.454ab2p+2f, -0x1.bf022ap-6f, -0x1.45df84p-4f, 0x1.13387ep-5f,
+         0x1.345d6cp-4f, -0x1.45df68p-4f, 0x1.1332dcp-5f, -0x1.b98776p-1f, -0x1.b9fd5cp+2f,
+         0x1.13333p-5f, -0x1.3fb7e4p+1f, 0x1.af8c52p-3f, 0x1.438ccp-3f, -0x1.9d7bp-1f},
+        {-0x1.474666p-2f, -0x1.108c64p+1f, 0x1.c9dddcp+0f, -0x1.4f2c1ap-4f, 0x1.d14p-3f,
+         -0x1.abce68p-1f, -0x1.bbc5dcp+1f, 0x1.a10cbcp-3f, -0x1.9e639ap-1f, -0x1.770448p-1f,
+         -0x1.b4cebep-4f, -0x1.daf61ep-2f, 0x1.c98034p-1f, 0x1.7cb192p-4f, 0x1.2a9dd6p+0f},
+        {-0x1.c798ccp-2f, -0x1.3cf3f2p-1f, 0x1.766b02p-3f, 0x1.97b602p-3f, 0x1.771b6ap-2f,
+         -0x1.8e8fcep-1f, 0x1.a027c8p-3f, 0x1.7a5658p-2f, 0x1.766c0cp-3f, 0x1.f3cb64p-5f,
+         -0x1.663d5cp+2f, -0x1.32ba64p+0f, 0x1.365d1ep-2f, 0x1.3885e8p-3f, 0x1.52c8c2p-2f},
+        {-0x1.f1f3dcp+0f, 0x1.2d26d4p-1f, -0x1.00e57ap+0f, 0x1.dffa7ep-4f, -0x1.d95acp-5f,
+         0x1.644856p-4f, 0x1.7b40d6p-3f, -0x1.43ec8p-4f, -0x1.15fc54p+2f, 0x1.c8f6c2p-4f,
+         -0x1.caefdep-5f, -0x1.518f9p+0f, 0x1.dd33fp-1f, 0x1.ee340ep-2f, 0x1.b35ce4p-2f},
+        {-0x1.1a473cp+2f, 0x1.096086p-1f, -0x1.c3c43cp+0f, 0x1.c580dep+0f, 0x1.c3b7bap+2f,
+         0x1.223d62p-1f, 0x1.c6a3ap+0f, -0x1.5ba4bp+1f, 0x1.2318bap-1f, 0x1.bb2d02p+0f,
+         0x1.2a5474p-1f, -0x1.b82b44p+0f, 0x1.06ae7cp+2f, 0x1.8eb626p+0f, 0x1.1a732p-1f},
+        {-0x1.b64e18p-3f, -0x1.1e1ff4p-1f, -0x1.8b013p-5f, -0x1.efcb7ep-3f, -0x1.2fef2ap-9f,
+         -0x1.42b54cp-4f, 0x1.b04b3cp-2f, -0x1.290bcp-5f, 0x1.49d15cp-1f, 0x1.25901ap-2f,
+         -0x1.0217c8p+1f, -0x1.6513ecp+0f, 0x1.54ce1p-1f, -0x1.5dcfcp-5f, 0x1.fca48ap-2f},
+        {-0x1.460ac4p+2f, -0x1.26fec4p+3f, -0x1.9bfbf4p-2f, 0x1.9ca6e6p-4f, 0x1.7076bcp-4f,
+         0x1.d8bb8ep+2f, 0x1.5db4eep+1f, 0x1.f30058p+0f, -0x1.971ebcp-3f, -0x1.d734b2p+2f,
+         -0x1.80b402p-4f, -0x1.000adep-4f, 0x1.37be5p+0f, 0x1.13ed5cp-5f, 0x1.e58f06p-3f},
+        {-0x1.1a6f92p-4f, -0x1.0fa7b8p+1f, 0x1.c9b938p+0f, -0x1.109e62p-4f, 0x1.d13cep-3f,
+         -0x1.abd5dcp-1f, -0x1.1e7214p+0f, 0x1.a111c2p-3f, -0x1.9e4ea8p-1f, -0x1.c3104ep-1f,
+         -0x1.b467c2p-4f, -0x1.d9f472p-2f, 0x1.b230eep-1f, 0x1.61d242p-2f, -0x1.52897ep-8f},
+        {0x1.16d4b6p+3f, -0x1.183b5ap+2f, -0x1.7b56f4p+2f, -0x1.902864p-3f, 0x1.2418f4p-4f,
+         -0x1.ca70d8p-3f, -0x1.1821p-3f, 0x1.f27ap-5f, -0x1.f637ap-1f, 0x1.b1d7bep-7f,
+         -0x1.d80404p-7f, -0x1.2ee46ep+1f, 0x1.98d6bcp-1f, 0x1.a2475cp-1f, 0x1.43b97cp-5f},
+        {-0x1.f17338p-2f, -0x1.fb61f4p-5f, 0x1.6a8384p-7f, 0x1.7a6f54p-1f, 0x1.1e0e7ap-3f,
+         -0x1.25344cp-2f, -0x1.1aaf84p-3f, -0x1.914336p-5f, 0x1.eae096p-1f, 0x1.c3d9e6p-2f,
+         -0x1.1157fep+1f, -0x1.241c7ep-2f, 0x1.ed14e4p+2f, 0x1.5a1bc6p-4f, -0x1.218294p-4f},
+    };
+    int mode;
+    int i;
+    int j;
+
+    for (i = 0; i < 16; i++) {
+        question q;
+        q.seed = 0;
+        for (j = 0; j < 15; j++) {
+            *(j < 9 ? &q.t.v[j / 3][j % 3] : j < 12 ? &q.lo[j - 9] : &q.hi[j - 12]) = (double)worst[i][j];
+        }
+        question_from_box(&q);
+        for (mode = 0; mode < 4; mode++) {
+            int ok;
+            enter_rounding(mode);
+            ok = ask_all(&q);
+            enter_rounding(0);
+            CHECK(ok);
+        }
+    }
+}
+
 /* Questions of all kinds with subnormals read and written as zero. */
 static void flushing_subnormals_changes_no_answer(void)
 {
@@ -185,14 +261,15 @@ static void one_flushed_number_still_decides(void)
             question *q = &batch[i];
             double   *number = i < 9 ? &q->t.v[i / 3][i % 3] : i < 12 ? &q->lo[i - 9] : &q->hi[i - 12];
             int       a;
+            int       up = i >= 12 || (i < 9 && random_below(2));
             q->seed = random_state;
             for (a = 0; a < 3; a++) {
                 int j;
-                for (j = 0; j < 3; j++) {
-                    q->t.v[j][a] = random_below(7) - 3;
+                for (j = 0; j < 3; j++) {   /* on the number's axis the triangle begins where the box ends */
+                    q->t.v[j][a] = a != i % 3 ? random_below(7) - 3 : (up ? 1 : -1) * random_below(3);
                 }
-                q->lo[a] = random_below(5) - 3;
-                q->hi[a] = q->lo[a] + 1 + random_below(3);
+                q->lo[a] = a != i % 3 ? -1 - random_below(4) : up ? -3 : 0;
+                q->hi[a] = a != i % 3 ? 1 + random_below(4) : up ? 0 : 3;
             }
             *number = (random_below(2) ? 1 : -1) * power_of_two(-127 - random_below(22));
             question_from_box(q);
@@ -241,6 +318,7 @@ int main(void)
     RUN(rounding_up_changes_no_answer);
     RUN(rounding_down_changes_no_answer);
     RUN(rounding_toward_zero_changes_no_answer);
+    RUN(worst_float_errors_change_no_answer);
     RUN(flushing_subnormals_changes_no_answer);
     RUN(flushed_subnormals_still_decide);
     RUN(one_flushed_number_still_decides);
