@@ -8,7 +8,7 @@ BEGIN {
     while ((getline row < reasons) > 0) {
         if (row ~ /^# /) {
             reason = substr(row, 3)
-        } else if (split(row, part, " [|] ") == 3) {
+        } else if (reason != "" && split(row, part, " [|] ") == 3) {
             entries++
             entry_function[entries] = part[1]
             entry_text[entries] = part[2]

@@ -505,6 +505,25 @@ static void corners_that_round_alike_are_merged(void)
     CHECK(same_float(p[0][0], 1) && same_float(p[1][0], nudge_float(1, 1)));
 }
 
+/* A cut half-way between two floats goes to the even one, above or below. */
+static void half_way_cuts_go_to_the_even_float(void)
+{
+    int i;
+
+    for (i = 0; i < 4; i++) {
+        const float below = nudge_float(1, i);
+        const float above = nudge_float(1, i + 1);
+        const float v0[3] = {0, below, 0};
+        const float v1[3] = {2, above, 0};
+        const float v2[3] = {2, above, 1};
+        const float lo[3] = {1, 0, 0};
+        const float hi[3] = {1, 3, 0};
+        float       p[9][3];
+        CHECK(tribox_clip(v0, v1, v2, lo, hi, p) == 1);
+        CHECK(same_float(p[0][0], 1) && same_float(p[0][1], i % 2 ? above : below) && p[0][2] == 0);
+    }
+}
+
 /* ---- closest ------------------------------------------------------------------------------------------- */
 
 typedef struct weights {
@@ -1043,6 +1062,7 @@ int main(void)
     RUN(clips_without_a_question);
     RUN(corners_at_the_largest_float_stay);
     RUN(corners_that_round_alike_are_merged);
+    RUN(half_way_cuts_go_to_the_even_float);
     RUN(nearest_points_are_exact);
     RUN(nearest_points_of_any_floats);
     RUN(nearest_without_a_question);

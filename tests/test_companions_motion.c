@@ -544,6 +544,9 @@ static void rays_without_a_question(void)
     CHECK(tribox_ray_box(o, x, infinity(), infinity(), lo, hi, NULL, NULL) == 0);
     CHECK(tribox_ray_box(o, x, -infinity(), -infinity(), lo, hi, NULL, NULL) == 0);
     CHECK(tribox_ray_box(o, d, 0, 1, hi, lo, NULL, NULL) == 0);
+    CHECK(tribox_ray_triangle(o, d, -1, 1, lo, hi, o, NULL) == 1);
+    CHECK(tribox_ray_triangle(o, d, not_a_number(), 1, lo, hi, o, NULL) == 0);
+    CHECK(tribox_ray_triangle(o, d, -1, not_a_number(), lo, hi, o, NULL) == 0);
     for (a = 0; a < 3; a++) {
         x[a] = infinity();
         CHECK(tribox_ray_box(x, d, 0, 1, lo, hi, NULL, NULL) == 0);

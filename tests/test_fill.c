@@ -393,6 +393,55 @@ static void fill_of_no_words_does_nothing(void)
     CHECK(tribox_grid_get(&grid, 0, 0, 0, 0) == 0);
 }
 
+/* Small triangles on both sides of a word's end, in rows of a few words and of more than 65,536 voxels: the
+ * voxels of the spans. */
+static uint64_t row_want[3 * 3 * 1100];
+static uint64_t row_got[3 * 3 * 1100];
+static size_t   row_words;
+
+static void row_set(void *user, int x0, int x1, int y, int z)
+{
+    (void)user;
+    for (; x0 <= x1; x0++) {
+        row_want[(size_t)(3 * z + y) * row_words + (size_t)x0 / 64] |= (uint64_t)1 << x0 % 64;
+    }
+}
+
+static void rows_of_many_words_are_filled(void)
+{
+    int i;
+
+    random_seed(107);
+    for (i = 0; i < TEST_LOOPS(64); i++) {
+        tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {200, 3, 3}, 0};
+        float       p[8 * 9];
+        tribox_mesh mesh;
+        int         j;
+        grid.hi[0] = i % 4 == 0 ? 70000 : 200;
+        grid.flags = every_rule[i / 4 % 4];
+        row_words = (size_t)(grid.hi[0] + 63) / 64;
+        memset(row_want, 0, sizeof row_want);
+        memset(row_got, 0, sizeof row_got);
+        for (j = 0; j < 8; j++) {
+            const double word_end = 64.0 * (1 + random_below(grid.hi[0] / 64));
+            int          c;
+            for (c = 0; c < 3; c++) {
+                p[9 * j + 3 * c] = (float)(word_end + random_signed());
+                p[9 * j + 3 * c + 1] = (float)(1.5 + random_signed() * (i % 3 ? 0.25 : 1.25));
+                p[9 * j + 3 * c + 2] = (float)(1.5 + random_signed() * (i % 2 ? 0.25 : 1.25));
+            }
+            tribox_grid_spans(&grid, p + 9 * j, p + 9 * j + 3, p + 9 * j + 6, row_set, 0);
+        }
+        mesh.positions = p;
+        mesh.stride = 0;
+        mesh.indices = 0;
+        mesh.triangles = 8;
+        CHECK(tribox_grid_words(&grid) == 9 * row_words);
+        tribox_grid_fill(&grid, &mesh, row_got);
+        CHECK(memcmp(row_got, row_want, sizeof row_got) == 0);
+    }
+}
+
 /* A mesh of no triangles needs no positions and sets nothing. */
 static void empty_mesh_sets_nothing(void)
 {
@@ -426,6 +475,7 @@ int main(void)
     RUN(words_are_exact_or_zero);
     RUN(words_end_at_the_last_size_that_fits);
     RUN(fill_of_no_words_does_nothing);
+    RUN(rows_of_many_words_are_filled);
     RUN(empty_mesh_sets_nothing);
     return test_report("test_fill");
 }

@@ -145,6 +145,37 @@ static void frame_holds_the_largest_and_the_least_mesh(void)
     }
 }
 
+/* Meshes of a float or two in extent, far from the origin, in up to 2^31 voxels: sizes are below the
+ * spacing of doubles there, so that the first origins that are tried, on either side, leave a face
+ * outside. */
+static void frame_holds_meshes_small_beside_their_coordinates(void)
+{
+    int i;
+
+    random_seed(116);
+    for (i = 0; i < TEST_LOOPS(400); i++) {
+        const int   n = i % 2 ? INT_MAX - random_below(100) : 1 + (1 << random_below(30));
+        float       p[9];
+        tribox_grid grid;
+        tribox_mesh mesh;
+        int         k;
+        for (k = 0; k < 3; k++) {
+            const double scale = power_of_two(random_below(120) - 60);
+            const float  x = (float)(scale * (random_below(4) ? random_signed() : -1));
+            p[k] = x;
+            p[3 + k] = i % 3 == k || random_below(3) ? nudge_float(x, 1 + random_below(2)) : x;
+            p[6 + k] = random_below(2) ? x : p[3 + k];
+        }
+        mesh.positions = p;
+        mesh.stride = 0;
+        mesh.indices = 0;
+        mesh.triangles = 1;
+        if (!CHECK(tribox_grid_fit(&grid, &mesh, n) == 1) || !CHECK(frame_is_right(&grid, p, 3, n))) {
+            print_frame(&grid, p, 3, n);
+        }
+    }
+}
+
 /* No voxel of the layer round the region is touched. */
 static void frame_leaves_its_surroundings_untouched(void)
 {
@@ -351,6 +382,7 @@ int main(void)
 {
     RUN(frame_holds_the_mesh_strictly_inside);
     RUN(frame_holds_the_largest_and_the_least_mesh);
+    RUN(frame_holds_meshes_small_beside_their_coordinates);
     RUN(frame_leaves_its_surroundings_untouched);
     RUN(mesh_without_extent_has_no_frame);
     RUN(located_voxel_holds_the_point);
