@@ -571,27 +571,29 @@ TRIBOX_IMPL_FN double tribox_impl_from_bits64(uint64_t bits)
     return x;
 }
 
-/* The float's value as a double, also where the processor would read a subnormal as zero. A float subnormal
- * is mantissa * 2^-149, a normal double. */
-TRIBOX_IMPL_FN double tribox_impl_widen(const float *x)
+TRIBOX_IMPL_FN unsigned tribox_impl_is_subnormal(const float *x)
+{
+    return (tribox_impl_bits32(x) & 0x7fffffffu) - 1u < 0x007fffffu;
+}
+
+/* A float subnormal is mantissa * 2^-149, a normal double. */
+TRIBOX_IMPL_COLD double tribox_impl_widen_subnormal(const float *x)
 {
     const uint32_t bits = tribox_impl_bits32(x);
     const uint64_t sign = (uint64_t)(bits & 0x80000000u) << 32;
     uint64_t mantissa = bits & 0x007fffffu;
-    uint64_t exponent = (bits >> 23) & 0xffu;
-    if (exponent == 0xffu) {
-        exponent = 0x7ffu;
-    } else if (exponent != 0) {
-        exponent += 1023 - 127;
-    } else if (mantissa != 0) {
-        exponent = 1023 - 126;
-        while (mantissa < 0x00800000u) {
-            mantissa <<= 1;
-            exponent--;
-        }
-        mantissa &= 0x007fffffu;
+    uint64_t exponent = 1023 - 126;
+    while (mantissa < 0x00800000u) {
+        mantissa <<= 1;
+        exponent--;
     }
-    return tribox_impl_from_bits64(sign | (exponent << 52) | (mantissa << 29));
+    return tribox_impl_from_bits64(sign | (exponent << 52) | ((mantissa & 0x007fffffu) << 29));
+}
+
+/* The float's value as a double, also where the processor would read a subnormal as zero. */
+TRIBOX_IMPL_FN double tribox_impl_widen(const float *x)
+{
+    return TRIBOX_IMPL_RARELY(tribox_impl_is_subnormal(x) != 0) ? tribox_impl_widen_subnormal(x) : (double)*x;
 }
 
 TRIBOX_IMPL_FN int tribox_impl_is_nan(double x)
@@ -4586,22 +4588,11 @@ TRIBOX_IMPL_FN float tribox_impl_fraction_round(tribox_impl_calc *c, const tribo
 
 /* ---- inputs */
 
-TRIBOX_IMPL_FN unsigned tribox_impl_is_subnormal(const float *x)
-{
-    return (tribox_impl_bits32(x) & 0x7fffffffu) - 1u < 0x007fffffu;
-}
-
-/* tribox_impl_widen, the usual case first. */
-TRIBOX_IMPL_FN double tribox_impl_wide(const float *x)
-{
-    return TRIBOX_IMPL_RARELY(tribox_impl_is_subnormal(x) != 0) ? tribox_impl_widen(x) : (double)*x;
-}
-
 TRIBOX_IMPL_FN void tribox_impl_widen3(double out[3], const float x[3])
 {
-    out[0] = tribox_impl_wide(x);
-    out[1] = tribox_impl_wide(x + 1);
-    out[2] = tribox_impl_wide(x + 2);
+    out[0] = tribox_impl_widen(x);
+    out[1] = tribox_impl_widen(x + 1);
+    out[2] = tribox_impl_widen(x + 2);
 }
 
 /* Does the closed box hold a real point? Not with NaN, min > max, or both faces at one infinity. */
@@ -5090,10 +5081,63 @@ TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_
     return tribox_impl_ray_box(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
 }
 
+#if TRIBOX_SIMD
+/* tribox_impl_filter4 for a segment: two equal corners leave n = 0, so no plane, and for each axis one
+ * condition r - |c| >= 0, c = m x (q - p). Errors in units of u X_b X_c: c: two products of 2 + 1 + 1, and 2
+ * for their difference: 10; r: 8; r - |c|: 3 more: within ULPS. Where X_b or X_c is 0, value and bound are 0. */
+TRIBOX_IMPL_FN int tribox_impl_segment_filter(const float p[3], const float q[3], const float box_min[3],
+                                              const float box_max[3])
+{
+    const tribox_impl_f4 half = tribox_impl_splat(0.5f);
+    const tribox_impl_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f };       /* 2^-149 */
+    const tribox_impl_f4 p0 = tribox_impl_load3(p);
+    const tribox_impl_f4 p1 = tribox_impl_load3(q);
+    const tribox_impl_f4 lo = tribox_impl_load3(box_min);
+    const tribox_impl_f4 hi = tribox_impl_load3(box_max);
+    const tribox_impl_f4 lower = tribox_impl_max4(lo, tribox_impl_min4(p0, p1));
+    const tribox_impl_f4 upper = tribox_impl_min4(hi, tribox_impl_max4(p0, p1));
+    const tribox_impl_i4 faces = lower > upper;     /* a face parts them, or min > max */
+    tribox_impl_f4 a = p1 - p0;
+    tribox_impl_f4 l = lower - p0;
+    tribox_impl_f4 u = upper - p0;
+    TRIBOX_IMPL_KEEP4(a);
+    TRIBOX_IMPL_KEEP4(l);
+    TRIBOX_IMPL_KEEP4(u);
+    {
+        const tribox_impl_f4 x = tribox_impl_abs4(a);
+        const tribox_impl_f4 m = (l + u) * half;
+        const tribox_impl_f4 h = (u - l) * half;
+        const tribox_impl_f4 c = m * tribox_impl_yzx(a) - tribox_impl_yzx(m) * a;
+        const tribox_impl_f4 value = tribox_impl_radius4(x, h, tribox_impl_yzx(h)) - tribox_impl_abs4(c);
+        const tribox_impl_f4 bound = tribox_impl_splat(TRIBOX_IMPL_ULPS * TRIBOX_IMPL_U32) * x *
+                                     tribox_impl_yzx(x);
+        const int refused = tribox_impl_signs(tribox_impl_above(x, 0x53000000) |
+                                              tribox_impl_above(tribox_impl_abs4(lo), 0x7f800000) |
+                                              tribox_impl_above(tribox_impl_abs4(hi), 0x7f800000) |
+                                              tribox_impl_below(x + tiny, 0x30800000));
+        const int miss = tribox_impl_signs(faces | (value < -bound)) != 0;
+        const int open = (tribox_impl_signs(value < bound) != 0) & !miss;
+        if (TRIBOX_IMPL_RARELY((refused != 8) | open)) {
+            if (open || (refused & 7) != 0 || tribox_impl_may_flush(p) || tribox_impl_may_flush(q) ||
+                tribox_impl_may_flush(box_min) || tribox_impl_may_flush(box_max)) {
+                return TRIBOX_IMPL_UNSURE;
+            }
+        }
+        return !miss;
+    }
+}
+#endif
+
 TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float box_min[3],
                                  const float box_max[3])
 {
-    return tribox_overlap(p, q, q, box_min, box_max);
+#if TRIBOX_SIMD
+    const int verdict = tribox_impl_segment_filter(p, q, box_min, box_max);
+    if (!TRIBOX_IMPL_RARELY(verdict == TRIBOX_IMPL_UNSURE)) {
+        return verdict;
+    }
+#endif
+    return tribox_impl_overlap_widened(p, q, q, box_min, box_max, 0);
 }
 
 /* ---- ray and triangle */
