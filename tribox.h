@@ -401,7 +401,7 @@ TRIBOX_FN int tribox_plane_box(const float n[3], float d, const float box_min[3]
  *
  * Returns     1 or 0. A NaN or infinite end, or an empty box: 0.
  * Guarantees  Exact: the segment is the triangle p, q, q.
- * Cost        190 ns.
+ * Cost        8 ns; within rounding of touching, as tribox_overlap.
  */
 TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float box_min[3],
                                  const float box_max[3]);
@@ -417,7 +417,8 @@ TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float
  *             box: 0.
  * Guarantees  Exact. out_t0 is the greatest float (or -infinity) that is <= the exact lower end of the
  *             interval, out_t1 the least float (or infinity) that is >= its upper end.
- * Cost        12 ns; 130 ns where dir has a zero component or an end is a float; else up to 5 us.
+ * Cost        12 ns; 18 ns where dir has a zero component; 70 ns where both ends are floats; within rounding
+ *             of touching, or where two axes end at once, 0.15 to 5 us.
  * Source      [KK86], slabs.
  */
 TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
@@ -562,6 +563,13 @@ TRIBOX_IMPL_FN uint64_t tribox_impl_bits64(const double *x)
     uint64_t bits;
     TRIBOX_IMPL_COPY(&bits, x, sizeof bits);
     return bits;
+}
+
+TRIBOX_IMPL_FN float tribox_impl_from_bits32(uint32_t bits)
+{
+    float x;
+    TRIBOX_IMPL_COPY(&x, &bits, sizeof x);
+    return x;
 }
 
 TRIBOX_IMPL_FN double tribox_impl_from_bits64(uint64_t bits)
@@ -1260,9 +1268,14 @@ TRIBOX_IMPL_FN int tribox_impl_corners_finite(const double v0[3], const double v
     return tribox_impl_finite3(v0) & tribox_impl_finite3(v1) & tribox_impl_finite3(v2);
 }
 
+/* Without a branch where the compiler has a way to say so: signs are coin tosses. */
 TRIBOX_IMPL_FN double tribox_impl_abs(double x)
 {
+#if defined(__GNUC__) && !defined(__CUDACC__)
+    return __builtin_fabs(x);
+#else
     return x < 0.0 ? -x : x;
+#endif
 }
 
 /* The box, clipped to the triangle's bounding box. Bit k of open_lo, open_hi: that face is not in the box. */
@@ -1471,8 +1484,12 @@ TRIBOX_IMPL_FN float tribox_impl_maxf(float a, float b)
 
 TRIBOX_IMPL_FN float tribox_impl_absf(float a)
 {
+#if defined(__GNUC__) && !defined(__CUDACC__)
+    return __builtin_fabsf(a);
+#else
     const float zero = 0.0f;    /* a constant might be a double: FLT_EVAL_METHOD 1 */
     return a < zero ? -a : a;
+#endif
 }
 
 #if TRIBOX_SIMD
@@ -4345,6 +4362,18 @@ TRIBOX_IMPL_FN void tribox_impl_num_set(const tribox_impl_calc *c, tribox_impl_n
     }
 }
 
+/* What this run uses of a number: copies of whole structs would take longer than the sums. */
+TRIBOX_IMPL_FN void tribox_impl_num_copy(const tribox_impl_calc *c, tribox_impl_num *r,
+                                         const tribox_impl_num *a)
+{
+    if (c->exact) {
+        *r = *a;
+    } else {
+        r->mid = a->mid;
+        r->rad = a->rad;
+    }
+}
+
 /* Have both numbers at most 24 bits? */
 TRIBOX_IMPL_FN int tribox_impl_both_short(double a, double b)
 {
@@ -4510,10 +4539,7 @@ enum { TRIBOX_IMPL_DOWN, TRIBOX_IMPL_NEAREST, TRIBOX_IMPL_UP };     /* NEAREST: 
 /* The float of a key, infinities included. */
 TRIBOX_IMPL_FN float tribox_impl_from_key32(int64_t key)
 {
-    const uint32_t bits = key < 0 ? 0x80000000u | (uint32_t)-key : (uint32_t)key;
-    float x;
-    TRIBOX_IMPL_COPY(&x, &bits, sizeof x);
-    return x;
+    return tribox_impl_from_bits32(key < 0 ? 0x80000000u | (uint32_t)-key : (uint32_t)key);
 }
 
 /* Is x, rounded, at least the float with this key? The least x for which it is: the float itself (down),
@@ -4742,8 +4768,8 @@ TRIBOX_IMPL_FN void tribox_impl_motion_keep(tribox_impl_motion *m, const tribox_
         m->empty |= gap < 0;
         return;
     }
-    t.n = *c0;
-    t.d = *c1;
+    tribox_impl_num_copy(c, &t.n, c0);
+    tribox_impl_num_copy(c, &t.d, c1);
     tribox_impl_num_flip(c, &t.n, -direction);
     tribox_impl_num_flip(c, &t.d, direction);
     tighter = direction * tribox_impl_fraction_compare(c, &t, end);
@@ -4752,7 +4778,8 @@ TRIBOX_IMPL_FN void tribox_impl_motion_keep(tribox_impl_motion *m, const tribox_
         m->opens_side = side;
     }
     if (tighter > 0) {
-        *end = t;
+        tribox_impl_num_copy(c, &end->n, &t.n);
+        tribox_impl_num_copy(c, &end->d, &t.d);
     }
 }
 
@@ -4884,9 +4911,9 @@ TRIBOX_IMPL_FN int tribox_impl_ray_valid(const double origin[3], const double di
 }
 
 /* What the filter leaves open: in double with bounds, then in integers. */
-TRIBOX_IMPL_COLD int tribox_impl_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
-                                         const float box_min[3], const float box_max[3], float *out_t0,
-                                         float *out_t1)
+TRIBOX_IMPL_NOINLINE int tribox_impl_ray_box(const float origin[3], const float dir[3], float t_min,
+                                             float t_max, const float box_min[3], const float box_max[3],
+                                             float *out_t0, float *out_t1)
 {
     tribox_impl_motion m;
     double d[3];
@@ -4941,51 +4968,78 @@ TRIBOX_IMPL_FN int32_t tribox_impl_slab_round(double t, int up)
     return (key ^ -negative) + negative;
 }
 
-/* Where the ray enters (up = 0) or leaves (1) the slab of one axis, rounded outward. The difference of
- * floats errs by 2^-52 of itself, the reciprocal is checked to 2^-48, the product errs by 2^-52: less than
- * 2^-47, which is at most 64 ulp. What was read as zero moves an end by 2^-85 (2^-125 * 2^40), so ends below
- * 1e-6 are left open. */
-TRIBOX_IMPL_FN int32_t tribox_impl_slab_end(float origin, float dir, float lo, float hi, int up)
+/* The same of a / d, t being about that: where t is too close to a float f, f * d, which is exact in double,
+ * is compared with a = face - origin; 0 where that difference is not exact. Two steps at most, as t is within
+ * an ulp of a / d, and f of t. */
+TRIBOX_IMPL_NOINLINE int32_t tribox_impl_slab_exact(float origin, float dir, float face, double t, int up)
 {
-    const double d = (double)dir;
-    double a = (double)lo - (double)origin;
-    double b = (double)hi - (double)origin;
-    double inverse = 1.0 / d;
-    double off;
-    double end;
-    TRIBOX_IMPL_KEEP4(a);
-    TRIBOX_IMPL_KEEP4(b);
-    TRIBOX_IMPL_KEEP4(inverse);
-    off = inverse * d - 1.0;
-    a = a * inverse;
-    b = b * inverse;
-    end = up ? (a < b ? b : a) : (a < b ? a : b);
-    if (!(tribox_impl_abs(off) < 1.0 / 281474976710656.0 && tribox_impl_abs(end) > 1e-6)) {     /* 2^-48 */
+    const double d = tribox_impl_widen(&dir);
+    const double from = tribox_impl_widen(&origin);
+    const double to = tribox_impl_widen(&face);
+    const double a = to - from;
+    const float narrow = (float)t;
+    int32_t key = tribox_impl_key32(&narrow);
+    int step;
+    if (!tribox_impl_sum_is_exact(to, from)) {
         return 0;
     }
-    return tribox_impl_slab_round(end, up);
+    key += up ? -2 : 2;
+    for (step = 0; step < 5; step++) {
+        const double product = tribox_impl_key32_value(key) * d;
+        const int order = d > 0.0 ? (product > a) - (product < a) : (product < a) - (product > a);
+        if (up ? order >= 0 : order <= 0) {
+            return key;
+        }
+        key += up ? 1 : -1;
+    }
+    return 0;
 }
 
-/* Slabs in float, x, y, z in three lanes, t_min and t_max in the fourth. Inputs are below 2^40, components
- * of dir 2^-40 at least. A difference errs by 2^-23, a reciprocal is checked to 2^-20, a product errs by
- * 2^-23: 2^-19 in all, and 2^-80 for what was flushed or read as zero (2^-125 * 2^40). The largest lower
- * and the least upper end are no farther from the exact ones than that. */
+/* Where the ray enters (up = 0) or leaves (1) the slab of one axis, rounded outward. The difference of
+ * floats errs by 2^-52 of itself, the quotient is checked to 2^-48 and 2^-51: less than 2^-47, which is at
+ * most 64 ulp. What was read as zero moves an end by 2^-85 (2^-125 * 2^40), so ends below 1e-6 are left
+ * open. */
+TRIBOX_IMPL_FN int32_t tribox_impl_slab_end(float origin, float dir, float lo, float hi, int up)
+{
+    /* no branch: dir's sign is a coin toss */
+    const uint32_t to_hi = 0u - ((tribox_impl_bits32(&dir) >> 31) ^ (uint32_t)up);
+    const uint32_t bits_lo = tribox_impl_bits32(&lo);
+    const float face = tribox_impl_from_bits32(bits_lo ^ ((bits_lo ^ tribox_impl_bits32(&hi)) & to_hi));
+    const double d = (double)dir;
+    double a = (double)face - (double)origin;
+    double t;
+    int32_t key;
+    TRIBOX_IMPL_KEEP4(a);
+    t = a / d;
+    TRIBOX_IMPL_KEEP4(t);
+    if (!(tribox_impl_abs(t * d - a) < tribox_impl_abs(a) * (1.0 / 281474976710656.0) &&     /* 2^-48 */
+          tribox_impl_abs(t) > 1e-6)) {
+        return 0;
+    }
+    key = tribox_impl_slab_round(t, up);
+    return TRIBOX_IMPL_RARELY(key == 0) ? tribox_impl_slab_exact(origin, dir, face, t, up) : key;
+}
+
+/* Slabs in float, x, y, z in three lanes, t_min and t_max in the fourth. Differences are at most 2^41,
+ * reciprocals 2^40, so every t in a box is at most 2^81. A difference errs by 2^-23 of itself, a reciprocal
+ * is checked to 2^-20, a product errs by 2^-23: 2^-19 in all, and 2^-80 for what was flushed or read as zero
+ * (2^-125 * 2^40). The largest lower and the least upper end are no farther from the exact ones than that. */
 TRIBOX_IMPL_FN int tribox_impl_ray_filter(const float origin[3], const float dir[3], float t_min, float t_max,
                                           const float box_min[3], const float box_max[3], float *out_t0,
                                           float *out_t1)
 {
-    const float beyond = 1.2676506002282294e+30f;       /* 2^100: every t in a box is below 2^82 */
+    const float beyond = 1.2676506002282294e+30f;       /* 2^100 */
     const float relative = 1.9073486328125e-06f;        /* 2^-19 */
     const float absolute = 8.271806125530277e-25f;      /* 2^-80 */
     const float from_t = t_min > -beyond ? t_min : -beyond;
     const float to_t = t_max < beyond ? t_max : beyond;
+    const tribox_impl_i4 last_one = { 0, 0, 0, 0x3f800000 };
     const tribox_impl_f4 o = tribox_impl_load3(origin);
-    const tribox_impl_f4 d3 = tribox_impl_load3(dir);
+    const tribox_impl_f4 d = (tribox_impl_f4)((tribox_impl_i4)tribox_impl_load3(dir) | last_one);
     const tribox_impl_f4 lo = tribox_impl_load3(box_min);
     const tribox_impl_f4 hi = tribox_impl_load3(box_max);
-    const tribox_impl_f4 d = { d3[0], d3[1], d3[2], 1.0f };
     const tribox_impl_f4 one = tribox_impl_splat(1.0f);
-    const tribox_impl_i4 most = tribox_impl_splat_int(0x53800000);     /* 2^40 */
+    const tribox_impl_i4 most = tribox_impl_splat_int(0x54000000);     /* 2^41 */
     tribox_impl_f4 inverse = one / d;
     tribox_impl_f4 a = lo - o;
     tribox_impl_f4 b = hi - o;
@@ -5003,10 +5057,9 @@ TRIBOX_IMPL_FN int tribox_impl_ray_filter(const float origin[3], const float dir
     TRIBOX_IMPL_KEEP4(inverse);
     TRIBOX_IMPL_KEEP4(a);
     TRIBOX_IMPL_KEEP4(b);
-    /* by their sign bits: too large, too small (2^-40), a reciprocal off by 2^-20, lo > hi */
-    doubt = (most - tribox_impl_magnitude(o)) | (most - tribox_impl_magnitude(lo)) |
-            (most - tribox_impl_magnitude(hi)) | (most - tribox_impl_magnitude(d)) |
-            (tribox_impl_magnitude(d) - tribox_impl_splat_int(0x2b800000)) |
+    /* by their sign bits: too large, also from NaN and infinities; a reciprocal off by 2^-20; lo > hi */
+    doubt = (most - tribox_impl_magnitude(a)) | (most - tribox_impl_magnitude(b)) |
+            (tribox_impl_splat_int(0x53800000) - tribox_impl_magnitude(inverse)) |
             (tribox_impl_splat_int(0x35800000) - tribox_impl_magnitude(inverse * d - one)) |
             (tribox_impl_i4)(hi - lo);
     if (TRIBOX_IMPL_RARELY(tribox_impl_any(doubt))) {
@@ -5059,6 +5112,42 @@ TRIBOX_IMPL_FN int tribox_impl_ray_filter(const float origin[3], const float dir
     }
     return TRIBOX_IMPL_HIT;
 }
+
+/* Again, where components of dir are 0: such an axis either has no t at all, or all, which is decided by the
+ * bits. In the latter case it may as well be met by a slab so long that its ends, 2^81, are not nearer than
+ * those of any slab that the filter takes; it takes no part unless others end there too, which is unsure. */
+TRIBOX_IMPL_NOINLINE int tribox_impl_ray_flat(const float origin[3], const float dir[3], float t_min,
+                                              float t_max, const float box_min[3], const float box_max[3],
+                                              float *out_t0, float *out_t1)
+{
+    float x[4][3];
+    int zeros = 0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        x[0][k] = origin[k];
+        x[1][k] = dir[k];
+        x[2][k] = box_min[k];
+        x[3][k] = box_max[k];
+        if (tribox_impl_bits32(dir + k) << 1 == 0) {
+            const int32_t infinity = 0x7f800000;
+            const int32_t at = tribox_impl_key32(origin + k);
+            const int32_t lo = tribox_impl_key32(box_min + k);
+            const int32_t hi = tribox_impl_key32(box_max + k);
+            if (lo > at || at > hi || lo < -infinity || hi > infinity || at <= -infinity || at >= infinity) {
+                return TRIBOX_IMPL_MISS;        /* outside; NaN, whose keys lie past infinity */
+            }
+            x[0][k] = 0.0f;
+            x[1][k] = 9.094947017729282e-13f;   /* 2^-40 */
+            x[2][k] = -2199023255552.0f;        /* 2^41 */
+            x[3][k] = 2199023255552.0f;
+            zeros++;
+        }
+    }
+    if (zeros == 0 || zeros == 3) {
+        return TRIBOX_IMPL_UNSURE;
+    }
+    return tribox_impl_ray_filter(x[0], x[1], t_min, t_max, x[2], x[3], out_t0, out_t1);
+}
 #endif
 
 TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
@@ -5071,9 +5160,12 @@ TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_
     }
 #if TRIBOX_SIMD
     {
-        const int verdict = tribox_impl_ray_filter(origin, dir, t_min, t_max, box_min, box_max, out_t0,
-                                                   out_t1);
+        int verdict = tribox_impl_ray_filter(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
         if (!TRIBOX_IMPL_RARELY(verdict == TRIBOX_IMPL_UNSURE)) {
+            return verdict;
+        }
+        verdict = tribox_impl_ray_flat(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
+        if (verdict != TRIBOX_IMPL_UNSURE) {
             return verdict;
         }
     }
@@ -5084,7 +5176,8 @@ TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_
 #if TRIBOX_SIMD
 /* tribox_impl_filter4 for a segment: two equal corners leave n = 0, so no plane, and for each axis one
  * condition r - |c| >= 0, c = m x (q - p). Errors in units of u X_b X_c: c: two products of 2 + 1 + 1, and 2
- * for their difference: 10; r: 8; r - |c|: 3 more: within ULPS. Where X_b or X_c is 0, value and bound are 0. */
+ * for their difference: 10; r: 8; r - |c|: 3 more: within ULPS. Where X_b or X_c is 0, value and bound are
+ * 0. */
 TRIBOX_IMPL_FN int tribox_impl_segment_filter(const float p[3], const float q[3], const float box_min[3],
                                               const float box_max[3])
 {
@@ -5360,7 +5453,6 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_closest(tribox_impl_calc *c, double v[3][3
     tribox_impl_num n[3];
     tribox_impl_num dots[3][3];
     tribox_impl_fraction w;
-    tribox_impl_num total;
     int along[3][3];
     int i;
     int j;
@@ -5388,17 +5480,16 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_closest(tribox_impl_calc *c, double v[3][3
         tribox_impl_closest_face(c, &dots[k][k], n, v[(k + 1) % 3], v[(k + 2) % 3], q);
         if (tribox_impl_num_sign(c, &dots[k][k]) <= 0 && along[i][j] > 0 && along[j][i] > 0) {
             tribox_impl_num_add(c, &w.d, &dots[i][j], &dots[j][i], 1);
-            w.n = dots[j][i];
+            tribox_impl_num_copy(c, &w.n, &dots[j][i]);
             out_weights[i] = tribox_impl_fraction_round(c, &w, TRIBOX_IMPL_NEAREST);
-            w.n = dots[i][j];
+            tribox_impl_num_copy(c, &w.n, &dots[i][j]);
             out_weights[j] = tribox_impl_fraction_round(c, &w, TRIBOX_IMPL_NEAREST);
             return;
         }
     }
-    tribox_impl_num_dot(c, &total, n, n);
+    tribox_impl_num_dot(c, &w.d, n, n);
     for (k = 0; k < 3; k++) {
-        w.n = dots[k][k];
-        w.d = total;
+        tribox_impl_num_copy(c, &w.n, &dots[k][k]);
         out_weights[k] = tribox_impl_fraction_round(c, &w, TRIBOX_IMPL_NEAREST);
     }
 }
@@ -5500,7 +5591,7 @@ TRIBOX_IMPL_FN void tribox_impl_cut_coordinate(tribox_impl_cut *t, tribox_impl_v
         tribox_impl_fraction_set(c, r, tribox_impl_line_face(t, x.a));
     } else {
         tribox_impl_num v0;
-        r->d = t->n[k];
+        tribox_impl_num_copy(c, &r->d, &t->n[k]);
         tribox_impl_num_set(c, &v0, t->v[0][k]);
         tribox_impl_num_mul(c, &r->n, &v0, &t->n[k]);
         tribox_impl_cut_add_face(t, &r->n, x.a);

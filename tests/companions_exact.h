@@ -125,7 +125,7 @@ static inline int companion_mutant_applies(int which, int mutant)
 }
 
 #define FAR_TIME 400   /* an infinite t as a power of two: every finite contact is before 2^278 */
-#define FAR_FACE 1000  /* an infinite face: a normal's least component, 2^-298, times this is past all others */
+#define FAR_FACE 1000  /* an infinite face: a normal's least component, 2^-298, times it is past all */
 #define POLYGON_MAX 64 /* candidates for extreme points */
 
 typedef struct companion_work {

@@ -1,6 +1,7 @@
 /* clang -I. -O1 -g -fsanitize=fuzzer,address,undefined tests/fuzz_companions.c -lgmp -o fuzz_companions
  *
- * Every companion against the exact judge, to the last bit of what it writes; the sweep's axis within its bound.
+ * Every companion against the exact judge, to the last bit of what it writes; the sweep's axis within its
+ * bound.
  */
 #include "companions_answers.h"
 #include "fuzz_input.h"

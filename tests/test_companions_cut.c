@@ -1037,7 +1037,8 @@ static void octants_of_doubles_beyond_floats(void)
     random_seed(71);
     for (i = 0; i < TEST_LOOPS(4000); i++) {
         const unsigned flags = (1u << random_below(4)) >> 1;
-        const double   scale = power_of_two(random_below(4) ? random_below(2060) - 1050 : 90 + random_below(40));
+        const int      e = random_below(4) ? random_below(2060) - 1050 : 90 + random_below(40);
+        const double   scale = power_of_two(e);
         double         x[15];
         double         large[15];
         tribox_tri     tri;
