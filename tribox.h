@@ -2623,9 +2623,10 @@ TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, 
 
 /* Puts corners and voxels into one frame; finds out whether that frame is exact.
  *
- * Bound. A corner in this frame is within 4 u (|x| + |origin| + |base|) of its place; a limit's value is a
- * sum of n_k times differences of at most 2 reach_k, n_k being within 4 u m_k, through three more products
- * and five sums: within sum m_k (4 u (|x| + |origin| + |base|) + 32 u reach_k).
+ * Bound. A corner in this frame is within 2 u (|x| + |origin| + |base|) of its place. A limit's value is a sum
+ * of twelve terms n_k times a length, n_k being within 4 u m_k, and so each within 16 u of its magnitude; on
+ * one axis they add up to at most 2 m_k reach_k. So the value is within sum m_k (4 u (|x| + |origin| + |base|)
+ * + 32 u reach_k), which leaves room for the bound's own rounding.
  *
  * In range, reaches are in [2^-300, 2^301), and slack is finite, so that m_k = 0 adds 0. Where m_k is not 0,
  * the corners differ on axis k, by at most 2^303, so |x| is below 2^357, or the one corner would be lost in

@@ -8,10 +8,11 @@ out=$CHECK_DIR/proofs
 mkdir -p "$out"
 have gappa || { check_end; exit 0; }
 
-# A constant of the header: the first number in the only line that matches.
-constant() { # sed pattern with one group
-    local value
-    value=$(sed -n "s/$1/\\1/p" tribox.h)
+# A constant of the header: the first number in the only line that matches, or follows one that does.
+constant() { # sed pattern with one group, sed pattern of the line before
+    local value script="s/$1/\\1/p"
+    [ $# -eq 2 ] && script="/$2/{n;$script}"
+    value=$(sed -n "$script" tribox.h)
     if [ "$(echo "$value" | wc -l)" -ne 1 ] || [ -z "$value" ]; then
         echo "not found exactly once in tribox.h: $1" >&2
         echo missing
@@ -24,9 +25,13 @@ ULPS=$(constant '^#define TRIBOX_IMPL_ULPS \([0-9]*\)$')
 TERMS=$(constant '.*bound = \([0-9.]*\) \* u \* terms + [0-9.]* \* TRIBOX_IMPL_U64 \* made.*')
 MADE=$(constant '.*bound = [0-9.]* \* u \* terms + \([0-9.]*\) \* TRIBOX_IMPL_U64 \* made.*')
 NORMAL=$(constant '.*abs(p) + tribox_impl_abs(q)) \* (\([0-9.]*\) \* TRIBOX_IMPL_U64);.*')
-export ULPS TERMS MADE NORMAL
+FRAME=$(constant '^ *(\([0-9.]*\) \* TRIBOX_IMPL_U64);$' 'w->slack\[k\] = (farthest')
+REACH=$(constant '.*w->slack\[k\] += reach \* (\([0-9.]*\) \* TRIBOX_IMPL_U64);.*')
+LANES=$(constant '.*bound = c->bound \* scale + (double)(\([0-9.]*\)f \* TRIBOX_IMPL_U32);.*')
+GRID=$(constant '^ *(\([0-9.]*\) \* TRIBOX_IMPL_U64);$' 'abs(x) + tribox_impl_abs(along)')
+export ULPS TERMS MADE NORMAL FRAME REACH LANES GRID
 echo "constants of tribox.h: one box $ULPS; prepared $TERMS and $MADE;" \
-    "sign of the normal $NORMAL"
+    "sign of the normal $NORMAL; walk $FRAME, $REACH and $LANES; grid plane $GRID"
 
 # UNITS(n): n + 1/8 units of 2^-P, so that terms of second order fit. BELOW(n): n - 1 units, since the
 # header rounds its bound too. FUSED and PLAIN: lines for one kind of contraction.
@@ -34,7 +39,8 @@ prove() { # script, P, FUSED or PLAIN
     local other=PLAIN
     [ "$3" = PLAIN ] && other=FUSED
     sed -E -e "s/^$3 //" -e "/^$other /d" -e "s/@ULPS@/$ULPS/g; s/@TERMS@/$TERMS/g; s/@MADE@/$MADE/g" \
-        -e "s/@NORMAL@/$NORMAL/g; s/\bP\b/$2/g" "tests/proofs/$1.gappa" |
+        -e "s/@NORMAL@/$NORMAL/g; s/@WALK@/$((REACH + FRAME - 2))/g; s/@LANES@/$LANES/g" \
+        -e "s/@GRID@/$GRID/g; s/\bP\b/$2/g" "tests/proofs/$1.gappa" |
         awk -v p="$2" '{
             while (match($0, /(UNITS|BELOW)\([0-9]+\)/)) {
                 n = substr($0, RSTART + 6, RLENGTH - 7) * 64
@@ -50,6 +56,7 @@ export -f prove
 job "proof: rounding" prove rounding 23 PLAIN
 for p in 23 24 52 53; do
     job "proof: sums and products, 2^-$p" prove products $p PLAIN
+    job "proof: grid walk, 2^-$p" prove walk $p PLAIN
     for contraction in PLAIN FUSED; do
         for script in coords lines normal edge plane; do
             job "proof: $script, 2^-$p, $contraction" prove $script $p $contraction
