@@ -8,9 +8,9 @@ FUZZ_SECONDS     ?= 60
 FUZZ_TARGETS     := overlap tri grid mesh companions
 FUZZ_FLAGS       := -std=c99 -I. -O1 -g -fno-sanitize-recover=all \
                     -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow
-CHECK_PARTS      := verify golden-check platforms headers sanitize proofs mutate cuda fuzz coverage
+CHECK_PARTS      := verify golden-check platforms headers sanitize proofs errors mutate cuda fuzz coverage
 
-.PHONY: check verify golden golden-check platforms headers sanitize proofs mutate cuda fuzz coverage
+.PHONY: check verify golden golden-check platforms headers sanitize proofs errors mutate cuda fuzz coverage
 
 check: ## all checks below, one after the other, and their sum
 	@bash tests/check.sh $(CHECK_PARTS)
@@ -44,6 +44,13 @@ sanitize: ## the suite under the address, undefined-behaviour and memory sanitiz
 
 proofs: ## the filter's error constants, proved by Gappa
 	@bash tests/check_proofs.sh
+
+$(B)/errors: tests/errors.c tribox.h
+	@mkdir -p $(B)
+	$(CC_C99) -frounding-math -o $@ tests/errors.c -lgmp -lm
+
+errors: $(B)/errors ## the filters' worst errors that hill climbing finds, as parts of their bounds
+	$(B)/errors
 
 mutate: ## break the header in many ways: the tests must notice each
 	@bash tests/mutate.sh
