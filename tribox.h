@@ -4970,8 +4970,8 @@ TRIBOX_IMPL_FN int32_t tribox_impl_slab_round(double t, int up)
 }
 
 /* The same of a / d, t being about that: where t is too close to a float f, f * d, which is exact in double,
- * is compared with a = face - origin; 0 where that difference is not exact. Two steps at most, as t is within
- * an ulp of a / d, and f of t. */
+ * is compared with a = face - origin; 0 where that difference is not exact. The float sought is not three
+ * away from f, as t is within an ulp of a / d, and f of t. */
 TRIBOX_IMPL_NOINLINE int32_t tribox_impl_slab_exact(float origin, float dir, float face, double t, int up)
 {
     const double d = tribox_impl_widen(&dir);
@@ -4979,21 +4979,17 @@ TRIBOX_IMPL_NOINLINE int32_t tribox_impl_slab_exact(float origin, float dir, flo
     const double to = tribox_impl_widen(&face);
     const double a = to - from;
     const float narrow = (float)t;
-    int32_t key = tribox_impl_key32(&narrow);
-    int step;
+    int32_t key = tribox_impl_key32(&narrow) + (up ? -2 : 2);
+    int before = 1;     /* is the key's float on the wrong side? */
     if (!tribox_impl_sum_is_exact(to, from)) {
         return 0;
     }
-    key += up ? -2 : 2;
-    for (step = 0; step < 5; step++) {
+    while (before) {
         const double product = tribox_impl_key32_value(key) * d;
-        const int order = d > 0.0 ? (product > a) - (product < a) : (product < a) - (product > a);
-        if (up ? order >= 0 : order <= 0) {
-            return key;
-        }
-        key += up ? 1 : -1;
+        before = up != (d < 0.0) ? product < a : product > a;
+        key += before ? (up ? 1 : -1) : 0;
     }
-    return 0;
+    return key;
 }
 
 /* Where the ray enters (up = 0) or leaves (1) the slab of one axis, rounded outward. The difference of
@@ -5754,6 +5750,12 @@ TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3
 
 /* ---- meshes */
 
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TRIBOX_IMPL_QUERY TRIBOX_IMPL_FN __attribute__((always_inline))
+#else
+#define TRIBOX_IMPL_QUERY TRIBOX_IMPL_FN
+#endif
+
 /* Are three corners all below lo or all above hi on one axis? Where subnormals are read as zero, a face of
  * the box and a corner may seem equal, and do not part then: the answer only ever errs to 0. */
 TRIBOX_IMPL_FN int tribox_impl_beyond(const char *a, const char *b, const char *c, size_t at, float lo,
@@ -5769,14 +5771,24 @@ TRIBOX_IMPL_FN int tribox_impl_beyond(const char *a, const char *b, const char *
                                                                                 z) > hi;
 }
 
+/* Out of line, so that the loop below keeps its constants in registers. */
+TRIBOX_IMPL_NOINLINE int tribox_impl_query_touches(const char *a, const char *b, const char *c,
+                                                   const float lo[3], const float hi[3])
+{
+    float v[3][3];
+    TRIBOX_IMPL_COPY(v[0], a, sizeof v[0]);
+    TRIBOX_IMPL_COPY(v[1], b, sizeof v[1]);
+    TRIBOX_IMPL_COPY(v[2], c, sizeof v[2]);
+    return tribox_overlap(v[0], v[1], v[2], lo, hi);
+}
+
 /* Neighbours in a mesh lie beyond the same face, so asking axis by axis is foreseen, and reads a third of
  * the corners. */
-TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[3], const float box_max[3],
-                                   uint32_t *out_triangles, size_t capacity)
+TRIBOX_IMPL_QUERY size_t tribox_impl_query(const tribox_mesh *mesh, const uint32_t *index, size_t stride,
+                                           const float box_min[3], const float box_max[3],
+                                           uint32_t *out_triangles, size_t capacity)
 {
-    const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
     const char *positions = (const char *)mesh->positions;
-    const uint32_t *index = mesh->indices;
     const size_t triangles = mesh->triangles;
     const float lo[3] = { box_min[0], box_min[1], box_min[2] };
     const float hi[3] = { box_max[0], box_max[1], box_max[2] };
@@ -5787,16 +5799,12 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
         const char *a = positions + (index != NULL ? index[at] : at) * stride;
         const char *b = positions + (index != NULL ? index[at + 1] : at + 1) * stride;
         const char *c = positions + (index != NULL ? index[at + 2] : at + 2) * stride;
-        float v[3][3];
         if (tribox_impl_beyond(a, b, c, 0, lo[0], hi[0]) ||
             tribox_impl_beyond(a, b, c, sizeof(float), lo[1], hi[1]) ||
             tribox_impl_beyond(a, b, c, 2 * sizeof(float), lo[2], hi[2])) {
             continue;
         }
-        TRIBOX_IMPL_COPY(v[0], a, sizeof v[0]);
-        TRIBOX_IMPL_COPY(v[1], b, sizeof v[1]);
-        TRIBOX_IMPL_COPY(v[2], c, sizeof v[2]);
-        if (tribox_overlap(v[0], v[1], v[2], lo, hi)) {
+        if (tribox_impl_query_touches(a, b, c, lo, hi)) {
             if (count < capacity) {
                 out_triangles[count] = (uint32_t)i;
             }
@@ -5804,6 +5812,19 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
         }
     }
     return count;
+}
+
+/* Packed vertices with indices, the usual mesh, need no multiplication by the stride. */
+TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[3], const float box_max[3],
+                                   uint32_t *out_triangles, size_t capacity)
+{
+    const size_t packed = 3 * sizeof(float);
+    const size_t stride = mesh->stride != 0 ? mesh->stride : packed;
+    const uint32_t *index = mesh->indices;
+    if (index != NULL && stride == packed) {
+        return tribox_impl_query(mesh, index, packed, box_min, box_max, out_triangles, capacity);
+    }
+    return tribox_impl_query(mesh, index, stride, box_min, box_max, out_triangles, capacity);
 }
 
 /* ---- octree descent */
@@ -6059,6 +6080,7 @@ TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
 #undef TRIBOX_IMPL_FAR
 #undef TRIBOX_IMPL_SIGN_BIT
 #undef TRIBOX_IMPL_FORCED
+#undef TRIBOX_IMPL_QUERY
 #undef TRIBOX_IMPL_DWORDS
 #undef TRIBOX_IMPL_FIRST
 #undef TRIBOX_IMPL_SECOND

@@ -24,7 +24,7 @@ static mode_case  mode_cases[MODE_CASES];
 static uint64_t   mode_answers[MODE_CASES];
 
 /* Small integers, ordinary floats, a few bits with many ties, and every exponent, made before any mode is
- * changed. */
+ * changed. In some, one number alone is subnormal. */
 static void make_cases(void)
 {
     int i;
@@ -51,6 +51,14 @@ static void make_cases(void)
             c->hi[k] = x[3] < x[4] ? x[4] : x[3];
             c->u[k] = x[5];
             c->q[k] = x[6];
+        }
+        if (random_below(4) == 0) {
+            float *any[4];
+            any[0] = c->v[0];
+            any[1] = c->lo;
+            any[2] = c->hi;
+            any[3] = c->q;
+            any[random_below(4)][random_below(3)] = random_below(2) ? 1e-45f : -1e-39f;
         }
     }
 }

@@ -504,6 +504,40 @@ static void rays_that_graze(void)
     }
 }
 
+/* A ray across an axis, which no t brings into a slab or out of it: the origin decides, to the last ulp, and
+ * NaN and infinities are no question. */
+static void rays_across_an_axis(void)
+{
+    const float values[6] = {not_a_number(), -not_a_number(), infinity(), -infinity(), -1.0f, 1.0f};
+    int         a;
+    int         i;
+
+    for (a = 0; a < 3; a++) {
+        const float d[3] = {a == 0 ? -0.0f : 0.625f, a == 1 ? 0.0f : 0.625f, a == 2 ? 0.0f : -0.625f};
+        for (i = 0; i < 6; i++) {
+            float o[3] = {0.25f, 0.125f, 0.375f};
+            float lo[3] = {-1, -1, -1};
+            float hi[3] = {1, 1, 1};
+            float t0;
+            CHECK(tribox_ray_box(o, d, -9, 9, lo, hi, &t0, NULL) == 1);
+            o[a] = values[i];
+            CHECK(tribox_ray_box(o, d, -9, 9, lo, hi, &t0, NULL) == (i >= 4));
+            lo[a] = -infinity();
+            hi[a] = infinity();
+            CHECK(tribox_ray_box(o, d, -9, 9, lo, hi, &t0, NULL) == (i >= 4));
+            o[a] = 0.25f;
+            lo[a] = values[i];
+            CHECK(tribox_ray_box(o, d, -9, 9, lo, hi, &t0, NULL) == (i == 3 || i == 4));
+            lo[a] = -1;
+            hi[a] = values[i];
+            CHECK(tribox_ray_box(o, d, -9, 9, lo, hi, &t0, NULL) == (i == 2 || i == 5));
+            hi[a] = 1;
+            o[a] = nudge_float(i & 1 ? 1.0f : -1.0f, i == 4 ? -1 : i == 5 ? 1 : 0);
+            CHECK(tribox_ray_box(o, d, -9, 9, lo, hi, &t0, NULL) == (i < 4));
+        }
+    }
+}
+
 /* An end that is zero is +0 on every path: t = -0 within the slabs, and where the direction takes the slow
  * way. */
 static void ends_at_minus_zero_are_zero(void)
@@ -1203,6 +1237,7 @@ int main(void)
     RUN(segments_are_exact);
     RUN(rays_and_boxes_are_exact);
     RUN(rays_that_graze);
+    RUN(rays_across_an_axis);
     RUN(ends_at_minus_zero_are_zero);
     RUN(rays_without_a_question);
     RUN(sweeps_are_exact);
