@@ -200,7 +200,8 @@ typedef struct tribox_tri {
     unsigned asked;         /* flags as given */
     unsigned flags;         /* as they apply: infinite boxes are never thin */
     int      empty;         /* 1: the triangle or every box is the empty set */
-    double   unused;        /* a multiple of 16 bytes: in arrays, too, the vectors lie well */
+    int      huge;          /* 1: a corner or size is 2^58 or more, and p - ref may be too large for a float */
+    int      unused;        /* a multiple of 16 bytes: in arrays, too, the vectors lie well */
 } tribox_tri;
 
 /* A voxel grid. Voxel (i,j,k) is [origin + (i,j,k)*size, origin + (i+1,j+1,k+1)*size], in real numbers. */
@@ -2225,6 +2226,7 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
         float_range &= tribox_impl_less(tri->t_max[k], limit) & tribox_impl_less(-limit, tri->t_min[k]) &
                        tribox_impl_less(size[k], limit);
     }
+    tri->huge = !float_range;
     for (k = 0; k < 3; k++) {
         tribox_impl_tri_keys(tri, k, (rule & TRIBOX_OPEN) != 0,
                              (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
@@ -5998,26 +6000,30 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octant_values(const tribox_tri *tri, const f
     return hits;
 }
 
-/* Sets the octants that the faces of axis k leave, the upper ones `shift` bits above the lower ones, and
- * q_k. A condition in float has no coefficient but 0 unless all reaches are at most 2^60; so where q is too
- * large for a float, or infinite, it does not matter, and 0 will do. */
+/* The octants that the faces of axis k leave, the upper ones `shift` bits above the lower ones. */
 TRIBOX_IMPL_FN unsigned tribox_impl_octant_axis(const tribox_tri *tri, int k, double p, unsigned lower,
-                                                int shift, float q_near[3], float q_far[3])
+                                                int shift)
 {
     const unsigned faces = tribox_impl_octant_faces(tri, k, p);
-    const double q = p - (double)tri->ref[k];
-    const int fits = tribox_impl_abs(q) + tri->size[k] < 1.2676506002282294e+30;    /* 2^100 */
-    q_near[k] = fits ? (float)q : 0.0f;
-    q_far[k] = fits ? (float)(q + tri->size[k]) : 0.0f;
     return lower * ((faces & 1u) | (faces >> 1) << shift);
 }
 
+/* q_k of the lower and the upper octants */
+TRIBOX_IMPL_FN void tribox_impl_octant_narrow(const tribox_tri *tri, int k, double p, float q_near[3],
+                                              float q_far[3])
+{
+    const double q = p - (double)tri->ref[k];
+    q_near[k] = (float)q;
+    q_far[k] = (float)(q + tri->size[k]);
+}
+
 /* q is rounded to float from double: the roundings in double are too few to count beside it, as |p - ref|
- * <= 2 R where the faces of any octant hold. */
+ * <= 2 R where the faces of any octant hold. Where that may be too large for a float, and where sizes are
+ * infinite, each octant is asked by itself. */
 TRIBOX_IMPL_FN unsigned tribox_impl_octants(const tribox_tri *tri, const double p[3])
 {
     unsigned asked;
-    unsigned hits;
+    unsigned hits = 0;
     unsigned doubt;
     float q_near[3];
     float q_far[3];
@@ -6025,15 +6031,21 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octants(const tribox_tri *tri, const double 
     if (tri->empty) {
         return 0;
     }
-    asked = tribox_impl_octant_axis(tri, 0, p[0], 0x55, 1, q_near, q_far);
-    asked &= tribox_impl_octant_axis(tri, 1, p[1], 0x33, 2, q_near, q_far);
-    asked &= tribox_impl_octant_axis(tri, 2, p[2], 0x0f, 4, q_near, q_far);
+    asked = tribox_impl_octant_axis(tri, 0, p[0], 0x55, 1);
+    asked &= tribox_impl_octant_axis(tri, 1, p[1], 0x33, 2);
+    asked &= tribox_impl_octant_axis(tri, 2, p[2], 0x0f, 4);
+    doubt = asked;
+    if (asked != 0 && !TRIBOX_IMPL_RARELY(tri->huge)) {
+        tribox_impl_octant_narrow(tri, 0, p[0], q_near, q_far);
+        tribox_impl_octant_narrow(tri, 1, p[1], q_near, q_far);
+        tribox_impl_octant_narrow(tri, 2, p[2], q_near, q_far);
 #if !TRIBOX_SIMD
-    TRIBOX_IMPL_KEEP(q_near);
-    TRIBOX_IMPL_KEEP(q_far);
+        TRIBOX_IMPL_KEEP(q_near);
+        TRIBOX_IMPL_KEEP(q_far);
 #endif
-    hits = asked & tribox_impl_octant_values(tri, q_near, q_far, &doubt);
-    doubt &= asked;
+        hits = asked & tribox_impl_octant_values(tri, q_near, q_far, &doubt);
+        doubt &= asked;
+    }
     for (o = 0; TRIBOX_IMPL_RARELY(doubt >> o != 0); o++) {
         if ((doubt >> o & 1u) != 0) {
             hits |= (unsigned)tribox_impl_octant(tri, p, o) << o;
