@@ -3208,837 +3208,6 @@ TRIBOX_IMPL_FN void tribox_impl_mesh_corner(const tribox_mesh *mesh, size_t t, i
     }
 }
 
-#if TRIBOX_SIMD
-#define TRIBOX_IMPL_SIGN_BIT (-2147483647 - 1)
-#define TRIBOX_IMPL_FORCED TRIBOX_IMPL_FN __attribute__((always_inline))
-
-typedef int16_t tribox_impl_s8 __attribute__((vector_size(16)));
-typedef signed char tribox_impl_b16 __attribute__((vector_size(16)));
-
-/* Lanes of a, then of b, in half the width; saturation keeps the sign. */
-#if defined(__SSE2__)
-TRIBOX_IMPL_FN tribox_impl_s8 tribox_impl_pack32(tribox_impl_i4 a, tribox_impl_i4 b)
-{
-    return (tribox_impl_s8)__builtin_ia32_packssdw128(a, b);
-}
-
-TRIBOX_IMPL_FN tribox_impl_b16 tribox_impl_pack16(tribox_impl_s8 a, tribox_impl_s8 b)
-{
-    return (tribox_impl_b16)__builtin_ia32_packsswb128(a, b);
-}
-
-typedef char tribox_impl_c16 __attribute__((vector_size(16)));
-
-/* The sign bits of the sixteen lanes. */
-TRIBOX_IMPL_FN uint64_t tribox_impl_signs16(tribox_impl_b16 a)
-{
-    return (uint64_t)(uint32_t)__builtin_ia32_pmovmskb128((tribox_impl_c16)a);
-}
-#else
-TRIBOX_IMPL_FN tribox_impl_s8 tribox_impl_pack32(tribox_impl_i4 a, tribox_impl_i4 b)
-{
-    tribox_impl_s8 r = { 0, 0, 0, 0, 0, 0, 0, 0 };
-    int i;
-    for (i = 0; i < 4; i++) {
-        r[i] = (int16_t)(a[i] > 32767 ? 32767 : a[i] < -32768 ? -32768 : a[i]);
-        r[i + 4] = (int16_t)(b[i] > 32767 ? 32767 : b[i] < -32768 ? -32768 : b[i]);
-    }
-    return r;
-}
-
-TRIBOX_IMPL_FN tribox_impl_b16 tribox_impl_pack16(tribox_impl_s8 a, tribox_impl_s8 b)
-{
-    tribox_impl_b16 r = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-    int i;
-    for (i = 0; i < 8; i++) {
-        r[i] = (int8_t)(a[i] > 127 ? 127 : a[i] < -128 ? -128 : a[i]);
-        r[i + 8] = (int8_t)(b[i] > 127 ? 127 : b[i] < -128 ? -128 : b[i]);
-    }
-    return r;
-}
-
-TRIBOX_IMPL_FN uint64_t tribox_impl_signs16(tribox_impl_b16 a)
-{
-    uint64_t r = 0;
-    int i;
-    for (i = 0; i < 16; i++) {
-        r |= (uint64_t)(a[i] < 0) << i;
-    }
-    return r;
-}
-#endif
-
-/* The low, or high, halves of a and b, lanes of 8 or 16 bits in turn. */
-TRIBOX_IMPL_FN tribox_impl_b16 tribox_impl_low8(tribox_impl_b16 a, tribox_impl_b16 b)
-{
-#if defined(__clang__)
-    return __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19,
-                                   4, 20, 5, 21, 6, 22, 7, 23);
-#else
-    const tribox_impl_b16 order = { 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23 };
-    return __builtin_shuffle(a, b, order);
-#endif
-}
-
-TRIBOX_IMPL_FN tribox_impl_b16 tribox_impl_high8(tribox_impl_b16 a, tribox_impl_b16 b)
-{
-#if defined(__clang__)
-    return __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27,
-                                   12, 28, 13, 29, 14, 30, 15, 31);
-#else
-    const tribox_impl_b16 order = { 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31 };
-    return __builtin_shuffle(a, b, order);
-#endif
-}
-
-TRIBOX_IMPL_FN tribox_impl_b16 tribox_impl_low16(tribox_impl_b16 a, tribox_impl_b16 b)
-{
-#if defined(__clang__)
-    return (tribox_impl_b16)__builtin_shufflevector((tribox_impl_s8)a, (tribox_impl_s8)b,
-                                                    0, 8, 1, 9, 2, 10, 3, 11);
-#else
-    const tribox_impl_s8 order = { 0, 8, 1, 9, 2, 10, 3, 11 };
-    return (tribox_impl_b16)__builtin_shuffle((tribox_impl_s8)a, (tribox_impl_s8)b, order);
-#endif
-}
-
-TRIBOX_IMPL_FN tribox_impl_b16 tribox_impl_high16(tribox_impl_b16 a, tribox_impl_b16 b)
-{
-#if defined(__clang__)
-    return (tribox_impl_b16)__builtin_shufflevector((tribox_impl_s8)a, (tribox_impl_s8)b,
-                                                    4, 12, 5, 13, 6, 14, 7, 15);
-#else
-    const tribox_impl_s8 order = { 4, 12, 5, 13, 6, 14, 7, 15 };
-    return (tribox_impl_b16)__builtin_shuffle((tribox_impl_s8)a, (tribox_impl_s8)b, order);
-#endif
-}
-
-#define TRIBOX_IMPL_DWORDS(a, b, i, j, k, l) \
-    ((tribox_impl_b16)TRIBOX_IMPL_LANES((tribox_impl_f4)(a), (tribox_impl_f4)(b), i, j, k, l))
-
-/* ---- Small triangles -----------------------------------------------------------------------------------
- *
- * Conservative rules, count <= n = 2, 3 or 4 voxels on each axis. Three lanes hold the planes xy,
- * yz, xz as (b, c); n_a is twice the projected area there, as -n_y in xz. With sigma = sign n_a
- * an edge from v along e says
- *   f(cell) = N.(cell - v) + max(N_b, 0) + max(N_c, 0) >= 0,   N = sigma (-e_c, e_b),      [SS10]
- *
- * affine in the cell; the least of three decides the cell. The plane says
- * |n|.(1/2, 1/2, 1/2) - |n.(centre - v0)| >= 0. A value's sign decides where all values are beyond their
- * bounds, so that true signs are the same, and not 0: then every rule says the same. The sign of n_a is sure
- * if |n_a| is above the bound too.
- *
- * Bound. u = 2^-23 as in section 10; X: the largest extent, |e| <= X <= n; |q - v| <= n for all corners q, v;
- * so |n_a| <= X^2 and |f| <= 2 n X. Coordinates d (delta) off move f = (v_i - q) x (v_j - q) by at most d
- * times the four differences: 4 n d. Rounding, in units of u n X:
- *   N_b, N_c: 1 (X u each; edge 1, made of two differences: 3, of X u) times |q - v| <= n, twice: 2 (6)
- *   N.v: two products 2, their sum 2; the sum of the maxima, <= 2 X: 1 (X u 2, n >= 2); their difference: 2
- *   the steps to cell (b, c): at most 2 (n - 1) sums of at most 2 n X: 4 (n - 1)
- * In all 4 n + 3 (4 n + 7), so BOUND = n (u (4 n + 11) X + 4.125 d). n_a itself is off by 4 X d and, in units
- * of u X^2, by 2 + 2 (factors), 2 (products), 2 (difference; |n_a| <= X^2): 8, which is less.
- * The plane, with n_a off as said: d moves it by at most n (3 * 4 X d) + |n|.d <= 15 n X d;
- * in units of u n X^2:
- *   n: 3 * 8; 1/2 - v0: 3; products: 3; two sums of at most 3: 6; steps: 3 (2 n - 1), and 1 for n_x * 3
- *   half the sum of |n|: (3 * 8 + 2 * 3) / 2 / n; the difference to |d|: 3
- * In all 37 + 6 n + 15/n, below 4 (4 n + 11) for n >= 2; so PLANE_BOUND = 4 X BOUND, and 1e-30 against
- * underflow: what flushing adds to a value is below 2^-120, to BOUND nothing since d >= 2^-100.
- * The rest (4.125, 11) covers second-order terms, coordinates outside [0, n] by d,
- * and the bound's own rounding.
- *
- * Flat in projection: where the sign of n_a is not sure, both sides of each edge are asked, f and
- * g = 2r + |n_a| - f, 2r = |N_b| + |N_c|. min(f, g) = r + |n/2| - |n/2 - c| of section 10 is meaningful for
- * any n, and an error of n counts once: 4 n d + 4 X d, and in units of u n X: f 4 n + 7, n_a 8, three sums
- * 2 + 2 + 1 + 2: 4 n + 22; both are below 2 BOUND.
- * An edge that is a point in projection has f = g = 0 everywhere; e is 0 as computed, so truly at most
- * 2 d + u X. It passes where it is implied: let the triangle's extent reach into each cell of the box by
- * BOUND on each axis ("clear"). If another edge has both sides beyond 2 BOUND, |n_a| being below BOUND, its
- * true line meets the cell; and its true extent, at most 2 d + u X short of the triangle's on a side, meets
- * it too. For a segment and a box these are all axes: the segment, part of the triangle, meets the cell, and
- * so all true conditions of this plane hold there. */
-
-/* x, y of plane xy; y, z of plane yz; x, z of plane xz; lane 3 repeats lane 0 */
-#define TRIBOX_IMPL_FIRST(x) TRIBOX_IMPL_LANES(x, x, 0, 1, 0, 0)
-#define TRIBOX_IMPL_SECOND(x) TRIBOX_IMPL_LANES(x, x, 1, 2, 2, 1)
-
-/* An edge in the three planes: value at cell (b, c) = d + b*n_b + c*n_c. */
-typedef struct tribox_impl_small_edge {
-    tribox_impl_f4 n_b;
-    tribox_impl_f4 n_c;
-    tribox_impl_f4 d;
-} tribox_impl_small_edge;
-
-typedef struct tribox_impl_small_setup {
-    tribox_impl_small_edge e0;
-    tribox_impl_small_edge e1;
-    tribox_impl_small_edge e2;
-    tribox_impl_f4 n_abs;       /* twice the projected areas: xy, yz, xz, xy */
-    tribox_impl_f4 bound;       /* of the edges */
-    tribox_impl_f4 d;           /* of the plane at the centre of voxel 0 */
-    tribox_impl_f4 n_x;
-    tribox_impl_f4 n_y;
-    tribox_impl_f4 n_z;
-    tribox_impl_f4 r;
-    tribox_impl_f4 plane_bound;
-} tribox_impl_small_setup;
-
-TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_flip(tribox_impl_f4 a, tribox_impl_i4 sign)
-{
-    return (tribox_impl_f4)((tribox_impl_i4)a ^ sign);
-}
-
-/* d from n and a corner: the value at the critical corner of cell 0. */
-TRIBOX_IMPL_FORCED void tribox_impl_small_through(tribox_impl_small_edge *e, tribox_impl_f4 v_b,
-                                                  tribox_impl_f4 v_c)
-{
-    const tribox_impl_f4 zero = tribox_impl_splat(0.0f);
-    e->d = (tribox_impl_max4(e->n_b, zero) + tribox_impl_max4(e->n_c, zero)) - (e->n_b * v_b + e->n_c * v_c);
-}
-
-TRIBOX_IMPL_FORCED void tribox_impl_small_init(tribox_impl_small_setup *s, tribox_impl_f4 x0,
-                                               tribox_impl_f4 x1, tribox_impl_f4 x2, float delta, float n)
-{
-    const tribox_impl_f4 t_min = tribox_impl_min4(tribox_impl_min4(x0, x1), x2);
-    const tribox_impl_f4 t_max = tribox_impl_max4(tribox_impl_max4(x0, x1), x2);
-    const tribox_impl_f4 t = t_max - t_min;
-    const tribox_impl_f4 t2 = tribox_impl_max4(t, TRIBOX_IMPL_LANES(t, t, 1, 0, 3, 2));
-    const tribox_impl_f4 extent = tribox_impl_max4(t2, TRIBOX_IMPL_LANES(t2, t2, 2, 3, 0, 1));
-    const tribox_impl_f4 v0_b = TRIBOX_IMPL_FIRST(x0);
-    const tribox_impl_f4 v0_c = TRIBOX_IMPL_SECOND(x0);
-    const tribox_impl_f4 half = { 0.5f, 0.5f, 0.5f, 0.0f };
-    const tribox_impl_i4 sign_bit = { TRIBOX_IMPL_SIGN_BIT, TRIBOX_IMPL_SIGN_BIT,
-                                      TRIBOX_IMPL_SIGN_BIT, TRIBOX_IMPL_SIGN_BIT };
-    const tribox_impl_i4 lane2 = { 0, 0, TRIBOX_IMPL_SIGN_BIT, 0 };
-    tribox_impl_f4 a = x1 - x0;
-    tribox_impl_f4 c = x2 - x0;
-    tribox_impl_f4 w = half - TRIBOX_IMPL_LANES(x0, x0, 2, 0, 1, 3);
-    TRIBOX_IMPL_KEEP4(a);
-    TRIBOX_IMPL_KEEP4(c);
-    TRIBOX_IMPL_KEEP4(w);
-    s->bound = extent * tribox_impl_splat(n * (4.0f * n + 11.0f) * TRIBOX_IMPL_U32) +
-               tribox_impl_splat(n * 4.125f * delta);
-    s->plane_bound = tribox_impl_splat(4.0f) * extent * s->bound + tribox_impl_splat(1e-30f);
-    {
-        const tribox_impl_f4 a_b = TRIBOX_IMPL_FIRST(a);
-        const tribox_impl_f4 a_c = TRIBOX_IMPL_SECOND(a);
-        const tribox_impl_f4 c_b = TRIBOX_IMPL_FIRST(c);
-        const tribox_impl_f4 c_c = TRIBOX_IMPL_SECOND(c);
-        const tribox_impl_f4 m = a_b * c_c - a_c * c_b;     /* n_z, n_x, -n_y, n_z */
-        const tribox_impl_i4 sign = (tribox_impl_i4)m & sign_bit;
-        const tribox_impl_i4 other = sign ^ sign_bit;
-        const tribox_impl_f4 mw = m * tribox_impl_flip(w, lane2);
-        const tribox_impl_f4 mw2 = mw + TRIBOX_IMPL_LANES(mw, mw, 1, 0, 3, 2);
-        s->d = mw2 + TRIBOX_IMPL_LANES(mw2, mw2, 2, 3, 0, 1);
-        s->n_abs = tribox_impl_flip(m, sign);
-        s->r = (TRIBOX_IMPL_LANES(s->n_abs, s->n_abs, 0, 0, 0, 0) +
-                TRIBOX_IMPL_LANES(s->n_abs, s->n_abs, 1, 1, 1, 1) +
-                TRIBOX_IMPL_LANES(s->n_abs, s->n_abs, 2, 2, 2, 2)) * tribox_impl_splat(0.5f);
-        s->n_x = TRIBOX_IMPL_LANES(m, m, 1, 1, 1, 1);
-        s->n_y = TRIBOX_IMPL_LANES(m, m, 2, 2, 2, 2);       /* negative */
-        s->n_z = TRIBOX_IMPL_LANES(m, m, 0, 0, 0, 0);
-        s->e0.n_b = tribox_impl_flip(a_c, other);
-        s->e0.n_c = tribox_impl_flip(a_b, sign);
-        s->e1.n_b = tribox_impl_flip(a_c - c_c, sign);
-        s->e1.n_c = tribox_impl_flip(c_b - a_b, sign);
-        s->e2.n_b = tribox_impl_flip(c_c, sign);
-        s->e2.n_c = tribox_impl_flip(c_b, other);
-        tribox_impl_small_through(&s->e0, v0_b, v0_c);
-        tribox_impl_small_through(&s->e1, TRIBOX_IMPL_FIRST(x1), TRIBOX_IMPL_SECOND(x1));
-        tribox_impl_small_through(&s->e2, v0_b, v0_c);
-    }
-}
-
-/* Sign bits for: values below 0, the least magnitude kept; values below -bound; values within the bound. */
-enum { TRIBOX_IMPL_SMALL_QUICK, TRIBOX_IMPL_SMALL_MISS, TRIBOX_IMPL_SMALL_DOUBT };
-
-TRIBOX_IMPL_FORCED tribox_impl_i4 tribox_impl_small_sign(tribox_impl_f4 value, tribox_impl_f4 bound,
-                                                         tribox_impl_f4 *least, int what)
-{
-    const tribox_impl_f4 magnitude = tribox_impl_abs4(value);
-    if (what == TRIBOX_IMPL_SMALL_DOUBT) {
-        return magnitude <= bound;
-    }
-    if (what == TRIBOX_IMPL_SMALL_MISS) {
-        return value < -bound;
-    }
-    *least = tribox_impl_min4(*least, magnitude);
-    return (tribox_impl_i4)value;
-}
-
-/* The cells (b, 0..n-1): bytes plane + 4c; the last is repeated. */
-TRIBOX_IMPL_FORCED tribox_impl_b16 tribox_impl_small_cells(const tribox_impl_small_setup *s,
-                                                           tribox_impl_f4 f0, tribox_impl_f4 f1,
-                                                           tribox_impl_f4 f2, tribox_impl_f4 *least,
-                                                           int n, int what)
-{
-    const tribox_impl_f4 u0 = tribox_impl_min4(tribox_impl_min4(f0, f1), f2);
-    const tribox_impl_f4 g0 = f0 + s->e0.n_c;
-    const tribox_impl_f4 g1 = f1 + s->e1.n_c;
-    const tribox_impl_f4 g2 = f2 + s->e2.n_c;
-    const tribox_impl_f4 u1 = tribox_impl_min4(tribox_impl_min4(g0, g1), g2);
-    const tribox_impl_f4 h0 = g0 + s->e0.n_c;
-    const tribox_impl_f4 h1 = g1 + s->e1.n_c;
-    const tribox_impl_f4 h2 = g2 + s->e2.n_c;
-    const tribox_impl_f4 u2 = tribox_impl_min4(tribox_impl_min4(h0, h1), h2);
-    const tribox_impl_i4 v0 = tribox_impl_small_sign(u0, s->bound, least, what);
-    const tribox_impl_i4 v1 = tribox_impl_small_sign(u1, s->bound, least, what);
-    const tribox_impl_i4 v2 = tribox_impl_small_sign(u2, s->bound, least, what);
-    tribox_impl_i4 v3 = v2;
-    if (n > 3) {
-        const tribox_impl_f4 u3 = tribox_impl_min4(tribox_impl_min4(h0 + s->e0.n_c, h1 + s->e1.n_c),
-                                                   h2 + s->e2.n_c);
-        v3 = tribox_impl_small_sign(u3, s->bound, least, what);
-    }
-    return tribox_impl_pack16(tribox_impl_pack32(v0, v1), tribox_impl_pack32(v2, v3));
-}
-
-/* R - |d| at the voxels of a slice, bytes x + 4y; the last row is repeated. */
-TRIBOX_IMPL_FORCED tribox_impl_b16 tribox_impl_small_slice(const tribox_impl_small_setup *s,
-                                                           tribox_impl_f4 d0, tribox_impl_f4 *least,
-                                                           int n, int what)
-{
-    const tribox_impl_f4 d1 = d0 - s->n_y;
-    const tribox_impl_f4 d2 = d1 - s->n_y;
-    const tribox_impl_i4 v0 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d0), s->plane_bound,
-                                                     least, what);
-    const tribox_impl_i4 v1 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d1), s->plane_bound,
-                                                     least, what);
-    const tribox_impl_i4 v2 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d2), s->plane_bound,
-                                                     least, what);
-    tribox_impl_i4 v3 = v2;
-    if (n > 3) {
-        v3 = tribox_impl_small_sign(s->r - tribox_impl_abs4(d2 - s->n_y), s->plane_bound, least, what);
-    }
-    return tribox_impl_pack16(tribox_impl_pack32(v0, v1), tribox_impl_pack32(v2, v3));
-}
-
-/* Edges as bytes plane + 4c for each b, the plane as bytes x + 4y for each z. */
-typedef struct tribox_impl_small_signs {
-    tribox_impl_b16 e0;
-    tribox_impl_b16 e1;
-    tribox_impl_b16 e2;
-    tribox_impl_b16 e3;
-    tribox_impl_b16 p0;
-    tribox_impl_b16 p1;
-    tribox_impl_b16 p2;
-    tribox_impl_b16 p3;
-} tribox_impl_small_signs;
-
-TRIBOX_IMPL_FORCED void tribox_impl_small_edges(tribox_impl_small_signs *v, const tribox_impl_small_setup *s,
-                                                tribox_impl_f4 *least, int n, int what)
-{
-    tribox_impl_f4 f0 = s->e0.d;
-    tribox_impl_f4 f1 = s->e1.d;
-    tribox_impl_f4 f2 = s->e2.d;
-    v->e0 = tribox_impl_small_cells(s, f0, f1, f2, least, n, what);
-    f0 += s->e0.n_b;
-    f1 += s->e1.n_b;
-    f2 += s->e2.n_b;
-    v->e1 = tribox_impl_small_cells(s, f0, f1, f2, least, n, what);
-    f0 += s->e0.n_b;
-    f1 += s->e1.n_b;
-    f2 += s->e2.n_b;
-    v->e2 = tribox_impl_small_cells(s, f0, f1, f2, least, n, what);
-    v->e3 = v->e2;
-    if (n > 3) {
-        v->e3 = tribox_impl_small_cells(s, f0 + s->e0.n_b, f1 + s->e1.n_b, f2 + s->e2.n_b, least, n, what);
-    }
-}
-
-TRIBOX_IMPL_FORCED void tribox_impl_small_plane(tribox_impl_small_signs *v, const tribox_impl_small_setup *s,
-                                                tribox_impl_f4 *least, int n, int what)
-{
-    const tribox_impl_f4 iota = { 0.0f, 1.0f, 2.0f, 3.0f };
-    const tribox_impl_f4 d0 = s->d + s->n_x * iota;
-    const tribox_impl_f4 d1 = d0 + s->n_z;
-    const tribox_impl_f4 d2 = d1 + s->n_z;
-    v->p0 = tribox_impl_small_slice(s, d0, least, n, what);
-    v->p1 = tribox_impl_small_slice(s, d1, least, n, what);
-    v->p2 = tribox_impl_small_slice(s, d2, least, n, what);
-    v->p3 = v->p2;
-    if (n > 3) {
-        v->p3 = tribox_impl_small_slice(s, d2 + s->n_z, least, n, what);
-    }
-}
-
-/* The sign bits of slice z; q: bytes b + 4*plane for c = z. */
-TRIBOX_IMPL_FORCED uint64_t tribox_impl_small_join(tribox_impl_b16 xy, tribox_impl_b16 q, tribox_impl_b16 p)
-{
-    const tribox_impl_b16 twice = tribox_impl_low8(q, q);
-    const tribox_impl_b16 yz = tribox_impl_high16(twice, twice);
-    const tribox_impl_b16 xz = TRIBOX_IMPL_DWORDS(q, q, 2, 2, 2, 2);
-    return tribox_impl_signs16((xy | yz) | (xz | p));
-}
-
-/* Voxels with a sign bit in one of the planes or in p. */
-TRIBOX_IMPL_FORCED uint64_t tribox_impl_small_voxels(const tribox_impl_small_signs *v, int n)
-{
-    const tribox_impl_b16 a = tribox_impl_low8(v->e0, v->e1);
-    const tribox_impl_b16 b = tribox_impl_low8(v->e2, v->e3);
-    const tribox_impl_b16 a2 = tribox_impl_high8(v->e0, v->e1);
-    const tribox_impl_b16 b2 = tribox_impl_high8(v->e2, v->e3);
-    const tribox_impl_b16 q0 = tribox_impl_low16(a, b);
-    const tribox_impl_b16 q1 = tribox_impl_high16(a, b);
-    const tribox_impl_b16 q2 = tribox_impl_low16(a2, b2);
-    const tribox_impl_b16 q3 = n > 3 ? tribox_impl_high16(a2, b2) : q2;
-    const tribox_impl_b16 low = TRIBOX_IMPL_DWORDS(q0, q1, 0, 4, 1, 5);
-    const tribox_impl_b16 high = TRIBOX_IMPL_DWORDS(q2, q3, 0, 4, 1, 5);
-    const tribox_impl_b16 xy = TRIBOX_IMPL_DWORDS(low, high, 0, 1, 4, 5);
-    uint64_t r = tribox_impl_small_join(xy, q0, v->p0) | tribox_impl_small_join(xy, q1, v->p1) << 16 |
-                 tribox_impl_small_join(xy, q2, v->p2) << 32;
-    if (n > 3) {
-        r |= tribox_impl_small_join(xy, q3, v->p3) << 48;
-    }
-    return r;
-}
-
-/* The voxels of the box. */
-TRIBOX_IMPL_FN uint64_t tribox_impl_small_inside(const int count[3])
-{
-    const uint64_t x = (((uint64_t)1 << count[0]) - 1) * 0x1111111111111111u;
-    const uint64_t y = (~(uint64_t)0 >> (64 - 4 * count[1])) & 0xffffu;
-    return x & (y * 0x0001000100010001u) & (~(uint64_t)0 >> (64 - 16 * count[2]));
-}
-
-/* Lanes of an edge that is a point in projection. */
-TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_small_point(const tribox_impl_small_edge *e)
-{
-    return (((tribox_impl_i4)e->n_b | (tribox_impl_i4)e->n_c) & tribox_impl_splat_int(0x7fffffff)) == 0;
-}
-
-/* The far side of the triangle across an edge: 2r + |n| - value. */
-TRIBOX_IMPL_FN void tribox_impl_small_far(tribox_impl_small_edge *e, tribox_impl_f4 n_abs)
-{
-    e->d = tribox_impl_abs4(e->n_b) + tribox_impl_abs4(e->n_c) + n_abs - e->d;
-    e->n_b = -e->n_b;
-    e->n_c = -e->n_c;
-}
-
-/* Lanes of a where mask, of b elsewhere. */
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_small_where(tribox_impl_i4 mask, tribox_impl_f4 a, tribox_impl_f4 b)
-{
-    return (tribox_impl_f4)((mask & (tribox_impl_i4)a) | (~mask & (tribox_impl_i4)b));
-}
-
-/* What the quick way leaves open: areas without a sure sign,
- * and doubts about voxels that something else decides. */
-TRIBOX_IMPL_COLD int tribox_impl_small_rare(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2,
-                                            float delta, float reach, const int count[3],
-                                            uint64_t *out_voxels)
-{
-    tribox_impl_small_setup s;
-    tribox_impl_small_signs v;
-    tribox_impl_f4 least = tribox_impl_splat(0.0f);
-    uint64_t miss;
-    uint64_t doubt;
-    tribox_impl_small_init(&s, x0, x1, x2, delta, reach);
-    tribox_impl_small_plane(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_MISS);
-    if (!tribox_impl_any(s.n_abs <= s.bound)) {
-        tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_MISS);
-        miss = tribox_impl_small_voxels(&v, 4);
-        tribox_impl_small_plane(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_DOUBT);
-        tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_DOUBT);
-        doubt = tribox_impl_small_voxels(&v, 4);
-    } else {
-        const tribox_impl_f4 t_min = tribox_impl_min4(tribox_impl_min4(x0, x1), x2);
-        const tribox_impl_f4 t_max = tribox_impl_max4(tribox_impl_max4(x0, x1), x2);
-        const tribox_impl_f4 margin = s.bound;
-        const tribox_impl_f4 last = { (float)(count[0] - 1), (float)(count[1] - 1),
-                                      (float)(count[2] - 1), 0.0f };
-        const tribox_impl_i4 apart = (t_min > tribox_impl_splat(1.0f) - margin) | (t_max < last + margin);
-        const tribox_impl_i4 clear = tribox_impl_splat_int((tribox_impl_signs(apart) & 7) == 0 ? -1 : 0);
-        const tribox_impl_i4 point0 = tribox_impl_small_point(&s.e0) & clear;
-        const tribox_impl_i4 point1 = tribox_impl_small_point(&s.e1) & clear;
-        const tribox_impl_i4 point2 = tribox_impl_small_point(&s.e2) & clear;
-        const tribox_impl_f4 pass = tribox_impl_splat(4.0f);
-        s.bound += s.bound;
-        s.e0.d = tribox_impl_small_where(point0, pass, s.e0.d);
-        s.e1.d = tribox_impl_small_where(point1, pass, s.e1.d);
-        s.e2.d = tribox_impl_small_where(point2, pass, s.e2.d);
-        tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_MISS);
-        miss = tribox_impl_small_voxels(&v, 4);
-        tribox_impl_small_plane(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_DOUBT);
-        tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_DOUBT);
-        doubt = tribox_impl_small_voxels(&v, 4);
-        tribox_impl_small_far(&s.e0, s.n_abs);
-        tribox_impl_small_far(&s.e1, s.n_abs);
-        tribox_impl_small_far(&s.e2, s.n_abs);
-        s.e0.d = tribox_impl_small_where(point0, pass, s.e0.d);
-        s.e1.d = tribox_impl_small_where(point1, pass, s.e1.d);
-        s.e2.d = tribox_impl_small_where(point2, pass, s.e2.d);
-        tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_DOUBT);
-        doubt |= tribox_impl_small_voxels(&v, 4);
-        tribox_impl_small_edges(&v, &s, &least, 4, TRIBOX_IMPL_SMALL_MISS);
-        v.p0 = v.p1 = v.p2 = v.p3 = (tribox_impl_b16)tribox_impl_splat_int(0);
-        miss |= tribox_impl_small_voxels(&v, 4);
-    }
-    *out_voxels = ~miss & tribox_impl_small_inside(count);
-    return (doubt & *out_voxels) == 0;
-}
-
-TRIBOX_IMPL_FORCED int tribox_impl_small_n(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2,
-                                           float delta, float reach, const int count[3], int n,
-                                           uint64_t *out_voxels)
-{
-    tribox_impl_small_setup s;
-    tribox_impl_small_signs v;
-    tribox_impl_f4 least;
-    tribox_impl_f4 least_plane;
-    tribox_impl_small_init(&s, x0, x1, x2, delta, reach);
-    least = s.n_abs;
-    least_plane = s.r;
-    tribox_impl_small_plane(&v, &s, &least_plane, n, TRIBOX_IMPL_SMALL_QUICK);
-    tribox_impl_small_edges(&v, &s, &least, n, TRIBOX_IMPL_SMALL_QUICK);
-    *out_voxels = ~tribox_impl_small_voxels(&v, n) & tribox_impl_small_inside(count);
-    if (TRIBOX_IMPL_RARELY(tribox_impl_any((least <= s.bound) | (least_plane <= s.plane_bound)))) {
-        return tribox_impl_small_rare(x0, x1, x2, delta, reach, count, out_voxels);
-    }
-    return 1;
-}
-
-/* All counts <= 2. Words: plane + 4c, then b + 2*plane, and x + 2y + 4z for voxels. */
-TRIBOX_IMPL_FN int tribox_impl_small2(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2, float delta,
-                                      const int count[3], uint64_t *out_voxels)
-{
-    const tribox_impl_i4 at_x = { 0, -1, 0, -1 };
-    const tribox_impl_i4 at_y = { 0, 0, -1, -1 };
-    tribox_impl_small_setup s;
-    tribox_impl_small_init(&s, x0, x1, x2, delta, 2.0f);
-    {
-        const tribox_impl_f4 f0 = s.e0.d + s.e0.n_b;
-        const tribox_impl_f4 f1 = s.e1.d + s.e1.n_b;
-        const tribox_impl_f4 f2 = s.e2.d + s.e2.n_b;
-        const tribox_impl_f4 v00 = tribox_impl_min4(tribox_impl_min4(s.e0.d, s.e1.d), s.e2.d);
-        const tribox_impl_f4 v01 = tribox_impl_min4(
-            tribox_impl_min4(s.e0.d + s.e0.n_c, s.e1.d + s.e1.n_c), s.e2.d + s.e2.n_c);
-        const tribox_impl_f4 v10 = tribox_impl_min4(tribox_impl_min4(f0, f1), f2);
-        const tribox_impl_f4 v11 = tribox_impl_min4(
-            tribox_impl_min4(f0 + s.e0.n_c, f1 + s.e1.n_c), f2 + s.e2.n_c);
-        const tribox_impl_f4 least = tribox_impl_min4(
-            tribox_impl_min4(tribox_impl_abs4(v00), tribox_impl_abs4(v01)),
-            tribox_impl_min4(tribox_impl_min4(tribox_impl_abs4(v10), tribox_impl_abs4(v11)), s.n_abs));
-        const tribox_impl_b16 p0 = (tribox_impl_b16)tribox_impl_pack32((tribox_impl_i4)v00,
-                                                                       (tribox_impl_i4)v01);
-        const tribox_impl_b16 p1 = (tribox_impl_b16)tribox_impl_pack32((tribox_impl_i4)v10,
-                                                                       (tribox_impl_i4)v11);
-        const tribox_impl_f4 d0 = s.d + (tribox_impl_f4)((tribox_impl_i4)s.n_x & at_x) -
-                                  (tribox_impl_f4)((tribox_impl_i4)s.n_y & at_y);
-        const tribox_impl_f4 d1 = d0 + s.n_z;
-        const tribox_impl_f4 r0 = s.r - tribox_impl_abs4(d0);
-        const tribox_impl_f4 r1 = s.r - tribox_impl_abs4(d1);
-        const tribox_impl_f4 least_plane = tribox_impl_min4(tribox_impl_abs4(r0), tribox_impl_abs4(r1));
-        const tribox_impl_b16 plane = (tribox_impl_b16)tribox_impl_pack32((tribox_impl_i4)r0,
-                                                                          (tribox_impl_i4)r1);
-        const tribox_impl_b16 low = tribox_impl_low16(p0, p1);
-        const tribox_impl_b16 high = tribox_impl_high16(p0, p1);
-        const tribox_impl_b16 low2 = tribox_impl_low16(low, low);
-        const tribox_impl_b16 high2 = tribox_impl_low16(high, high);
-        const tribox_impl_b16 xy2 = TRIBOX_IMPL_DWORDS(low, high, 0, 4, 1, 5);
-        const tribox_impl_b16 xy = TRIBOX_IMPL_DWORDS(xy2, xy2, 0, 1, 0, 1);
-        const tribox_impl_b16 xz = TRIBOX_IMPL_DWORDS(low, high, 2, 2, 6, 6);
-        const tribox_impl_b16 yz = TRIBOX_IMPL_DWORDS(low2, high2, 2, 3, 6, 7);
-        const tribox_impl_s8 miss = (tribox_impl_s8)((xy | xz) | (yz | plane));
-        const uint32_t bits = (uint32_t)tribox_impl_signs16(tribox_impl_pack16(miss, miss));
-        const uint32_t all = (bits & 0x03) | (bits & 0x0c) << 2 | (bits & 0x30) << 12 | (bits & 0xc0) << 14;
-        *out_voxels = ~(uint64_t)all & tribox_impl_small_inside(count);
-        if (TRIBOX_IMPL_RARELY(tribox_impl_any((least <= s.bound) | (least_plane <= s.plane_bound)))) {
-            return tribox_impl_small_rare(x0, x1, x2, delta, 2.0f, count, out_voxels);
-        }
-    }
-    return 1;
-}
-
-/* The voxels of a box of count <= 4 cells on each axis, its minimum corner at 0, that the triangle
- * (x, y, z in voxels in lanes 0..2, lane 3 is 0, each within delta) touches: bit x + 4*y + 16*z. The box is
- * part of the triangle's index box, which is at most `reach` voxels long, reach >= 2 and >= count. Returns
- * 0 if a voxel is unsure. */
-TRIBOX_IMPL_FN int tribox_impl_small(tribox_impl_f4 x0, tribox_impl_f4 x1, tribox_impl_f4 x2, float delta,
-                                     float reach, const int count[3], uint64_t *out_voxels)
-{
-    const int all = (count[0] - 1) | (count[1] - 1) | (count[2] - 1);
-    if (all < 2 && reach <= 2.0f) {
-        return tribox_impl_small2(x0, x1, x2, delta, count, out_voxels);
-    }
-    if (((count[0] | count[1] | count[2]) & 4) == 0) {
-        return tribox_impl_small_n(x0, x1, x2, delta, reach, count, 3, out_voxels);
-    }
-    return tribox_impl_small_n(x0, x1, x2, delta, reach, count, 4, out_voxels);
-}
-
-/* The fill's fast way, for triangles of a few voxels: most of every scanned mesh. Coordinates are voxels from
- * the region's minimum corner.
- *
- * Bound. X = v * inverse - origin / size: the product is off by 2 u |v| * inverse, the constant by
- * u |origin| / size, the sum by u |X|, u = 2^-23, where v lies within MARGIN of the region; doubles add less
- * than 1e-9. Whoever comes that near to a grid plane, or lies more than MARGIN voxels off the region, goes
- * the exact way. Subnormals read as zero move X by less than 2^-126 * inverse, inverse <= 2^60. */
-typedef struct tribox_impl_quick {
-    tribox_impl_f4 inverse;
-    tribox_impl_f4 shift_down;  /* MARGIN - origin, less and plus the bound */
-    tribox_impl_f4 shift_up;
-    tribox_impl_i4 start;       /* the region, MARGIN added: first voxel, last voxel, and the last that X may
-                                 * reach */
-    tribox_impl_i4 end;
-    tribox_impl_i4 beyond;
-    double         origin_f64[3];
-    double         size_f64[3];
-    size_t         layer_words;
-    float          delta;       /* bound of a coordinate's error in a triangle's own frame */
-    int            n[3];
-    int            on;          /* 0: this grid's numbers are out of range */
-    int            thin;
-} tribox_impl_quick;
-
-#define TRIBOX_IMPL_MARGIN 16       /* voxels beyond the region in which X is still used */
-
-TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_grid *grid,
-                                           const tribox_impl_target *t)
-{
-    const double u = (double)TRIBOX_IMPL_U32;
-    int k;
-    q->on = 1;
-    q->thin = (grid->flags & TRIBOX_THIN) != 0;
-    q->layer_words = t->ny * t->row_words;
-    q->delta = 0.0f;
-    q->inverse = q->shift_down = q->shift_up = tribox_impl_splat(0.0f);
-    q->start = q->end = q->beyond = tribox_impl_splat_int(0);
-    for (k = 0; k < 3; k++) {
-        const double size = grid->size[k];
-        const double base = (double)grid->lo[k] * size;
-        const double origin = grid->origin[k] + base;
-        const double n = (double)grid->hi[k] - (double)grid->lo[k];
-        const double units = size > 1e-18 ? 1.0 / size : 0.0;
-        const double start = tribox_impl_abs(origin) * units;
-        const double end = tribox_impl_abs(origin * units + n);
-        const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + 1e-9;
-        const double reach = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) * units + n + 64.0;
-        /* |x| <= 9, through two differences, a product with a rounded inverse, and a block's offset: 5 u of
-         * it; the corner's rest is within u of the corner, itself rounded: u u reach; doubles */
-        const double delta = 48.0 * u + (u * u + 16.0 * TRIBOX_IMPL_U64) * 2.0 * reach;
-        if (!(size > 1e-18 && size < 1e18 && n <= 65536.0 && slack < 0.125)) {
-            q->on = 0;
-            return;
-        }
-        q->delta = (float)delta > q->delta ? (float)delta : q->delta;
-        q->inverse[k] = (float)(1.0 / size);
-        q->shift_down[k] = (float)((double)TRIBOX_IMPL_MARGIN - origin / size - slack);
-        q->shift_up[k] = (float)((double)TRIBOX_IMPL_MARGIN - origin / size + slack);
-        q->start[k] = TRIBOX_IMPL_MARGIN;
-        q->end[k] = TRIBOX_IMPL_MARGIN + (int)n - 1;
-        q->beyond[k] = 2 * TRIBOX_IMPL_MARGIN + (int)n - 1;
-        q->origin_f64[k] = origin;
-        q->size_f64[k] = size;
-        q->n[k] = (int)n;
-    }
-}
-
-/* Sets the voxels of a box of up to 4 x 4 x 4 at `at`, bit x + 4 y + 16 z, where they lie in the region. */
-TRIBOX_IMPL_FN void tribox_impl_quick_set(const tribox_impl_quick *q, const tribox_impl_target *t,
-                                          const int at[3], const int count[3], uint64_t voxels)
-{
-    const int cut_x = at[0] < 0 ? -at[0] : 0;
-    const int room_x = q->n[0] - at[0];
-    const int x = at[0] + cut_x;
-    const int y_end = at[1] + count[1] < q->n[1] ? at[1] + count[1] : q->n[1];
-    const int z_end = at[2] + count[2] < q->n[2] ? at[2] + count[2] : q->n[2];
-    int y;
-    int z;
-    if (room_x < 4) {
-        voxels &= room_x > 0 ? (((uint64_t)1 << room_x) - 1) * 0x1111111111111111u : 0;
-    }
-    for (z = at[2] > 0 ? at[2] : 0; z < z_end; z++) {
-        uint64_t *row = t->bits + (size_t)z * q->layer_words + ((size_t)x >> 6);
-        for (y = at[1] > 0 ? at[1] : 0; y < y_end; y++) {
-            const uint64_t run = (voxels >> (16 * (z - at[2]) + 4 * (y - at[1])) & 15u) >>
-                                 (cut_x < 4 ? cut_x : 4);
-            uint64_t *word = row + (size_t)y * t->row_words;
-            if (run != 0) {
-                word[0] |= run << (x & 63);
-                if ((x & 63) > 60 && run >> (64 - (x & 63)) != 0) {
-                    word[1] |= run >> (64 - (x & 63));
-                }
-            }
-        }
-    }
-}
-
-/* A triangle of up to 8 x 8 x 8 voxels, in blocks of 4 x 4 x 4. Returns 0 if unsure;
- * voxels set by then are right. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_quick_small(const tribox_impl_quick *q, const tribox_impl_target *t,
-                                                 const void *const v[3], tribox_impl_i4 first,
-                                                 tribox_impl_i4 last)
-{
-    const int at[3] = { first[0] - TRIBOX_IMPL_MARGIN, first[1] - TRIBOX_IMPL_MARGIN,
-                        first[2] - TRIBOX_IMPL_MARGIN };
-    const int count[3] = { last[0] - first[0] + 1, last[1] - first[1] + 1, last[2] - first[2] + 1 };
-    const int longest = count[0] > count[1] ? count[0] : count[1];
-    const float reach = (float)(longest > count[2] ? longest : count[2]);
-    /* the box's corner, in double, as a float and a small rest: v - float is then nearly exact */
-    const double c_x = q->origin_f64[0] + q->size_f64[0] * (double)at[0];
-    const double c_y = q->origin_f64[1] + q->size_f64[1] * (double)at[1];
-    const double c_z = q->origin_f64[2] + q->size_f64[2] * (double)at[2];
-    tribox_impl_f4 corner = { (float)c_x, (float)c_y, (float)c_z, 0.0f };
-    tribox_impl_f4 rest = { 0.0f, 0.0f, 0.0f, 0.0f };
-    tribox_impl_f4 x0 = tribox_impl_load3(v[0]);
-    tribox_impl_f4 x1 = tribox_impl_load3(v[1]);
-    tribox_impl_f4 x2 = tribox_impl_load3(v[2]);
-    int block[3];
-    int k;
-    TRIBOX_IMPL_KEEP4(corner);      /* rounded: no compiler may use c_x in its place */
-    rest[0] = (float)(c_x - (double)corner[0]);
-    rest[1] = (float)(c_y - (double)corner[1]);
-    rest[2] = (float)(c_z - (double)corner[2]);
-    x0 -= corner;
-    x1 -= corner;
-    x2 -= corner;
-    TRIBOX_IMPL_KEEP4(x0);
-    TRIBOX_IMPL_KEEP4(x1);
-    TRIBOX_IMPL_KEEP4(x2);
-    x0 = (x0 - rest) * q->inverse;
-    x1 = (x1 - rest) * q->inverse;
-    x2 = (x2 - rest) * q->inverse;
-    if (reach <= 4.0f) {
-        uint64_t voxels;
-        if (!tribox_impl_small(x0, x1, x2, q->delta, reach, count, &voxels)) {
-            return 0;
-        }
-        tribox_impl_quick_set(q, t, at, count, voxels);
-        return 1;
-    }
-    for (block[2] = 0; block[2] < count[2]; block[2] += 4) {
-        for (block[1] = 0; block[1] < count[1]; block[1] += 4) {
-            for (block[0] = 0; block[0] < count[0]; block[0] += 4) {
-                const tribox_impl_f4 to = { (float)block[0], (float)block[1], (float)block[2], 0.0f };
-                uint64_t voxels;
-                int block_at[3];
-                int left[3];
-                for (k = 0; k < 3; k++) {
-                    block_at[k] = at[k] + block[k];
-                    left[k] = count[k] - block[k] < 4 ? count[k] - block[k] : 4;
-                }
-                if (!tribox_impl_small(x0 - to, x1 - to, x2 - to, q->delta, reach, left, &voxels)) {
-                    return 0;
-                }
-                tribox_impl_quick_set(q, t, block_at, left, voxels);
-            }
-        }
-    }
-    return 1;
-}
-
-/* Index boxes of a batch of triangles: MARGIN is added, and they hold where `unsure` is 0. */
-#define TRIBOX_IMPL_BATCH 32
-
-typedef struct tribox_impl_boxes {
-    tribox_impl_i4 first[TRIBOX_IMPL_BATCH];
-    tribox_impl_i4 last[TRIBOX_IMPL_BATCH];
-    size_t         word[TRIBOX_IMPL_BATCH];     /* of the first voxel */
-    int            unsure[TRIBOX_IMPL_BATCH];
-    int            other[TRIBOX_IMPL_BATCH];    /* not all in the region, or beyond 2 x 2 x 2 voxels */
-} tribox_impl_boxes;
-
-/* Box i of a batch; asks for the memory of its voxels. */
-TRIBOX_IMPL_FN void tribox_impl_quick_box(const tribox_impl_quick *q, const tribox_impl_target *t,
-                                          const void *const v[3], tribox_impl_boxes *boxes, int i)
-{
-    const tribox_impl_f4 p0 = tribox_impl_load3(v[0]);
-    const tribox_impl_f4 p1 = tribox_impl_load3(v[1]);
-    const tribox_impl_f4 p2 = tribox_impl_load3(v[2]);
-    const tribox_impl_f4 most = tribox_impl_splat(268435456.0f);        /* 2^28: what follows fits integers */
-    const tribox_impl_f4 low = tribox_impl_min4(tribox_impl_max4(
-        tribox_impl_min4(tribox_impl_min4(p0, p1), p2) * q->inverse, -most), most);
-    const tribox_impl_f4 high = tribox_impl_min4(tribox_impl_max4(
-        tribox_impl_max4(tribox_impl_max4(p0, p1), p2) * q->inverse, -most), most);
-    /* where the two guesses of one voxel differ, a face is too near to a grid plane */
-    const tribox_impl_i4 first = __builtin_convertvector(low + q->shift_down, tribox_impl_i4);
-    const tribox_impl_i4 last = __builtin_convertvector(high + q->shift_up, tribox_impl_i4);
-    const tribox_impl_i4 differ = (first ^ __builtin_convertvector(low + q->shift_up, tribox_impl_i4)) |
-                                  (last ^ __builtin_convertvector(high + q->shift_down, tribox_impl_i4));
-    const tribox_impl_i4 not_finite = tribox_impl_above(tribox_impl_abs4(p0 + p1 + p2), 0x7f7fffff);
-    const tribox_impl_i4 unsure = not_finite | differ | -differ | first | last | (q->beyond - last);
-    const tribox_impl_i4 outside = (first - q->start) | (q->end - last);
-    const tribox_impl_i4 at = first - q->start;
-    const size_t word = (size_t)at[2] * q->layer_words + (size_t)at[1] * t->row_words + ((size_t)at[0] >> 6);
-    boxes->first[i] = first;
-    boxes->last[i] = last;
-    boxes->unsure[i] = tribox_impl_signs(unsure) & 7;
-    boxes->other[i] = tribox_impl_signs(outside | (tribox_impl_splat_int(1) - (last - first))) & 7;
-    boxes->word[i] = word;
-    if ((tribox_impl_signs(outside) & 7) == 0) {
-        TRIBOX_IMPL_PREFETCH((uintptr_t)t->bits + word * sizeof(uint64_t));
-        TRIBOX_IMPL_PREFETCH((uintptr_t)t->bits + (word + q->layer_words) * sizeof(uint64_t));
-    }
-}
-
-/* What is to be done with a triangle of known box. */
-enum { TRIBOX_IMPL_DONE, TRIBOX_IMPL_SMALL, TRIBOX_IMPL_EXACT };
-
-/* The short ways: nothing left to set, at most one axis more than one voxel thick, off the region. */
-TRIBOX_IMPL_FN int tribox_impl_quick_short(const tribox_impl_quick *q, const tribox_impl_target *t,
-                                           const tribox_impl_boxes *boxes, int i)
-{
-    const tribox_impl_i4 first = boxes->first[i];
-    const tribox_impl_i4 last = boxes->last[i];
-    const tribox_impl_i4 extra = last - first;
-    if ((boxes->unsure[i] | boxes->other[i]) == 0) {
-        const int more = tribox_impl_signs(-extra) & 7;
-        const int x = (first[0] - TRIBOX_IMPL_MARGIN) & 63;
-        const uint64_t run = (uint64_t)(1 + 2 * (more & 1)) << x;
-        if (x + (more & 1) < 64) {
-            const size_t step_y = t->row_words & ((size_t)0 - (size_t)((more >> 1) & 1));
-            const size_t step_z = q->layer_words & ((size_t)0 - (size_t)(more >> 2));
-            uint64_t *row = t->bits + boxes->word[i];
-            if ((row[0] & row[step_y] & row[step_z] & row[step_y + step_z] & run) == run) {
-                return TRIBOX_IMPL_DONE;
-            }
-            if ((more & (more - 1)) == 0 && !q->thin) {
-                row[0] |= run;
-                row[step_y] |= run;
-                row[step_z] |= run;
-                return TRIBOX_IMPL_DONE;
-            }
-        }
-    } else if ((tribox_impl_signs((last - q->start) | (q->end - first)) & 7) != 0) {
-        /* off the region, by the guess on that side: X is off by the bound at most within MARGIN, by 2^-20 of
-         * itself beyond; a triangle that is not finite sets nothing anyway */
-        return TRIBOX_IMPL_DONE;
-    } else if (boxes->unsure[i] != 0) {
-        return TRIBOX_IMPL_EXACT;
-    }
-    return q->thin || (tribox_impl_signs(tribox_impl_splat_int(7) - extra) & 7) != 0 ? TRIBOX_IMPL_EXACT
-                                                                                    : TRIBOX_IMPL_SMALL;
-}
-
-/* Triangles start..end-1, at most a batch. Leaves those that need the exact way in out_exact;
- * returns how many. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_quick_batch(const tribox_impl_quick *q, const tribox_impl_target *t,
-                                                 const tribox_mesh *mesh, size_t start, size_t end,
-                                                 size_t out_exact[TRIBOX_IMPL_BATCH])
-{
-    tribox_impl_boxes boxes;
-    const int n = (int)(end - start);
-    int exact = 0;
-    int i;
-    for (i = 0; i < n; i++) {
-        const void *corner[3];
-        tribox_impl_corners(mesh, start + (size_t)i, corner);
-        tribox_impl_quick_box(q, t, corner, &boxes, i);
-    }
-    for (i = 0; i < n; i++) {
-        int way = tribox_impl_quick_short(q, t, &boxes, i);
-        if (way == TRIBOX_IMPL_SMALL) {
-            const void *corner[3];
-            tribox_impl_corners(mesh, start + (size_t)i, corner);
-            if (!tribox_impl_quick_small(q, t, corner, boxes.first[i], boxes.last[i])) {
-                way = TRIBOX_IMPL_EXACT;
-            }
-        }
-        out_exact[exact] = start + (size_t)i;
-        exact += way == TRIBOX_IMPL_EXACT;
-    }
-    return exact;
-}
-#endif
-
 /* One triangle by the row walk. */
 TRIBOX_IMPL_NOINLINE void tribox_impl_fill_exact(const tribox_grid *grid, const tribox_mesh *mesh,
                                                  size_t triangle, const tribox_impl_target *target)
@@ -4063,6 +3232,1274 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_fill_exact(const tribox_grid *grid, const 
     tribox_impl_spans(grid, v[0], v[1], v[2], &sink);
 }
 
+/* The power of two at or below x, x positive and normal. */
+TRIBOX_IMPL_FN double tribox_impl_floor_pow2(double x)
+{
+    return tribox_impl_from_bits64(tribox_impl_bits64(&x) & 0x7ff0000000000000u);
+}
+
+/* The multiple of q at or below x; x itself where its own spacing is no finer. */
+TRIBOX_IMPL_FN double tribox_impl_floor_to(double x, double q)
+{
+    const double limit = 4503599627370496.0;    /* 2^52 */
+    const double units = x / q;
+    double whole;
+    if (!(units < limit && units > -limit)) {
+        return x;
+    }
+    whole = (double)(int64_t)units;
+    return (whole > units ? whole - 1.0 : whole) * q;
+}
+
+#if TRIBOX_SIMD
+/* ---- Meshes, many triangles at once --------------------------------------------------------------------
+ *
+ * Most triangles of a mesh touch few voxels. Their index boxes are found several at a time. A box whose
+ * voxels are all set is done; one that is longer than one voxel on one axis at most is set whole; boxes of up
+ * to 2^3, 3^3 and 4^3 voxels wait in groups and are decided together, all others of up to 64^3 row by row.
+ * Each way computes in float or double with proven bounds; a triangle that comes within them goes to the next
+ * way, the last being the row walk. Where all values are beyond their bounds nothing touches by a hair, so
+ * that every rule gives the same voxels.
+ *
+ * u = 2^-23 bounds a relative rounding error in every mode. Coordinates below are voxels. */
+#if defined(__AVX2__)
+#define TRIBOX_IMPL_WIDE 8
+#define TRIBOX_IMPL_ALL(x) { x, x, x, x, x, x, x, x }
+#else
+#define TRIBOX_IMPL_WIDE 4
+#define TRIBOX_IMPL_ALL(x) { x, x, x, x }
+#endif
+#define TRIBOX_IMPL_FORCED TRIBOX_IMPL_FN __attribute__((always_inline))
+#define TRIBOX_IMPL_SIGN_BIT (-2147483647 - 1)
+#define TRIBOX_IMPL_MOST_INDEX 268435456.0f     /* 2^28: what follows fits integers */
+
+typedef float tribox_impl_fw __attribute__((vector_size(4 * TRIBOX_IMPL_WIDE)));
+typedef int32_t tribox_impl_iw __attribute__((vector_size(4 * TRIBOX_IMPL_WIDE)));
+typedef uint32_t tribox_impl_uw __attribute__((vector_size(4 * TRIBOX_IMPL_WIDE)));
+
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_all(float x)
+{
+    const tribox_impl_fw r = TRIBOX_IMPL_ALL(x);
+    return r;
+}
+
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_int(int32_t x)
+{
+    const tribox_impl_iw r = TRIBOX_IMPL_ALL(x);
+    return r;
+}
+
+#if defined(__AVX2__)
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_min(tribox_impl_fw a, tribox_impl_fw b)
+{
+    return __builtin_ia32_minps256(a, b);
+}
+
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_max(tribox_impl_fw a, tribox_impl_fw b)
+{
+    return __builtin_ia32_maxps256(a, b);
+}
+#else
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_min(tribox_impl_fw a, tribox_impl_fw b)
+{
+    return (tribox_impl_fw)tribox_impl_min4((tribox_impl_f4)a, (tribox_impl_f4)b);
+}
+
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_max(tribox_impl_fw a, tribox_impl_fw b)
+{
+    return (tribox_impl_fw)tribox_impl_max4((tribox_impl_f4)a, (tribox_impl_f4)b);
+}
+#endif
+
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_abs(tribox_impl_fw a)
+{
+    return (tribox_impl_fw)((tribox_impl_iw)a & tribox_impl_wide_int(0x7fffffff));
+}
+
+/* All bits of a lane: its sign. */
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_sign(tribox_impl_fw a)
+{
+    return (tribox_impl_iw)a < tribox_impl_wide_int(0);
+}
+
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_flip(tribox_impl_fw a, tribox_impl_iw sign)
+{
+    return (tribox_impl_fw)((tribox_impl_iw)a ^ sign);
+}
+
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_up(tribox_impl_iw a, int bits)
+{
+    return bits == 0 ? a : a << tribox_impl_wide_int(bits);
+}
+
+/* One vector x, y, z for each of WIDE points. */
+typedef struct tribox_impl_points {
+    tribox_impl_fw x;
+    tribox_impl_fw y;
+    tribox_impl_fw z;
+} tribox_impl_points;
+
+/* Lanes 0..2 of v as points, and points as lanes 0..2 with `last` in lane 3. */
+TRIBOX_IMPL_FORCED void tribox_impl_points_from(tribox_impl_points *out, const tribox_impl_f4 *v)
+{
+    tribox_impl_f4 x[TRIBOX_IMPL_WIDE / 4];
+    tribox_impl_f4 y[TRIBOX_IMPL_WIDE / 4];
+    tribox_impl_f4 z[TRIBOX_IMPL_WIDE / 4];
+    int i;
+    for (i = 0; i < TRIBOX_IMPL_WIDE / 4; i++, v += 4) {
+        const tribox_impl_f4 a = TRIBOX_IMPL_LANES(v[0], v[1], 0, 4, 1, 5);
+        const tribox_impl_f4 b = TRIBOX_IMPL_LANES(v[2], v[3], 0, 4, 1, 5);
+        const tribox_impl_f4 c = TRIBOX_IMPL_LANES(v[0], v[1], 2, 6, 3, 7);
+        const tribox_impl_f4 d = TRIBOX_IMPL_LANES(v[2], v[3], 2, 6, 3, 7);
+        x[i] = TRIBOX_IMPL_LANES(a, b, 0, 1, 4, 5);
+        y[i] = TRIBOX_IMPL_LANES(a, b, 2, 3, 6, 7);
+        z[i] = TRIBOX_IMPL_LANES(c, d, 0, 1, 4, 5);
+    }
+    TRIBOX_IMPL_COPY(&out->x, x, sizeof out->x);
+    TRIBOX_IMPL_COPY(&out->y, y, sizeof out->y);
+    TRIBOX_IMPL_COPY(&out->z, z, sizeof out->z);
+}
+
+TRIBOX_IMPL_FORCED void tribox_impl_points_to(tribox_impl_i4 *out, tribox_impl_iw first,
+                                              tribox_impl_iw second, tribox_impl_iw third,
+                                              tribox_impl_iw last)
+{
+    tribox_impl_f4 x[TRIBOX_IMPL_WIDE / 4];
+    tribox_impl_f4 y[TRIBOX_IMPL_WIDE / 4];
+    tribox_impl_f4 z[TRIBOX_IMPL_WIDE / 4];
+    tribox_impl_f4 w[TRIBOX_IMPL_WIDE / 4];
+    int i;
+    TRIBOX_IMPL_COPY(x, &first, sizeof first);
+    TRIBOX_IMPL_COPY(y, &second, sizeof second);
+    TRIBOX_IMPL_COPY(z, &third, sizeof third);
+    TRIBOX_IMPL_COPY(w, &last, sizeof last);
+    for (i = 0; i < TRIBOX_IMPL_WIDE / 4; i++, out += 4) {
+        const tribox_impl_f4 a = TRIBOX_IMPL_LANES(x[i], y[i], 0, 4, 1, 5);
+        const tribox_impl_f4 b = TRIBOX_IMPL_LANES(z[i], w[i], 0, 4, 1, 5);
+        const tribox_impl_f4 c = TRIBOX_IMPL_LANES(x[i], y[i], 2, 6, 3, 7);
+        const tribox_impl_f4 d = TRIBOX_IMPL_LANES(z[i], w[i], 2, 6, 3, 7);
+        out[0] = (tribox_impl_i4)TRIBOX_IMPL_LANES(a, b, 0, 1, 4, 5);
+        out[1] = (tribox_impl_i4)TRIBOX_IMPL_LANES(a, b, 2, 3, 6, 7);
+        out[2] = (tribox_impl_i4)TRIBOX_IMPL_LANES(c, d, 0, 1, 4, 5);
+        out[3] = (tribox_impl_i4)TRIBOX_IMPL_LANES(c, d, 2, 3, 6, 7);
+    }
+}
+
+TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_load_xy(const void *a, const void *b)
+{
+    tribox_impl_d2 r;
+    double pair;
+    TRIBOX_IMPL_COPY(&pair, a, sizeof pair);
+    r[0] = pair;
+    TRIBOX_IMPL_COPY(&pair, b, sizeof pair);
+    r[1] = pair;
+    return (tribox_impl_f4)r;
+}
+
+TRIBOX_IMPL_FORCED float tribox_impl_load_z(const void *a)
+{
+    float r;
+    TRIBOX_IMPL_COPY(&r, (const char *)a + 2 * sizeof r, sizeof r);
+    return r;
+}
+
+TRIBOX_IMPL_FORCED void tribox_impl_load_points(tribox_impl_f4 *x, tribox_impl_f4 *y, tribox_impl_f4 *z,
+                                                const void *a, const void *b, const void *c, const void *d)
+{
+    const tribox_impl_f4 ab = tribox_impl_load_xy(a, b);
+    const tribox_impl_f4 cd = tribox_impl_load_xy(c, d);
+    const tribox_impl_f4 third = { tribox_impl_load_z(a), tribox_impl_load_z(b), tribox_impl_load_z(c),
+                                   tribox_impl_load_z(d) };
+    *x = TRIBOX_IMPL_LANES(ab, cd, 0, 2, 4, 6);
+    *y = TRIBOX_IMPL_LANES(ab, cd, 1, 3, 5, 7);
+    *z = third;
+}
+
+/* Corner c of WIDE triangles from t, `step` triangles apart: 1, or 0 for one triangle in all lanes. */
+TRIBOX_IMPL_FORCED void tribox_impl_load_corners(tribox_impl_points *out, const tribox_mesh *mesh,
+                                                 int indexed, size_t t, size_t step, size_t c)
+{
+    const char *positions = (const char *)mesh->positions;
+    const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
+    tribox_impl_f4 x[TRIBOX_IMPL_WIDE / 4];
+    tribox_impl_f4 y[TRIBOX_IMPL_WIDE / 4];
+    tribox_impl_f4 z[TRIBOX_IMPL_WIDE / 4];
+#define TRIBOX_IMPL_AT(i) (3 * (t + (i) * step) + c)
+#define TRIBOX_IMPL_POINT(i) \
+    (positions + stride * (indexed ? (size_t)mesh->indices[TRIBOX_IMPL_AT(i)] : TRIBOX_IMPL_AT(i)))
+    tribox_impl_load_points(&x[0], &y[0], &z[0], TRIBOX_IMPL_POINT(0), TRIBOX_IMPL_POINT(1),
+                            TRIBOX_IMPL_POINT(2), TRIBOX_IMPL_POINT(3));
+#if TRIBOX_IMPL_WIDE > 4
+    tribox_impl_load_points(&x[1], &y[1], &z[1], TRIBOX_IMPL_POINT(4), TRIBOX_IMPL_POINT(5),
+                            TRIBOX_IMPL_POINT(6), TRIBOX_IMPL_POINT(7));
+#endif
+#undef TRIBOX_IMPL_POINT
+#undef TRIBOX_IMPL_AT
+    TRIBOX_IMPL_COPY(&out->x, x, sizeof out->x);
+    TRIBOX_IMPL_COPY(&out->y, y, sizeof out->y);
+    TRIBOX_IMPL_COPY(&out->z, z, sizeof out->z);
+}
+
+/* ---- The fill's grid
+ *
+ * X = v * inverse - origin / size, from the region's minimum corner, plus MARGIN: the product is off by
+ * 2 u |v| * inverse, the constant by u |origin| / size, the sum by u |X|, where v lies within MARGIN of the
+ * region; doubles add less than 1e-9. Subnormals read as zero move X by less than 2^-126 * inverse,
+ * inverse <= 2^60. Who comes that near to a grid plane, or lies more than MARGIN beyond the region, goes the
+ * exact way.
+ *
+ * A grid plane i is high + low, where high = base_high + i * size_high is exact: both are multiples of
+ * `spacing`, and with them every high is, below 2^24 of it. low = base_low + i * size_low, at most
+ * rho = spacing * (n + 34) / size. (v - high - low) * inverse, v within m voxels, is then off by at most
+ *   (m + rho) + 3 rho (low itself) + m + 2 m (the inverse, the product) = 4 (m + rho)
+ * in units of u, and what doubles add: delta(m) = 4.1 u m + delta_low. */
+typedef struct tribox_impl_quick {
+    float          inverse[3];
+    float          shift_down[3];   /* MARGIN - origin, less and plus the bound */
+    float          shift_up[3];
+    float          base_high[3];    /* grid plane 0 is that before the first inner one of box 0 */
+    float          base_low[3];
+    float          size_high[3];
+    float          size_low[3];
+    int32_t        end[3];          /* the region's last voxel, MARGIN added */
+    int            n[3];
+    float          delta_low;
+    double         origin_f64[3];
+    double         size_f64[3];
+    double         inverse_f64[3];
+    double         delta_f64;       /* of a coordinate from its box's corner, in double */
+    size_t         layer_words;
+    int            on;              /* 0: this grid's numbers are out of range */
+    int            thin;
+} tribox_impl_quick;
+
+#define TRIBOX_IMPL_MARGIN 16       /* voxels beyond the region in which X is still used */
+
+TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_grid *grid,
+                                           const tribox_impl_target *t)
+{
+    const double u = (double)TRIBOX_IMPL_U32;
+    const double margin = (double)TRIBOX_IMPL_MARGIN;
+    int k;
+    q->on = 0;
+    q->thin = (grid->flags & TRIBOX_THIN) != 0;
+    q->layer_words = t->ny * t->row_words;
+    q->delta_low = 0.0f;
+    q->delta_f64 = 0.0;
+    for (k = 0; k < 3; k++) {
+        const double size = grid->size[k];
+        const double offset = (double)grid->lo[k] * size;
+        const double origin = grid->origin[k] + offset;
+        const double n = (double)grid->hi[k] - (double)grid->lo[k];
+        const double units = size > 1e-18 ? 1.0 / size : 0.0;
+        const double start = tribox_impl_abs(origin) * units;
+        const double end = tribox_impl_abs(origin * units + n);
+        const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + 1e-9;
+        const double reach = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(offset)) * units + n + 64.0;
+        const double delta = 8.0 * TRIBOX_IMPL_U64 * reach;
+        const double base = origin - (margin - 1.0) * size;
+        const double last = tribox_impl_abs(origin + (n + 2.0 * margin) * size);
+        const double most = tribox_impl_abs(base) > last ? tribox_impl_abs(base) : last;
+        double spacing;
+        double base_high;
+        double size_high;
+        double delta_low;
+        if (!(size > 1e-18 && size < 1e18 && n <= 65536.0 && slack < 0.125)) {
+            return;
+        }
+        spacing = tribox_impl_floor_pow2(most) * (1.0 / 4194304.0);     /* 2^-22 */
+        base_high = tribox_impl_floor_to(base, spacing);
+        size_high = tribox_impl_floor_to(size, spacing);
+        TRIBOX_IMPL_KEEP(base_high);
+        TRIBOX_IMPL_KEEP(size_high);
+        delta_low = 4.1 * u * spacing * (n + 34.0) * units + 2.0 * delta + 1e-12;
+        q->inverse[k] = (float)(1.0 / size);
+        q->shift_down[k] = (float)(margin - origin / size - slack);
+        q->shift_up[k] = (float)(margin - origin / size + slack);
+        q->base_high[k] = (float)base_high;
+        q->base_low[k] = (float)(base - base_high);
+        q->size_high[k] = (float)size_high;
+        q->size_low[k] = (float)(size - size_high);
+        q->delta_low = (float)delta_low > q->delta_low ? (float)delta_low : q->delta_low;
+        q->delta_f64 = delta > q->delta_f64 ? delta : q->delta_f64;
+        q->origin_f64[k] = origin;
+        q->size_f64[k] = size;
+        q->inverse_f64[k] = 1.0 / size;
+        q->n[k] = (int)n;
+        q->end[k] = TRIBOX_IMPL_MARGIN + (int)n - 1;
+    }
+    q->on = 1;
+}
+
+/* What the ways of a fill share. */
+typedef struct tribox_impl_fill {
+    const tribox_grid        *grid;
+    const tribox_mesh        *mesh;
+    const tribox_impl_target *target;
+    tribox_impl_quick         quick;
+} tribox_impl_fill;
+
+/* ---- Index boxes of WIDE triangles */
+
+typedef struct tribox_impl_boxes {
+    tribox_impl_iw first[3];    /* MARGIN added */
+    tribox_impl_iw last[3];
+    tribox_impl_iw cut;         /* not 0: not all in the region, by the guess */
+    tribox_impl_iw unsure;      /* not 0: a face is too near to a grid plane, or a corner is not finite */
+} tribox_impl_boxes;
+
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_box_round(tribox_impl_fw x)
+{
+    const tribox_impl_fw most = tribox_impl_wide_all(TRIBOX_IMPL_MOST_INDEX);
+    const tribox_impl_fw clamped = tribox_impl_wide_min(tribox_impl_wide_max(x, -most), most);
+    return __builtin_convertvector(clamped, tribox_impl_iw);
+}
+
+TRIBOX_IMPL_FORCED void tribox_impl_box_axis(const tribox_impl_quick *q, int k, tribox_impl_fw x0,
+                                             tribox_impl_fw x1, tribox_impl_fw x2, tribox_impl_boxes *out)
+{
+    const tribox_impl_fw inverse = tribox_impl_wide_all(q->inverse[k]);
+    const tribox_impl_fw down = tribox_impl_wide_all(q->shift_down[k]);
+    const tribox_impl_fw up = tribox_impl_wide_all(q->shift_up[k]);
+    const tribox_impl_fw low = tribox_impl_wide_min(tribox_impl_wide_min(x0, x1), x2) * inverse;
+    const tribox_impl_fw high = tribox_impl_wide_max(tribox_impl_wide_max(x0, x1), x2) * inverse;
+    const tribox_impl_iw first = tribox_impl_box_round(low + down);
+    const tribox_impl_iw last = tribox_impl_box_round(high + up);
+    const tribox_impl_iw before = first - tribox_impl_wide_int(TRIBOX_IMPL_MARGIN);
+    /* truncation is towards 0: below it is unsure, and cut; where the two guesses differ, a face is near */
+    out->unsure |= (first ^ tribox_impl_box_round(low + up)) | (last ^ tribox_impl_box_round(high + down));
+    out->cut |= before | (tribox_impl_wide_int(q->end[k]) - last);
+    out->first[k] = first;
+    out->last[k] = last;
+}
+
+TRIBOX_IMPL_FORCED void tribox_impl_boxes_of(const tribox_impl_quick *q, const tribox_impl_points v[3],
+                                             tribox_impl_boxes *out)
+{
+    const tribox_impl_fw sum = ((v[0].x + v[1].x + v[2].x) + (v[0].y + v[1].y + v[2].y)) +
+                               (v[0].z + v[1].z + v[2].z);
+    out->cut = tribox_impl_wide_int(0);
+    out->unsure = ((tribox_impl_iw)sum & tribox_impl_wide_int(0x7fffffff)) > tribox_impl_wide_int(0x7f7fffff);
+    tribox_impl_box_axis(q, 0, v[0].x, v[1].x, v[2].x, out);
+    tribox_impl_box_axis(q, 1, v[0].y, v[1].y, v[2].y, out);
+    tribox_impl_box_axis(q, 2, v[0].z, v[1].z, v[2].z, out);
+    out->cut = out->cut < tribox_impl_wide_int(0);
+}
+
+/* ---- Groups: boxes of up to n^3 voxels, n = 2, 3 or 4
+ *
+ * The triangle lies strictly inside its box and meets every grid plane that crosses the box, so that a voxel
+ * may as well reach to infinity where it has a face in common with the box: what the triangle shares with it
+ * stays the same. A separating axis then needs the support of such a voxel to be finite, which leaves these:
+ * across an edge, in the plane of axes b and c, where an inner grid point p, 1 <= p_b, p_c <= n - 1, is the
+ * voxel's corner nearest to the triangle; and along the normal, where an inner grid point of space is. With v
+ * relative to p
+ *
+ *   E(p) = v_i x v_j    its sign against that of the area: outside of edge i, j?
+ *   D(p) = n . v_0      its sign: on which side of the plane?
+ *
+ * If p is outside of the edge, the one cell at p that is missed is where |E| grows: at p + (s_b, s_c), s =
+ * sign(E) * (-d_c, d_b), d = v_j - v_i, the gradient of E. The plane misses exactly one voxel at p, at p +
+ * (s_x, s_y, s_z), s = -sign(D) * sign(n). All E and D are affine in p. Points on or beyond the far faces of
+ * a box smaller than n^3 separate nothing that is in it, truly.
+ *
+ * Bounds, delta = delta(n) >= 4.1 u n, |v| <= n - 1 as computed:
+ *   E: the coordinates 4 (n - 1) delta; rounding, in units of u: 4 (n - 1)^2 for E at the first point, 2 n
+ *   and
+ *     2 * 2 (n - 1)^2 for each of at most n - 2 steps on both axes: in all 4, 38, 124, which is below 0.5,
+ *     3.2, 7.8 delta. The sign of d_c, when wrong, or 0: |d_c| <= 2 delta + u n, and the triangle meets the
+ *     plane c = p_c; |E| is then at most |d_c| n. (Beyond a far face: |d_b| n is what is left of |E|, so that
+ *     the sign of d_b is right, and the cell missed is not in the box.) E + 2.3 n delta + 2.3 n delta: 12 n
+ *     delta.
+ *   area, the sum of three E at the first point: 4 n delta, and 20 (n - 1)^2 u: below 12 n delta, too. D: the
+ *   normal 7 n delta times n, three times; n^2 delta three times; rounding (8 + 9 (n - 2)) n^3 u: below
+ *     32 n^2 delta. Signs of n are those of the areas, which must be sure.
+ * The rest of delta * n covers second order terms. */
+
+/* Corners and boxes of WIDE triangles. */
+typedef struct tribox_impl_group {
+    tribox_impl_f4 v[3][TRIBOX_IMPL_WIDE];
+    tribox_impl_i4 box[TRIBOX_IMPL_WIDE];       /* the first voxel, MARGIN added; extents, a byte each */
+    size_t         word[TRIBOX_IMPL_WIDE];      /* of the first voxel */
+    size_t         triangle[TRIBOX_IMPL_WIDE];
+    int            n;
+} tribox_impl_group;
+
+/* Voxels missed: bit x + n y + n^2 z. Of 4^3 the lower half, the upper half, and what both miss. */
+typedef struct tribox_impl_missed {
+    tribox_impl_iw low;
+    tribox_impl_iw high;
+    tribox_impl_iw both;
+    tribox_impl_fw least;           /* of |E| and |area| */
+    tribox_impl_fw least_plane;     /* of |D| */
+} tribox_impl_missed;
+
+#define TRIBOX_IMPL_STRIDE(n, k) ((k) == 0 ? 1 : (k) == 1 ? (n) : (n) * (n))
+
+/* Voxels of index 0 along axis k; n = 4: in half of them. */
+#define TRIBOX_IMPL_AT0(n, k) \
+    ((n) == 2 ? ((k) == 0 ? 0x55u : (k) == 1 ? 0x33u : 0x0fu) : \
+     (n) == 3 ? ((k) == 0 ? 0x01249249u : (k) == 1 ? 0x001c0e07u : 0x000001ffu) : \
+                ((k) == 0 ? 0x11111111u : (k) == 1 ? 0x000f000fu : 0x0000ffffu))
+
+/* Voxels of index 0 along axis k, or of index 1 where `up`; n = 2: bits above 7 are anything. */
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_side(tribox_impl_iw up, int n, int k)
+{
+    const uint32_t at0 = TRIBOX_IMPL_AT0(n, k);
+    const uint32_t both = at0 ^ (at0 << TRIBOX_IMPL_STRIDE(n, k));
+    return (n == 2 ? up : up & tribox_impl_wide_int((int32_t)both)) ^ tribox_impl_wide_int((int32_t)at0);
+}
+
+/* Misses voxels of layers z and z + 1; z < 0: of all layers. */
+TRIBOX_IMPL_FORCED void tribox_impl_group_miss(tribox_impl_missed *m, tribox_impl_iw voxels, int n, int z)
+{
+    const tribox_impl_iw layer = tribox_impl_wide_int(16);
+    if (n < 4 || z == 0) {
+        m->low |= voxels;
+    } else if (z < 0) {
+        m->both |= voxels;
+    } else if (z == 2) {
+        m->high |= voxels;
+    } else {
+        m->low |= voxels << layer;
+        m->high |= (tribox_impl_iw)((tribox_impl_uw)voxels >> (tribox_impl_uw)layer);
+    }
+}
+
+/* The inner point i, j steps along b, c from the first: e is negative outside; `cell` is missed
+ * at the first. */
+TRIBOX_IMPL_FORCED void tribox_impl_group_point(tribox_impl_missed *m, tribox_impl_fw e, tribox_impl_iw cell,
+                                                int n, int b, int c, int i, int j)
+{
+    const int z = b == 2 ? i : c == 2 ? j : -1;
+    const int up = (n == 4 && b == 2 ? 0 : i * TRIBOX_IMPL_STRIDE(n, b)) +
+                   (n == 4 && c == 2 ? 0 : j * TRIBOX_IMPL_STRIDE(n, c));
+    m->least = tribox_impl_wide_min(m->least, tribox_impl_wide_abs(e));
+    tribox_impl_group_miss(m, tribox_impl_wide_up(cell, up) & tribox_impl_wide_sign(e), n, z);
+}
+
+/* An edge d with E = e at the first inner point; sign is the area's. */
+TRIBOX_IMPL_FORCED void tribox_impl_group_edge(tribox_impl_missed *m, tribox_impl_fw e, tribox_impl_fw d_b,
+                                               tribox_impl_fw d_c, tribox_impl_iw sign, int n, int b, int c)
+{
+    const tribox_impl_iw sign_bit = tribox_impl_wide_int(TRIBOX_IMPL_SIGN_BIT);
+    const tribox_impl_iw cell = tribox_impl_group_side(tribox_impl_wide_sign(d_c) ^ ~sign, n, b) &
+                                tribox_impl_group_side(tribox_impl_wide_sign(d_b) ^ sign, n, c);
+    const tribox_impl_fw e00 = tribox_impl_wide_flip(e, sign & sign_bit);
+    const tribox_impl_fw to_b = tribox_impl_wide_flip(d_c, ~sign & sign_bit);
+    const tribox_impl_fw to_c = tribox_impl_wide_flip(d_b, sign & sign_bit);
+    tribox_impl_group_point(m, e00, cell, n, b, c, 0, 0);
+    if (n > 2) {
+        const tribox_impl_fw e10 = e00 + to_b;
+        const tribox_impl_fw e01 = e00 + to_c;
+        const tribox_impl_fw e11 = e10 + to_c;
+        tribox_impl_group_point(m, e10, cell, n, b, c, 1, 0);
+        tribox_impl_group_point(m, e01, cell, n, b, c, 0, 1);
+        tribox_impl_group_point(m, e11, cell, n, b, c, 1, 1);
+        if (n > 3) {
+            const tribox_impl_fw e20 = e10 + to_b;
+            const tribox_impl_fw e21 = e20 + to_c;
+            tribox_impl_group_point(m, e20, cell, n, b, c, 2, 0);
+            tribox_impl_group_point(m, e21, cell, n, b, c, 2, 1);
+            tribox_impl_group_point(m, e21 + to_c, cell, n, b, c, 2, 2);
+            tribox_impl_group_point(m, e01 + to_c, cell, n, b, c, 0, 2);
+            tribox_impl_group_point(m, e11 + to_c, cell, n, b, c, 1, 2);
+        }
+    }
+}
+
+/* The three edges in the plane of axes b and c. Returns twice the area there. */
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_group_edges(tribox_impl_missed *m, tribox_impl_fw b0,
+                                                          tribox_impl_fw b1, tribox_impl_fw b2,
+                                                          tribox_impl_fw c0, tribox_impl_fw c1,
+                                                          tribox_impl_fw c2, int n, int b, int c)
+{
+    tribox_impl_fw e0 = b0 * c1 - c0 * b1;
+    tribox_impl_fw e1 = b1 * c2 - c1 * b2;
+    tribox_impl_fw e2 = b2 * c0 - c2 * b0;
+    tribox_impl_fw area;
+    tribox_impl_iw sign;
+    TRIBOX_IMPL_KEEP4(e0);
+    TRIBOX_IMPL_KEEP4(e1);
+    TRIBOX_IMPL_KEEP4(e2);
+    area = (e0 + e1) + e2;
+    sign = tribox_impl_wide_sign(area);
+    m->least = tribox_impl_wide_min(m->least, tribox_impl_wide_abs(area));
+    tribox_impl_group_edge(m, e0, b1 - b0, c1 - c0, sign, n, b, c);
+    tribox_impl_group_edge(m, e1, b2 - b1, c2 - c1, sign, n, b, c);
+    tribox_impl_group_edge(m, e2, b0 - b2, c0 - c2, sign, n, b, c);
+    return area;
+}
+
+/* The inner points of a row at y, z steps: D = d at its first. Missed there: `cell`, with `change`
+ * if D < 0. */
+TRIBOX_IMPL_FORCED void tribox_impl_group_row(tribox_impl_missed *m, tribox_impl_fw d, tribox_impl_fw n_x,
+                                              tribox_impl_iw cell, tribox_impl_iw change, int n, int y, int z)
+{
+    const int up = y * n + (n == 4 ? 0 : z * n * n);
+    int x;
+    for (x = 0; x < 3; x++) {
+        if (x < n - 1) {
+            m->least_plane = tribox_impl_wide_min(m->least_plane, tribox_impl_wide_abs(d));
+            tribox_impl_group_miss(
+                m, tribox_impl_wide_up(cell ^ (change & tribox_impl_wide_sign(d)), up + x), n, z);
+            d -= n_x;
+        }
+    }
+}
+
+/* The plane with normal (n_x, n_y, n_z) and D = d at the first inner point. */
+TRIBOX_IMPL_FORCED void tribox_impl_group_plane(tribox_impl_missed *m, tribox_impl_fw n_x, tribox_impl_fw n_y,
+                                                tribox_impl_fw n_z, tribox_impl_fw d, int n)
+{
+    const tribox_impl_iw s_x = tribox_impl_wide_sign(n_x);
+    const tribox_impl_iw s_y = tribox_impl_wide_sign(n_y);
+    const tribox_impl_iw s_z = tribox_impl_wide_sign(n_z);
+    const tribox_impl_iw cell = tribox_impl_group_side(s_x, n, 0) & tribox_impl_group_side(s_y, n, 1) &
+                                tribox_impl_group_side(s_z, n, 2);
+    const tribox_impl_iw other = tribox_impl_group_side(~s_x, n, 0) & tribox_impl_group_side(~s_y, n, 1) &
+                                 tribox_impl_group_side(~s_z, n, 2);
+    const tribox_impl_iw change = cell ^ other;
+    m->least_plane = tribox_impl_wide_abs(d);
+    tribox_impl_group_row(m, d, n_x, cell, change, n, 0, 0);
+    if (n > 2) {
+        const tribox_impl_fw d10 = d - n_y;
+        const tribox_impl_fw d01 = d - n_z;
+        const tribox_impl_fw d11 = d10 - n_z;
+        tribox_impl_group_row(m, d10, n_x, cell, change, n, 1, 0);
+        tribox_impl_group_row(m, d01, n_x, cell, change, n, 0, 1);
+        tribox_impl_group_row(m, d11, n_x, cell, change, n, 1, 1);
+        if (n > 3) {
+            const tribox_impl_fw d20 = d10 - n_y;
+            const tribox_impl_fw d21 = d20 - n_z;
+            tribox_impl_group_row(m, d20, n_x, cell, change, n, 2, 0);
+            tribox_impl_group_row(m, d21, n_x, cell, change, n, 2, 1);
+            tribox_impl_group_row(m, d01 - n_z, n_x, cell, change, n, 0, 2);
+            tribox_impl_group_row(m, d11 - n_z, n_x, cell, change, n, 1, 2);
+            tribox_impl_group_row(m, d21 - n_z, n_x, cell, change, n, 2, 2);
+        }
+    }
+}
+
+/* Misses the voxels of index i = 1.. along axis k that a smaller box does not have: the triangle stays before
+ * the grid plane there. */
+TRIBOX_IMPL_FORCED void tribox_impl_group_beyond(tribox_impl_missed *m, tribox_impl_fw x0, tribox_impl_fw x1,
+                                                 tribox_impl_fw x2, int n, int k)
+{
+    const tribox_impl_fw most = tribox_impl_wide_max(tribox_impl_wide_max(x0, x1), x2);
+    const uint32_t at0 = TRIBOX_IMPL_AT0(n, k);
+    const int halves = n == 4 && k == 2;
+    int i;
+    for (i = 1; i < 4; i++) {
+        if (i < n) {
+            const tribox_impl_iw before = tribox_impl_wide_sign(most - tribox_impl_wide_all((float)(i - 1)));
+            const uint32_t voxels = at0 << (halves ? 16 * (i & 1) : i * TRIBOX_IMPL_STRIDE(n, k));
+            tribox_impl_group_miss(m, before & tribox_impl_wide_int((int32_t)voxels), n, halves ? i & 2 : -1);
+        }
+    }
+}
+
+/* Coordinates of one axis from the first inner grid plane of box `first`. */
+TRIBOX_IMPL_FORCED void tribox_impl_group_place(const tribox_impl_quick *q, int k, tribox_impl_iw first,
+                                                tribox_impl_fw *x0, tribox_impl_fw *x1, tribox_impl_fw *x2)
+{
+    const tribox_impl_fw at = __builtin_convertvector(first, tribox_impl_fw);
+    const tribox_impl_fw inverse = tribox_impl_wide_all(q->inverse[k]);
+    const tribox_impl_fw size_low = tribox_impl_wide_all(q->size_low[k]);
+    const tribox_impl_fw size_high = tribox_impl_wide_all(q->size_high[k]);
+    const tribox_impl_fw low = tribox_impl_wide_all(q->base_low[k]) + at * size_low;
+    tribox_impl_fw high = tribox_impl_wide_all(q->base_high[k]) + at * size_high;
+    TRIBOX_IMPL_KEEP4(high);
+    *x0 -= high;
+    *x1 -= high;
+    *x2 -= high;
+    TRIBOX_IMPL_KEEP4(*x0);
+    TRIBOX_IMPL_KEEP4(*x1);
+    TRIBOX_IMPL_KEEP4(*x2);
+    *x0 = (*x0 - low) * inverse;
+    *x1 = (*x1 - low) * inverse;
+    *x2 = (*x2 - low) * inverse;
+    TRIBOX_IMPL_KEEP4(*x0);
+    TRIBOX_IMPL_KEEP4(*x1);
+    TRIBOX_IMPL_KEEP4(*x2);
+}
+
+/* The voxels that each triangle of a group misses. Returns the lanes that are unsure. */
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_decide(const tribox_impl_quick *q,
+                                                           const tribox_impl_group *g, int n,
+                                                           tribox_impl_missed *m)
+{
+    const float delta = 4.1f * TRIBOX_IMPL_U32 * (float)n + q->delta_low;
+    const tribox_impl_iw none = tribox_impl_wide_int(0);
+    tribox_impl_points v0;
+    tribox_impl_points v1;
+    tribox_impl_points v2;
+    tribox_impl_points first;
+    tribox_impl_fw n_x;
+    tribox_impl_fw n_y;
+    tribox_impl_fw n_z;
+    tribox_impl_points_from(&v0, g->v[0]);
+    tribox_impl_points_from(&v1, g->v[1]);
+    tribox_impl_points_from(&v2, g->v[2]);
+    tribox_impl_points_from(&first, (const tribox_impl_f4 *)g->box);
+    tribox_impl_group_place(q, 0, (tribox_impl_iw)first.x, &v0.x, &v1.x, &v2.x);
+    tribox_impl_group_place(q, 1, (tribox_impl_iw)first.y, &v0.y, &v1.y, &v2.y);
+    tribox_impl_group_place(q, 2, (tribox_impl_iw)first.z, &v0.z, &v1.z, &v2.z);
+    m->low = m->high = m->both = none;
+    m->least = tribox_impl_wide_all(1.0f);
+    tribox_impl_group_beyond(m, v0.x, v1.x, v2.x, n, 0);
+    tribox_impl_group_beyond(m, v0.y, v1.y, v2.y, n, 1);
+    tribox_impl_group_beyond(m, v0.z, v1.z, v2.z, n, 2);
+    n_z = tribox_impl_group_edges(m, v0.x, v1.x, v2.x, v0.y, v1.y, v2.y, n, 0, 1);
+    n_x = tribox_impl_group_edges(m, v0.y, v1.y, v2.y, v0.z, v1.z, v2.z, n, 1, 2);
+    n_y = tribox_impl_group_edges(m, v0.z, v1.z, v2.z, v0.x, v1.x, v2.x, n, 2, 0);
+    tribox_impl_group_plane(m, n_x, n_y, n_z, (n_x * v0.x + n_y * v0.y) + n_z * v0.z, n);
+    m->low |= m->both;
+    m->high |= m->both;
+    return (m->least <= tribox_impl_wide_all(12.0f * (float)n * delta)) |
+           (m->least_plane <= tribox_impl_wide_all(32.0f * (float)(n * n) * delta));
+}
+
+/* Sets voxels of triangle i's box, all in the region. */
+TRIBOX_IMPL_FORCED void tribox_impl_group_set(const tribox_impl_fill *fill, const tribox_impl_group *g, int i,
+                                              int n, uint64_t voxels)
+{
+    const size_t row_words = fill->target->row_words;
+    const size_t layer_words = fill->quick.layer_words;
+    const uint64_t run = ((uint64_t)1 << n) - 1;
+    const int x = (g->box[i][0] - TRIBOX_IMPL_MARGIN) & 63;
+    const int more_y = (g->box[i][3] >> 8) & 3;
+    const int more_z = g->box[i][3] >> 16;
+    uint64_t *row = fill->target->bits + g->word[i];
+    int z;
+    if (TRIBOX_IMPL_RARELY(x > 64 - n)) {       /* in two words, if they hold any of it */
+        for (z = 0; z <= more_z; z++, row += layer_words) {
+            int y;
+            for (y = 0; y <= more_y; y++, voxels >>= n) {
+                uint64_t *word = row + (size_t)y * row_words;
+                const uint64_t beyond = (voxels & run) >> (64 - x);
+                word[0] |= (voxels & run) << x;
+                if (beyond != 0) {
+                    word[1] |= beyond;
+                }
+            }
+            voxels >>= n * (n - 1 - more_y);
+        }
+    } else {
+        const size_t y1 = more_y > 0 ? row_words : 0;       /* rows not in the box: no bits, into row 0 */
+        const size_t y2 = more_y > 1 ? 2 * row_words : 0;
+        const size_t y3 = more_y > 2 ? 3 * row_words : 0;
+        for (z = 0; z < n; z++) {
+            row[0] |= (voxels & run) << x;
+            row[y1] |= (voxels >> n & run) << x;
+            if (n > 2) {
+                row[y2] |= (voxels >> 2 * n & run) << x;
+            }
+            if (n > 3) {
+                row[y3] |= (voxels >> 3 * n & run) << x;
+            }
+            voxels >>= n * n;
+            row += z < more_z ? layer_words : 0;
+        }
+    }
+}
+
+/* ---- Rows: boxes of up to ROWS voxels on each axis
+ *
+ * As in the row walk, a row's voxels are those between bounds from the xy edges (one for each y), the xz
+ * edges (for each z) and the plane, and rows y are bounded by the yz edges for each z. With b the bounded
+ * axis, r that of the rows, an edge lies on the line b = L(r), slope g = d_b / d_r. Its condition bounds
+ * cells from below or from above, as the sign of area * d_r says:
+ *
+ *   floor(M(r) - h) <= b,  or  b <= floor(M(r) + h),     M(r) = L(r + 1/2)
+ *
+ * h = |g| / 2, and in the thin test max(|g| - 1, 0) / 2. The plane does both: M(y, z) = x of the plane over
+ * the middle of the row, h = (|n_y| + |n_z|) / (2 |n_x|), thin: max(|n_y| - |n_x|, |n_z| - |n_x|, 0) / (2
+ * |n_x|). Each bound is computed twice, less and plus its error; where the floors differ the triangle is
+ * unsure.
+ *
+ * Error. Corners are in double from the box's corner, off by delta_f64 = d; edges and areas too, before they
+ * are rounded to float; m: the box's longest side. M, h and the sums, in units of u: at most 6 (m + 1), and
+ * for g 15 |g| (m + 1): the slope's three roundings times a distance of m, and those of products and sums; so
+ * 16 u (1 + |g|) (m + 2). An edge off by 2 d on each axis adds 4 d (m + 2) (1 + |g|) / |d_r|. An edge with
+ * |d_r| < 1e-18 bounds nothing: it crosses its row of cells from end to end, or it is a point, and its other
+ * corner's edges are those of a segment. Areas are sure above tau = 64 d m (true: 10 d m). Below it the
+ * triangle is a segment in that plane up to tau / |d_r|, and each of its edges bounds from both sides. If
+ * that plane is yz, the triangle's plane n_y y + n_z z = c follows: the edges leave a cell at least the error
+ * of freedom on both sides, 8192 tau m^2 / |d_r|, while n_x x is at most tau m and n_y, n_z are off by tau,
+ * |n_y| + |n_z| > 1e-3. The plane: in units of u, 12 (1 + |g_y| + |g_z|) (m + 2), and 4 tau / |n_x| times the
+ * same. */
+#define TRIBOX_IMPL_ROWS 64
+#define TRIBOX_IMPL_NOWHERE 65536.0f
+
+/* A line in the planes xy, xz, yz over rows y, z, z: its bounds in row r are those in row 0 plus slope * r;
+ * NOWHERE where it does not bound. Voxels are counted from 1, so that truncation is floor. */
+typedef struct tribox_impl_row_edge {
+    float lo_least[4];
+    float lo_most[4];
+    float lo_slope[4];
+    float hi_least[4];
+    float hi_most[4];
+    float hi_slope[4];
+} tribox_impl_row_edge;
+
+/* The bounds of all rows in one of these planes. */
+typedef struct tribox_impl_row_bounds {
+    float lo_least[TRIBOX_IMPL_ROWS];
+    float lo_most[TRIBOX_IMPL_ROWS];
+    float hi_least[TRIBOX_IMPL_ROWS];
+    float hi_most[TRIBOX_IMPL_ROWS];
+} tribox_impl_row_bounds;
+
+/* The plane's middle in row (y, z) is at + y * slope_y + z * slope_z, voxels counted from 1. */
+typedef struct tribox_impl_row_plane {
+    double at;
+    double slope_y;
+    double slope_z;
+    double half;
+    double error;       /* of both bounds; 1: it is not known */
+} tribox_impl_row_plane;
+
+/* A triangle in voxels from its box's corner. */
+typedef struct tribox_impl_placed {
+    double v[3][3];
+    double e[3][3];     /* edges */
+    double n[3];
+    double reach;       /* m */
+    double tau;
+} tribox_impl_placed;
+
+TRIBOX_IMPL_FN void tribox_impl_place(tribox_impl_placed *p, const tribox_impl_quick *q,
+                                      const void *const corner[3], const int at[3], const int count[3])
+{
+    int c;
+    int k;
+    p->reach = 0.0;
+    for (k = 0; k < 3; k++) {
+        const double base = q->origin_f64[k] + q->size_f64[k] * (double)at[k];
+        for (c = 0; c < 3; c++) {
+            float x;
+            TRIBOX_IMPL_COPY(&x, (const char *)corner[c] + (size_t)k * sizeof x, sizeof x);
+            p->v[c][k] = (double)x - base;
+            TRIBOX_IMPL_KEEP(p->v[c][k]);
+            p->v[c][k] *= q->inverse_f64[k];
+        }
+        p->e[0][k] = p->v[1][k] - p->v[0][k];
+        p->e[1][k] = p->v[2][k] - p->v[1][k];
+        p->e[2][k] = p->v[0][k] - p->v[2][k];
+        p->reach = (double)count[k] > p->reach ? (double)count[k] : p->reach;
+    }
+    p->n[0] = p->e[0][1] * p->e[1][2] - p->e[0][2] * p->e[1][1];
+    p->n[1] = p->e[0][2] * p->e[1][0] - p->e[0][0] * p->e[1][2];
+    p->n[2] = p->e[0][0] * p->e[1][1] - p->e[0][1] * p->e[1][0];
+    p->tau = 64.0 * q->delta_f64 * p->reach;
+}
+
+TRIBOX_IMPL_FN void tribox_impl_row_plane_set(tribox_impl_row_plane *out, const tribox_impl_placed *p,
+                                              int thin)
+{
+    const double n_x = tribox_impl_abs(p->n[0]);
+    const double n_y = tribox_impl_abs(p->n[1]);
+    const double n_z = tribox_impl_abs(p->n[2]);
+    if (n_x <= p->tau) {
+        out->at = out->slope_y = out->slope_z = 0.0;
+        out->half = (double)TRIBOX_IMPL_NOWHERE;
+        out->error = n_y + n_z > 1e-3 ? 0.0 : 1.0;
+    } else {
+        const double inverse = 1.0 / p->n[0];
+        const double steep = (n_y + n_z) * tribox_impl_abs(inverse);
+        const double most = n_y > n_z ? n_y : n_z;
+        out->slope_y = -p->n[1] * inverse;
+        out->slope_z = -p->n[2] * inverse;
+        out->at = p->v[0][0] + 1.0 - out->slope_y * (p->v[0][1] - 0.5) - out->slope_z * (p->v[0][2] - 0.5);
+        out->half = 0.5 * (!thin ? steep : most > n_x ? most * tribox_impl_abs(inverse) - 1.0 : 0.0);
+        out->error = (1.0 + steep) * (p->reach + 2.0) *
+                     ((double)(12.0f * TRIBOX_IMPL_U32) + 4.0 * p->tau * tribox_impl_abs(inverse));
+    }
+}
+
+/* Lanes of a where mask, of b elsewhere. */
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_select(tribox_impl_i4 mask, tribox_impl_f4 a, tribox_impl_f4 b)
+{
+    return (tribox_impl_f4)((mask & (tribox_impl_i4)a) | (~mask & (tribox_impl_i4)b));
+}
+
+/* The lines of edge i. Areas, and how far an edge may be off, times its d_r, are those in the planes
+ * xy, xz, yz. */
+TRIBOX_IMPL_FORCED void tribox_impl_row_edge_set(tribox_impl_row_edge *out, const tribox_impl_placed *p,
+                                                 int i, tribox_impl_f4 area, tribox_impl_i4 flat,
+                                                 tribox_impl_f4 off, int thin)
+{
+    const tribox_impl_f4 zero = tribox_impl_splat(0.0f);
+    const tribox_impl_f4 one = tribox_impl_splat(1.0f);
+    const tribox_impl_f4 half = tribox_impl_splat(0.5f);
+    const tribox_impl_f4 nowhere = tribox_impl_splat(TRIBOX_IMPL_NOWHERE);
+    const tribox_impl_f4 v = { (float)p->v[i][0], (float)p->v[i][1], (float)p->v[i][2], 0.0f };
+    const tribox_impl_f4 e = { (float)p->e[i][0], (float)p->e[i][1], (float)p->e[i][2], 0.0f };
+    const tribox_impl_f4 e_b = TRIBOX_IMPL_LANES(e, e, 0, 0, 1, 1);
+    const tribox_impl_f4 e_r = TRIBOX_IMPL_LANES(e, e, 1, 2, 2, 2);
+    const tribox_impl_i4 has = tribox_impl_abs4(e_r) > tribox_impl_splat(1e-18f);
+    const tribox_impl_f4 inverse = one / tribox_impl_select(has, e_r, one);
+    const tribox_impl_f4 slope = (tribox_impl_f4)((tribox_impl_i4)(e_b * inverse) & has);
+    const tribox_impl_f4 steep = tribox_impl_abs4(slope);
+    const tribox_impl_f4 middle = (TRIBOX_IMPL_LANES(v, v, 0, 0, 1, 1) + one) -
+                                  slope * (TRIBOX_IMPL_LANES(v, v, 1, 2, 2, 2) - half);
+    const tribox_impl_f4 spread = half * (thin ? tribox_impl_max4(steep - one, zero) : steep);
+    const tribox_impl_f4 rounding = tribox_impl_splat(16.0f * TRIBOX_IMPL_U32 * ((float)p->reach + 2.0f));
+    const tribox_impl_f4 error = (steep + one) * (rounding + off * tribox_impl_abs4(inverse));
+    const tribox_impl_i4 below = ((tribox_impl_i4)area ^ (tribox_impl_i4)e_r) < tribox_impl_splat_int(0);
+    const tribox_impl_i4 is_lo = (below | flat) & has;
+    const tribox_impl_i4 is_hi = (~below | flat) & has;
+    const tribox_impl_f4 lo = middle - spread;
+    const tribox_impl_f4 hi = middle + spread;
+    const tribox_impl_f4 lo_least = tribox_impl_select(is_lo, lo - error, -nowhere);
+    const tribox_impl_f4 lo_most = tribox_impl_select(is_lo, lo + error, -nowhere);
+    const tribox_impl_f4 hi_least = tribox_impl_select(is_hi, hi - error, nowhere);
+    const tribox_impl_f4 hi_most = tribox_impl_select(is_hi, hi + error, nowhere);
+    const tribox_impl_i4 lo_slope = (tribox_impl_i4)slope & is_lo;
+    const tribox_impl_i4 hi_slope = (tribox_impl_i4)slope & is_hi;
+    TRIBOX_IMPL_COPY(out->lo_least, &lo_least, sizeof lo_least);
+    TRIBOX_IMPL_COPY(out->lo_most, &lo_most, sizeof lo_most);
+    TRIBOX_IMPL_COPY(out->lo_slope, &lo_slope, sizeof lo_slope);
+    TRIBOX_IMPL_COPY(out->hi_least, &hi_least, sizeof hi_least);
+    TRIBOX_IMPL_COPY(out->hi_most, &hi_most, sizeof hi_most);
+    TRIBOX_IMPL_COPY(out->hi_slope, &hi_slope, sizeof hi_slope);
+}
+
+/* The greatest and the least of three lines in four rows, from their values in row 0. */
+TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_row_most(const float *a, const float *b, const float *c,
+                                                       const tribox_impl_f4 step[3])
+{
+    const tribox_impl_f4 ab = tribox_impl_max4(tribox_impl_splat(*a) + step[0], tribox_impl_splat(*b) + step[1]);
+    return tribox_impl_max4(ab, tribox_impl_splat(*c) + step[2]);
+}
+
+TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_row_least(const float *a, const float *b, const float *c,
+                                                        const tribox_impl_f4 step[3])
+{
+    const tribox_impl_f4 ab = tribox_impl_min4(tribox_impl_splat(*a) + step[0], tribox_impl_splat(*b) + step[1]);
+    return tribox_impl_min4(ab, tribox_impl_splat(*c) + step[2]);
+}
+
+/* Within lo..hi. */
+TRIBOX_IMPL_FORCED void tribox_impl_row_store(float *out, tribox_impl_f4 bound, float lo, float hi)
+{
+    bound = tribox_impl_min4(tribox_impl_max4(bound, tribox_impl_splat(lo)), tribox_impl_splat(hi));
+    TRIBOX_IMPL_COPY(out, &bound, sizeof bound);
+}
+
+/* The bounds in plane p of so many rows, within voxels lo..hi - 1; half a voxel off what might be unsure. */
+TRIBOX_IMPL_FN void tribox_impl_row_bounds_set(tribox_impl_row_bounds *out, const tribox_impl_row_edge e[3],
+                                               int p, int rows, int lo, int hi)
+{
+    const tribox_impl_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
+    const float first = (float)lo + 1.5f;
+    const float last = (float)hi + 0.5f;
+    int i;
+    for (i = 0; i < rows; i += 4) {
+        const tribox_impl_f4 row = tribox_impl_splat((float)i) + four;
+        tribox_impl_f4 lo_step[3];
+        tribox_impl_f4 hi_step[3];
+        lo_step[0] = tribox_impl_splat(e[0].lo_slope[p]) * row;
+        lo_step[1] = tribox_impl_splat(e[1].lo_slope[p]) * row;
+        lo_step[2] = tribox_impl_splat(e[2].lo_slope[p]) * row;
+        hi_step[0] = tribox_impl_splat(e[0].hi_slope[p]) * row;
+        hi_step[1] = tribox_impl_splat(e[1].hi_slope[p]) * row;
+        hi_step[2] = tribox_impl_splat(e[2].hi_slope[p]) * row;
+        tribox_impl_row_store(out->lo_least + i, tribox_impl_row_most(&e[0].lo_least[p], &e[1].lo_least[p],
+                              &e[2].lo_least[p], lo_step), first, last + 1.0f);
+        tribox_impl_row_store(out->lo_most + i, tribox_impl_row_most(&e[0].lo_most[p], &e[1].lo_most[p],
+                              &e[2].lo_most[p], lo_step), first, last + 1.0f);
+        tribox_impl_row_store(out->hi_least + i, tribox_impl_row_least(&e[0].hi_least[p], &e[1].hi_least[p],
+                              &e[2].hi_least[p], hi_step), 0.5f, last);
+        tribox_impl_row_store(out->hi_most + i, tribox_impl_row_least(&e[0].hi_most[p], &e[1].hi_most[p],
+                              &e[2].hi_most[p], hi_step), 0.5f, last);
+    }
+}
+
+/* A bound as a whole voxel; a plane's may be far away. */
+TRIBOX_IMPL_FORCED tribox_impl_i4 tribox_impl_row_voxel(tribox_impl_f4 a)
+{
+    return __builtin_convertvector(tribox_impl_min4(tribox_impl_max4(a, tribox_impl_splat(0.5f)),
+                                                    tribox_impl_splat(TRIBOX_IMPL_NOWHERE)), tribox_impl_i4);
+}
+
+/* Bounds of one layer z: those of the edges in xz, and of the plane in row 0. */
+typedef struct tribox_impl_layer {
+    tribox_impl_f4 lo_least, lo_most, hi_least, hi_most;
+    tribox_impl_f4 plane_lo_least, plane_lo_most, plane_hi_least, plane_hi_most;
+    tribox_impl_f4 slope;
+} tribox_impl_layer;
+
+/* Voxels of rows y..y + 3. Returns the lanes that are unsure. */
+TRIBOX_IMPL_FORCED tribox_impl_i4 tribox_impl_layer_rows(const tribox_impl_layer *l,
+                                                         const tribox_impl_row_bounds *x_of_y, int y,
+                                                         tribox_impl_i4 *out_first, tribox_impl_i4 *out_last)
+{
+    const tribox_impl_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
+    const tribox_impl_f4 step = (tribox_impl_splat((float)y) + four) * l->slope;
+    const tribox_impl_i4 first_least = tribox_impl_row_voxel(tribox_impl_max4(
+        tribox_impl_max4(tribox_impl_load4(x_of_y->lo_least + y), l->lo_least), l->plane_lo_least + step));
+    const tribox_impl_i4 first_most = tribox_impl_row_voxel(tribox_impl_max4(
+        tribox_impl_max4(tribox_impl_load4(x_of_y->lo_most + y), l->lo_most), l->plane_lo_most + step));
+    const tribox_impl_i4 last_least = tribox_impl_row_voxel(tribox_impl_min4(
+        tribox_impl_min4(tribox_impl_load4(x_of_y->hi_least + y), l->hi_least), l->plane_hi_least + step));
+    const tribox_impl_i4 last_most = tribox_impl_row_voxel(tribox_impl_min4(
+        tribox_impl_min4(tribox_impl_load4(x_of_y->hi_most + y), l->hi_most), l->plane_hi_most + step));
+    const tribox_impl_i4 differ = (first_least ^ first_most) | (last_least ^ last_most);
+    *out_first = first_least;
+    *out_last = last_most;
+    return (differ > tribox_impl_splat_int(0)) & ~(first_least > last_most);
+}
+
+/* A triangle whose box has up to ROWS voxels on each axis. Returns 0 if unsure; voxels set by then
+ * are right. */
+TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, const void *const corner[3],
+                                               const int at[3], const int count[3])
+{
+    const tribox_impl_quick *q = &fill->quick;
+    const tribox_impl_target *t = fill->target;
+    tribox_impl_placed p;
+    tribox_impl_row_plane plane;
+    tribox_impl_row_edge edge[3];
+    tribox_impl_row_bounds x_of_y;
+    tribox_impl_row_bounds x_of_z;
+    tribox_impl_row_bounds y_of_z;
+    int start[3];
+    int end[3];
+    int i;
+    int z;
+    for (i = 0; i < 3; i++) {
+        start[i] = at[i] < 0 ? -at[i] : 0;
+        end[i] = count[i] < q->n[i] - at[i] ? count[i] : q->n[i] - at[i];
+    }
+    tribox_impl_place(&p, q, corner, at, count);
+    tribox_impl_row_plane_set(&plane, &p, q->thin);
+    {
+        const tribox_impl_f4 area = { (float)p.n[2], -(float)p.n[1], (float)p.n[0], (float)p.n[0] };
+        const tribox_impl_i4 flat = tribox_impl_abs4(area) <= tribox_impl_splat((float)p.tau);
+        tribox_impl_f4 off = tribox_impl_splat((float)(4.0 * q->delta_f64 * (p.reach + 2.0)));
+        if (TRIBOX_IMPL_RARELY(tribox_impl_any(flat))) {
+            const tribox_impl_f4 wide = tribox_impl_splat((float)(8192.0 * p.tau * p.reach * p.reach));
+            if (q->thin) {
+                return 0;
+            }
+            off = tribox_impl_select(flat, wide, off);
+        }
+        for (i = 0; i < 3; i++) {
+            tribox_impl_row_edge_set(&edge[i], &p, i, area, flat, off, q->thin);
+        }
+    }
+    if (!(plane.error < 0.125)) {
+        return 0;
+    }
+    tribox_impl_row_bounds_set(&x_of_y, edge, 0, end[1], start[0], end[0]);
+    tribox_impl_row_bounds_set(&x_of_z, edge, 1, end[2], start[0], end[0]);
+    tribox_impl_row_bounds_set(&y_of_z, edge, 2, end[2], start[1], end[1]);
+    for (z = start[2]; z < end[2]; z++) {
+        const double middle = plane.at + plane.slope_z * (double)z;
+        const int first_y = (int)y_of_z.lo_least[z] - 1;
+        const int last_y = (int)y_of_z.hi_most[z] - 1;
+        uint64_t *layer = t->bits + (size_t)(at[2] + z) * q->layer_words + (size_t)at[1] * t->row_words;
+        tribox_impl_layer l;
+        int y;
+        if (first_y > last_y) {
+            continue;
+        }
+        if (first_y != (int)y_of_z.lo_most[z] - 1 || last_y != (int)y_of_z.hi_least[z] - 1) {
+            return 0;
+        }
+        l.lo_least = tribox_impl_splat(x_of_z.lo_least[z]);
+        l.lo_most = tribox_impl_splat(x_of_z.lo_most[z]);
+        l.hi_least = tribox_impl_splat(x_of_z.hi_least[z]);
+        l.hi_most = tribox_impl_splat(x_of_z.hi_most[z]);
+        l.plane_lo_least = tribox_impl_splat((float)(middle - plane.half - plane.error));
+        l.plane_lo_most = tribox_impl_splat((float)(middle - plane.half + plane.error));
+        l.plane_hi_least = tribox_impl_splat((float)(middle + plane.half - plane.error));
+        l.plane_hi_most = tribox_impl_splat((float)(middle + plane.half + plane.error));
+        l.slope = tribox_impl_splat((float)plane.slope_y);
+        for (y = first_y & ~3; y <= last_y; y += 4) {
+            const int from = y < first_y ? first_y - y : 0;
+            const int to = last_y - y < 3 ? last_y - y : 3;
+            uint64_t *row = layer + (size_t)(y + from) * t->row_words;
+            tribox_impl_i4 first;
+            tribox_impl_i4 last;
+            const tribox_impl_i4 unsure = tribox_impl_layer_rows(&l, &x_of_y, y, &first, &last);
+            int32_t first_x[4];
+            int32_t last_x[4];
+            if (TRIBOX_IMPL_RARELY(tribox_impl_any(unsure))) {
+                for (i = from; i <= to; i++) {
+                    if (unsure[i] != 0) {
+                        return 0;
+                    }
+                }
+            }
+            first += tribox_impl_splat_int(at[0] - 1);
+            last += tribox_impl_splat_int(at[0] - 1);
+            TRIBOX_IMPL_COPY(first_x, &first, sizeof first);
+            TRIBOX_IMPL_COPY(last_x, &last, sizeof last);
+            for (i = from; i <= to; i++, row += t->row_words) {
+                if (first_x[i] <= last_x[i]) {
+                    tribox_impl_set_run(t, row, (size_t)first_x[i], (size_t)last_x[i]);
+                }
+            }
+        }
+    }
+    return 1;
+}
+
+/* ---- All ways together */
+
+/* One triangle, wherever it is, by rows or exactly. */
+TRIBOX_IMPL_NOINLINE void tribox_impl_fill_one(const tribox_impl_fill *fill, size_t triangle)
+{
+    const tribox_impl_quick *q = &fill->quick;
+    const int indexed = fill->mesh->indices != NULL;
+    tribox_impl_points v[3];
+    tribox_impl_boxes box;
+    const void *corner[3];
+    int at[3];
+    int count[3];
+    int off = 0;
+    int fits = 1;
+    int k;
+    tribox_impl_load_corners(&v[0], fill->mesh, indexed, triangle, 0, 0);
+    tribox_impl_load_corners(&v[1], fill->mesh, indexed, triangle, 0, 1);
+    tribox_impl_load_corners(&v[2], fill->mesh, indexed, triangle, 0, 2);
+    tribox_impl_boxes_of(q, v, &box);
+    for (k = 0; k < 3; k++) {
+        at[k] = box.first[k][0] - TRIBOX_IMPL_MARGIN;
+        count[k] = box.last[k][0] - box.first[k][0] + 1;
+        off |= box.last[k][0] < TRIBOX_IMPL_MARGIN || box.first[k][0] > q->end[k];
+        fits &= box.first[k][0] > 0 && box.last[k][0] <= q->end[k] + TRIBOX_IMPL_MARGIN &&
+                count[k] <= TRIBOX_IMPL_ROWS;
+    }
+    /* Off the region by the guess on that side: X is off by the bound at most within MARGIN, by 2^-20 of
+     * itself beyond; a triangle that is not finite sets nothing anyway. */
+    if (off) {
+        return;
+    }
+    tribox_impl_corners(fill->mesh, triangle, corner);
+    if (box.unsure[0] != 0 || !fits || !tribox_impl_fill_rows(fill, corner, at, count)) {
+        tribox_impl_fill_exact(fill->grid, fill->mesh, triangle, fill->target);
+    }
+}
+
+TRIBOX_IMPL_FORCED void tribox_impl_group_flush(const tribox_impl_fill *fill, tribox_impl_group *g, int n)
+{
+    const uint64_t all = ~(uint64_t)0 >> (64 - n * n * n);
+    tribox_impl_missed m;
+    tribox_impl_iw unsure;
+    uint32_t low[TRIBOX_IMPL_WIDE];
+    uint32_t high[TRIBOX_IMPL_WIDE];
+    int32_t again[TRIBOX_IMPL_WIDE];
+    int i;
+    if (g->n == 0) {
+        return;
+    }
+    for (i = g->n; i < TRIBOX_IMPL_WIDE; i++) {
+        g->v[0][i] = g->v[0][0];
+        g->v[1][i] = g->v[1][0];
+        g->v[2][i] = g->v[2][0];
+        g->box[i] = g->box[0];
+    }
+    unsure = tribox_impl_group_decide(&fill->quick, g, n, &m);
+    TRIBOX_IMPL_COPY(low, &m.low, sizeof low);
+    TRIBOX_IMPL_COPY(high, &m.high, sizeof high);
+    TRIBOX_IMPL_COPY(again, &unsure, sizeof again);
+    for (i = 0; i < g->n; i++) {
+        if (TRIBOX_IMPL_RARELY(again[i] != 0)) {
+            tribox_impl_fill_one(fill, g->triangle[i]);
+        } else {
+            const uint64_t missed = n == 4 ? low[i] | (uint64_t)high[i] << 32 : low[i];
+            tribox_impl_group_set(fill, g, i, n, ~missed & all);
+        }
+    }
+    g->n = 0;
+}
+
+TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush2(const tribox_impl_fill *fill, tribox_impl_group *g)
+{
+    tribox_impl_group_flush(fill, g, 2);
+}
+
+TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush3(const tribox_impl_fill *fill, tribox_impl_group *g)
+{
+    tribox_impl_group_flush(fill, g, 3);
+}
+
+TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush4(const tribox_impl_fill *fill, tribox_impl_group *g)
+{
+    tribox_impl_group_flush(fill, g, 4);
+}
+
+/* Returns 1 when the group is full. */
+TRIBOX_IMPL_FN int tribox_impl_group_add(tribox_impl_group *g, const tribox_impl_fill *fill,
+                                         tribox_impl_i4 box, size_t word, size_t triangle)
+{
+    const void *corner[3];
+    const int n = g->n;
+    tribox_impl_corners(fill->mesh, triangle, corner);
+    g->v[0][n] = tribox_impl_load3(corner[0]);
+    g->v[1][n] = tribox_impl_load3(corner[1]);
+    g->v[2][n] = tribox_impl_load3(corner[2]);
+    g->box[n] = box;
+    g->word[n] = word;
+    g->triangle[n] = triangle;
+    g->n = n + 1;
+    return n + 1 == TRIBOX_IMPL_WIDE;
+}
+
+/* Boxes as in tribox_impl_group, extents -1 where fill_one must look, and the words of their first voxels. */
+#define TRIBOX_IMPL_BATCH 32
+
+typedef struct tribox_impl_batch {
+    tribox_impl_i4 box[TRIBOX_IMPL_BATCH];
+    size_t         word[TRIBOX_IMPL_BATCH];
+} tribox_impl_batch;
+
+/* The boxes of BATCH triangles from t; asks for the memory of their voxels. */
+TRIBOX_IMPL_FORCED void tribox_impl_batch_set(tribox_impl_batch *b, const tribox_impl_fill *fill, size_t t,
+                                              int indexed)
+{
+    const tribox_impl_target *target = fill->target;
+    const size_t layer_words = fill->quick.layer_words;
+    int i;
+    for (i = 0; i < TRIBOX_IMPL_BATCH; i += TRIBOX_IMPL_WIDE) {
+        const tribox_impl_iw none = tribox_impl_wide_int(0);
+        tribox_impl_points v[3];
+        tribox_impl_boxes box;
+        tribox_impl_iw x;
+        tribox_impl_iw y;
+        tribox_impl_iw z;
+        tribox_impl_iw other;
+        tribox_impl_load_corners(&v[0], fill->mesh, indexed, t + (size_t)i, 1, 0);
+        tribox_impl_load_corners(&v[1], fill->mesh, indexed, t + (size_t)i, 1, 1);
+        tribox_impl_load_corners(&v[2], fill->mesh, indexed, t + (size_t)i, 1, 2);
+        tribox_impl_boxes_of(&fill->quick, v, &box);
+        x = box.last[0] - box.first[0];
+        y = box.last[1] - box.first[1];
+        z = box.last[2] - box.first[2];
+        other = box.unsure | ((x | y | z) & tribox_impl_wide_int(~(TRIBOX_IMPL_ROWS - 1)));
+        other = (other > none) | (other < none) | box.cut;
+        tribox_impl_points_to(b->box + i, box.first[0], box.first[1], box.first[2],
+                              other | x | tribox_impl_wide_up(y, 8) | tribox_impl_wide_up(z, 16));
+    }
+    for (i = 0; i < TRIBOX_IMPL_BATCH; i++) {
+        const tribox_impl_i4 box = b->box[i];
+        if (box[3] >= 0) {
+            const size_t word = (size_t)(box[2] - TRIBOX_IMPL_MARGIN) * layer_words +
+                                (size_t)(box[1] - TRIBOX_IMPL_MARGIN) * target->row_words +
+                                ((size_t)(box[0] - TRIBOX_IMPL_MARGIN) >> 6);
+            b->word[i] = word;
+            TRIBOX_IMPL_PREFETCH((uintptr_t)target->bits + sizeof(uint64_t) * word);
+            TRIBOX_IMPL_PREFETCH((uintptr_t)target->bits + sizeof(uint64_t) * (word + layer_words));
+        }
+    }
+}
+
+/* The short ways of a box of up to 2^3 voxels: all are set, or none is missed since it is longer than one
+ * voxel on one axis at most. Returns 0 where neither holds. */
+TRIBOX_IMPL_FORCED int tribox_impl_fill_short(const tribox_impl_fill *fill, tribox_impl_i4 box, size_t word)
+{
+    const int more = box[3];
+    const int x = (box[0] - TRIBOX_IMPL_MARGIN) & 63;
+    const uint64_t run = (uint64_t)(1 + 2 * (more & 1)) << x;
+    const size_t y1 = fill->target->row_words & ((size_t)0 - (size_t)(more >> 8 & 1));
+    const size_t z1 = fill->quick.layer_words & ((size_t)0 - (size_t)(more >> 16));
+    uint64_t *row = fill->target->bits + word;
+    if (x + (more & 1) > 63) {
+        return 0;
+    }
+    if ((row[0] & row[y1] & row[z1] & row[y1 + z1] & run) == run) {
+        return 1;
+    }
+    if ((more & (more - 1)) != 0 || fill->quick.thin) {
+        return 0;
+    }
+    row[0] |= run;
+    row[y1] |= run;
+    row[z1] |= run;
+    return 1;
+}
+
+/* A box of some voxels, all in the region. */
+TRIBOX_IMPL_FN void tribox_impl_fill_some(const tribox_impl_fill *fill, tribox_impl_i4 box, size_t triangle)
+{
+    const void *corner[3];
+    const int at[3] = { box[0] - TRIBOX_IMPL_MARGIN, box[1] - TRIBOX_IMPL_MARGIN,
+                        box[2] - TRIBOX_IMPL_MARGIN };
+    const int count[3] = { (box[3] & 255) + 1, (box[3] >> 8 & 255) + 1, (box[3] >> 16) + 1 };
+    tribox_impl_corners(fill->mesh, triangle, corner);
+    if (!tribox_impl_fill_rows(fill, corner, at, count)) {
+        tribox_impl_fill_exact(fill->grid, fill->mesh, triangle, fill->target);
+    }
+}
+
+/* BATCH triangles from t. */
+TRIBOX_IMPL_NOINLINE void tribox_impl_fill_batch(const tribox_impl_fill *fill, size_t t,
+                                                 tribox_impl_group groups[3])
+{
+    const int thin = fill->quick.thin;
+    tribox_impl_batch batch;
+    int i;
+    if (fill->mesh->indices != NULL) {
+        tribox_impl_batch_set(&batch, fill, t, 1);
+    } else {
+        tribox_impl_batch_set(&batch, fill, t, 0);
+    }
+    for (i = 0; i < TRIBOX_IMPL_BATCH; i++, t++) {
+        const tribox_impl_i4 box = batch.box[i];
+        const int more = box[3];        /* fits 2^3, 3^3, 4^3 voxels? */
+        if ((more & ~0x010101) == 0 && tribox_impl_fill_short(fill, box, batch.word[i])) {
+            continue;
+        }
+        if (more < 0) {
+            tribox_impl_fill_one(fill, t);
+        } else if (thin || (more & ~0x030303) != 0) {
+            tribox_impl_fill_some(fill, box, t);
+        } else if ((more & ~0x010101) == 0) {
+            if (tribox_impl_group_add(&groups[0], fill, box, batch.word[i], t)) {
+                tribox_impl_group_flush2(fill, &groups[0]);
+            }
+        } else if (((more + 0x010101) & ~0x030303) == 0) {
+            if (tribox_impl_group_add(&groups[1], fill, box, batch.word[i], t)) {
+                tribox_impl_group_flush3(fill, &groups[1]);
+            }
+        } else if (tribox_impl_group_add(&groups[2], fill, box, batch.word[i], t)) {
+            tribox_impl_group_flush4(fill, &groups[2]);
+        }
+    }
+}
+
+/* All triangles. Returns how many are done: 0 if the grid's numbers are out of range. */
+TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const tribox_mesh *mesh,
+                                             const tribox_impl_target *target)
+{
+    tribox_impl_fill fill;
+    tribox_impl_group groups[3];
+    size_t t = 0;
+    fill.grid = grid;
+    fill.mesh = mesh;
+    fill.target = target;
+    groups[0].n = groups[1].n = groups[2].n = 0;
+    tribox_impl_quick_init(&fill.quick, grid, target);
+    if (!fill.quick.on) {
+        return 0;
+    }
+    for (; mesh->triangles - t >= TRIBOX_IMPL_BATCH; t += TRIBOX_IMPL_BATCH) {
+        tribox_impl_fill_batch(&fill, t, groups);
+    }
+    for (; t < mesh->triangles; t++) {
+        tribox_impl_fill_one(&fill, t);
+    }
+    tribox_impl_group_flush2(&fill, &groups[0]);
+    tribox_impl_group_flush3(&fill, &groups[1]);
+    tribox_impl_group_flush4(&fill, &groups[2]);
+    return t;
+}
+#endif
+
 TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
 {
     tribox_impl_target target;
@@ -4078,21 +4515,7 @@ TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh
     target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
     target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
 #if TRIBOX_SIMD
-    {
-        tribox_impl_quick quick;
-        tribox_impl_quick_init(&quick, grid, &target);
-        while (quick.on && t < mesh->triangles) {
-            const size_t left = mesh->triangles - t;
-            const size_t end = t + (left < TRIBOX_IMPL_BATCH ? left : TRIBOX_IMPL_BATCH);
-            size_t exact[TRIBOX_IMPL_BATCH];
-            const int n = tribox_impl_quick_batch(&quick, &target, mesh, t, end, exact);
-            int i;
-            for (i = 0; i < n; i++) {
-                tribox_impl_fill_exact(grid, mesh, exact[i], &target);
-            }
-            t = end;
-        }
-    }
+    t = tribox_impl_fill_quick(grid, mesh, &target);
 #endif
     for (; t < mesh->triangles; t++) {
         tribox_impl_fill_exact(grid, mesh, t, &target);
@@ -4160,25 +4583,6 @@ TRIBOX_IMPL_FN int tribox_impl_mesh_bounds(const tribox_mesh *mesh, double out_m
         }
     }
     return any;
-}
-
-/* The power of two at or below x, x positive and normal. */
-TRIBOX_IMPL_FN double tribox_impl_floor_pow2(double x)
-{
-    return tribox_impl_from_bits64(tribox_impl_bits64(&x) & 0x7ff0000000000000u);
-}
-
-/* The multiple of q at or below x; x itself where its own spacing is no finer. */
-TRIBOX_IMPL_FN double tribox_impl_floor_to(double x, double q)
-{
-    const double limit = 4503599627370496.0;    /* 2^52 */
-    const double units = x / q;
-    double whole;
-    if (!(units < limit && units > -limit)) {
-        return x;
-    }
-    whole = (double)(int64_t)units;
-    return (whole > units ? whole - 1.0 : whole) * q;
 }
 
 /* Voxel size and origin are kept to few bits (24 and 2^-12 of a voxel),
