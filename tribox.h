@@ -4070,14 +4070,16 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_edge_set(tribox_impl_row_edge *out, cons
 TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_row_most(const float *a, const float *b, const float *c,
                                                        const tribox_impl_f4 step[3])
 {
-    const tribox_impl_f4 ab = tribox_impl_max4(tribox_impl_splat(*a) + step[0], tribox_impl_splat(*b) + step[1]);
+    const tribox_impl_f4 ab = tribox_impl_max4(tribox_impl_splat(*a) + step[0],
+                                              tribox_impl_splat(*b) + step[1]);
     return tribox_impl_max4(ab, tribox_impl_splat(*c) + step[2]);
 }
 
 TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_row_least(const float *a, const float *b, const float *c,
                                                         const tribox_impl_f4 step[3])
 {
-    const tribox_impl_f4 ab = tribox_impl_min4(tribox_impl_splat(*a) + step[0], tribox_impl_splat(*b) + step[1]);
+    const tribox_impl_f4 ab = tribox_impl_min4(tribox_impl_splat(*a) + step[0],
+                                              tribox_impl_splat(*b) + step[1]);
     return tribox_impl_min4(ab, tribox_impl_splat(*c) + step[2]);
 }
 
