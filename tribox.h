@@ -4202,7 +4202,7 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, con
         const double middle = plane.at + plane.slope_z * (double)z;
         const int first_y = (int)y_of_z.lo_least[z] - 1;
         const int last_y = (int)y_of_z.hi_most[z] - 1;
-        uint64_t *layer = t->bits + (size_t)(at[2] + z) * q->layer_words + (size_t)at[1] * t->row_words;
+        uint64_t *layer = t->bits + (size_t)(at[2] + z) * q->layer_words;
         tribox_impl_layer l;
         int y;
         if (first_y > last_y) {
@@ -4223,7 +4223,7 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, con
         for (y = first_y & ~3; y <= last_y; y += 4) {
             const int from = y < first_y ? first_y - y : 0;
             const int to = last_y - y < 3 ? last_y - y : 3;
-            uint64_t *row = layer + (size_t)(y + from) * t->row_words;
+            uint64_t *row = layer + (size_t)(at[1] + y + from) * t->row_words;
             tribox_impl_i4 first;
             tribox_impl_i4 last;
             const tribox_impl_i4 unsure = tribox_impl_layer_rows(&l, &x_of_y, y, &first, &last);

@@ -10,7 +10,7 @@ set -u
 . tests/check_lib.sh
 
 out=$CHECK_DIR/mutate
-programs=${MUTATE_PROGRAMS:-"rule tri thin overlap grid fill exact nan mode symmetry frame closed field issues \
+programs=${MUTATE_PROGRAMS:-"rule tri thin overlap grid fill few exact nan mode symmetry frame closed field issues \
     companions_motion companions_cut companions_mode"}
 first= # programs to try before the others
 limit=${MUTATE_LIMIT:-20}

@@ -14,6 +14,7 @@ int test_mode_main(void);
 int test_field_main(void);
 int test_grid_main(void);
 int test_fill_main(void);
+int test_few_main(void);
 int test_frame_main(void);
 int test_closed_main(void);
 int test_issues_main(void);
@@ -66,6 +67,10 @@ int test_issues_main(void);
 #include "test_fill.c"
 #undef main
 
+#define main test_few_main
+#include "test_few.c"
+#undef main
+
 #define main test_frame_main
 #include "test_frame.c"
 #undef main
@@ -104,6 +109,7 @@ int main(void)
     suite_run(test_field_main);
     suite_run(test_grid_main);
     suite_run(test_fill_main);
+    suite_run(test_few_main);
     suite_run(test_frame_main);
     suite_run(test_closed_main);
     suite_run(test_issues_main);
