@@ -18,7 +18,7 @@ constant() { # sed pattern with one group, sed pattern of the line before
         echo missing
         return
     fi
-    printf '%.0f\n' "$value"
+    printf '%g\n' "$value"
 }
 
 ULPS=$(constant '^#define TRIBOX_IMPL_ULPS \([0-9]*\)$')
@@ -29,18 +29,27 @@ FRAME=$(constant '^ *(\([0-9.]*\) \* TRIBOX_IMPL_U64);$' 'w->slack\[k\] = (farth
 REACH=$(constant '.*w->slack\[k\] += reach \* (\([0-9.]*\) \* TRIBOX_IMPL_U64);.*')
 LANES=$(constant '.*bound = c->bound \* scale + (double)(\([0-9.]*\)f \* TRIBOX_IMPL_U32);.*')
 GRID=$(constant '^ *(\([0-9.]*\) \* TRIBOX_IMPL_U64);$' 'abs(x) + tribox_impl_abs(along)')
-export ULPS TERMS MADE NORMAL FRAME REACH LANES GRID
+# groups: delta's share of n u; the bounds in units of n delta and n^2 delta
+SHARE=$(constant '.*const float delta = \([0-9.]*\)f \* TRIBOX_IMPL_U32 \* (float)n + q->delta_low;.*')
+LINES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)n \* delta).*')
+PLANES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)(n \* n) \* delta).*')
+export SHARE LINES PLANES ULPS TERMS MADE NORMAL FRAME REACH LANES GRID
 echo "constants of tribox.h: one box $ULPS; prepared $TERMS and $MADE;" \
-    "sign of the normal $NORMAL; walk $FRAME, $REACH and $LANES; grid plane $GRID"
+    "sign of the normal $NORMAL; walk $FRAME, $REACH and $LANES; grid plane $GRID;" \
+    "groups $SHARE, $LINES and $PLANES"
 
 # UNITS(n): n + 1/8 units of 2^-P, so that terms of second order fit. BELOW(n): n - 1 units, since the
 # header rounds its bound too. FUSED and PLAIN: lines for one kind of contraction.
-prove() { # script, P, FUSED or PLAIN
-    local other=PLAIN
+prove() { # script, P, FUSED or PLAIN, N: lines for boxes of N^3 voxels
+    local other=PLAIN n=${4:-0}
+    rounding "$n"
     [ "$3" = PLAIN ] && other=FUSED
     sed -E -e "s/^$3 //" -e "/^$other /d" -e "s/@ULPS@/$ULPS/g; s/@TERMS@/$TERMS/g; s/@MADE@/$MADE/g" \
         -e "s/@NORMAL@/$NORMAL/g; s/@WALK@/$((REACH + FRAME - 2))/g; s/@LANES@/$LANES/g" \
-        -e "s/@GRID@/$GRID/g; s/\bP\b/$2/g" "tests/proofs/$1.gappa" |
+        -e "s/@GRID@/$GRID/g; s/\bP\b/$2/g; s/^N$n //; /^N[2-4] /d" \
+        -e "s/@M@/$((n - 1))/g; s/@N@/$n/g; s/@2MM@/$((2 * mm))/g; s/@4MM@/$((4 * mm))/g; s/@AREA@/$area/g" \
+        -e "s/@NN@/$((n * n))/g; s/@3NNM@/$((3 * n * n * (n - 1)))/g; s/@EDGE@/$edge/g" \
+        -e "s/@PLANE@/$plane/g" "tests/proofs/$1.gappa" |
         awk -v p="$2" '{
             while (match($0, /(UNITS|BELOW)\([0-9]+\)/)) {
                 n = substr($0, RSTART + 6, RLENGTH - 7) * 64
@@ -50,7 +59,33 @@ prove() { # script, P, FUSED or PLAIN
             print
         }' | tee "$CHECK_DIR/proofs/$1-$2-$3.gappa" | gappa
 }
-export -f prove
+
+# In units of u: the rounding that groups.gappa proves for boxes of n^3, of the area, of E and D at the last
+# point.
+rounding() { # n
+    mm=$((($1 - 1) * ($1 - 1)))
+    area=$((20 * mm + 1))
+    edge=$((4 * mm + 2 * ($1 - 2) * ($1 + 2 * mm)))
+    plane=$(((8 + 9 * ($1 - 2)) * $1 * $1 * $1))
+}
+
+# Coordinates off by delta add 4 (n - 1) delta to E, and where a sign of an edge's component is wrong, 4.6 n
+# delta; 4 n delta to the area, and so to the normal; that, times n - 1, and n^2 delta, three times each, to D.
+# With the rounding, u <= delta / (SHARE n), this is below the bounds, and leaves a twentieth for terms of
+# second order.
+groups_room() { # n
+    rounding "$1"
+    awk -v n="$1" -v share="$SHARE" -v lines="$LINES" -v planes="$PLANES" -v area="$area" -v edge="$edge" \
+        -v plane="$plane" 'BEGIN {
+            u = 1 / (share * n)
+            e = 4 * (n - 1) + 4.6 * n + edge * u
+            a = 4 * n + area * u
+            d = 3 * (n - 1) * a + 3 * n * n + plane * u
+            print "E", e, "area", a, "of", lines * n, "D", d, "of", planes * n * n
+            exit !(e <= 0.95 * lines * n && a <= 0.95 * lines * n && d <= 0.95 * planes * n * n)
+        }'
+}
+export -f prove rounding groups_room
 
 # 23 and 52: u of every rounding mode; one more: that of rounding to nearest
 job "proof: rounding" prove rounding 23 PLAIN
@@ -61,6 +96,13 @@ for p in 23 24 52 53; do
         for script in coords lines normal edge plane; do
             job "proof: $script, 2^-$p, $contraction" prove $script $p $contraction
         done
+    done
+done
+
+for n in 2 3 4; do
+    job "proof: groups of $n^3, room in the bounds" groups_room $n
+    for contraction in PLAIN FUSED; do
+        job "proof: groups of $n^3, 2^-23, $contraction" prove groups 23 $contraction $n
     done
 done
 
