@@ -200,7 +200,7 @@ typedef struct tribox_tri {
     unsigned asked;         /* flags as given */
     unsigned flags;         /* as they apply: infinite boxes are never thin */
     int      empty;         /* 1: the triangle or every box is the empty set */
-    int      huge;          /* 1: a corner or size is 2^58 or more, and p - ref may be too large for a float */
+    int      huge;          /* 1: a corner or size is 2^58 or more, and p - ref may not fit a float */
     int      unused;        /* a multiple of 16 bytes: in arrays, too, the vectors lie well */
 } tribox_tri;
 
@@ -2625,10 +2625,10 @@ TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, 
 
 /* Puts corners and voxels into one frame; finds out whether that frame is exact.
  *
- * Bound. A corner in this frame is within 2 u (|x| + |origin| + |base|) of its place. A limit's value is a sum
- * of twelve terms n_k times a length, n_k being within 4 u m_k, and so each within 16 u of its magnitude; on
- * one axis they add up to at most 2 m_k reach_k. So the value is within sum m_k (4 u (|x| + |origin| + |base|)
- * + 32 u reach_k), which leaves room for the bound's own rounding.
+ * Bound. A corner in this frame is within 2 u (|x| + |origin| + |base|) of its place. A limit's value is a
+ * sum of twelve terms n_k times a length, n_k being within 4 u m_k, and so each within 16 u of its magnitude;
+ * on one axis they add up to at most 2 m_k reach_k. So the value is within sum m_k (4 u (|x| + |origin| +
+ * |base|) + 32 u reach_k), which leaves room for the bound's own rounding.
  *
  * In range, reaches are in [2^-300, 2^301), and slack is finite, so that m_k = 0 adds 0. Where m_k is not 0,
  * the corners differ on axis k, by at most 2^303, so |x| is below 2^357, or the one corner would be lost in
@@ -4154,6 +4154,31 @@ TRIBOX_IMPL_FORCED tribox_impl_i4 tribox_impl_layer_rows(const tribox_impl_layer
     return (differ > tribox_impl_splat_int(0)) & ~(first_least > last_most);
 }
 
+/* Sets voxels first[i]..last[i] of rows from..to, `row` being the first of them; asks for those above. */
+TRIBOX_IMPL_FORCED void tribox_impl_layer_set(const tribox_impl_target *t, uint64_t *row, size_t row_words,
+                                              size_t layer_words, tribox_impl_i4 first, tribox_impl_i4 last,
+                                              int from, int to)
+{
+    int32_t first_x[4];
+    int32_t last_x[4];
+    int i;
+    TRIBOX_IMPL_COPY(first_x, &first, sizeof first);
+    TRIBOX_IMPL_COPY(last_x, &last, sizeof last);
+    for (i = from; i <= to; i++, row += row_words) {
+        const int32_t begin = first_x[i];
+        const int32_t end = last_x[i];
+        if (begin <= end) {
+            uint64_t *word = row + (begin >> 6);
+            TRIBOX_IMPL_PREFETCH((uintptr_t)word + sizeof *word * layer_words);
+            if (TRIBOX_IMPL_RARELY((begin ^ end) > 63)) {
+                tribox_impl_set_run(t, row, (size_t)begin, (size_t)end);
+            } else {
+                *word |= (~(uint64_t)0 << (begin & 63)) & (~(uint64_t)0 >> (63 - (end & 63)));
+            }
+        }
+    }
+}
+
 /* A triangle whose box has up to ROWS voxels on each axis. Returns 0 if unsure; voxels set by then
  * are right. */
 TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, const void *const corner[3],
@@ -4161,6 +4186,9 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, con
 {
     const tribox_impl_quick *q = &fill->quick;
     const tribox_impl_target *t = fill->target;
+    uint64_t *const bits = t->bits;     /* stores to the bits might change what t and q hold */
+    const size_t row_words = t->row_words;
+    const size_t layer_words = q->layer_words;
     tribox_impl_placed p;
     tribox_impl_row_plane plane;
     tribox_impl_row_edge edge[3];
@@ -4202,7 +4230,7 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, con
         const double middle = plane.at + plane.slope_z * (double)z;
         const int first_y = (int)y_of_z.lo_least[z] - 1;
         const int last_y = (int)y_of_z.hi_most[z] - 1;
-        uint64_t *layer = t->bits + (size_t)(at[2] + z) * q->layer_words;
+        uint64_t *layer = bits + (size_t)(at[2] + z) * layer_words;
         tribox_impl_layer l;
         int y;
         if (first_y > last_y) {
@@ -4223,12 +4251,10 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, con
         for (y = first_y & ~3; y <= last_y; y += 4) {
             const int from = y < first_y ? first_y - y : 0;
             const int to = last_y - y < 3 ? last_y - y : 3;
-            uint64_t *row = layer + (size_t)(at[1] + y + from) * t->row_words;
+            uint64_t *row = layer + (size_t)(at[1] + y + from) * row_words;
             tribox_impl_i4 first;
             tribox_impl_i4 last;
             const tribox_impl_i4 unsure = tribox_impl_layer_rows(&l, &x_of_y, y, &first, &last);
-            int32_t first_x[4];
-            int32_t last_x[4];
             if (TRIBOX_IMPL_RARELY(tribox_impl_any(unsure))) {
                 for (i = from; i <= to; i++) {
                     if (unsure[i] != 0) {
@@ -4236,15 +4262,8 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, con
                     }
                 }
             }
-            first += tribox_impl_splat_int(at[0] - 1);
-            last += tribox_impl_splat_int(at[0] - 1);
-            TRIBOX_IMPL_COPY(first_x, &first, sizeof first);
-            TRIBOX_IMPL_COPY(last_x, &last, sizeof last);
-            for (i = from; i <= to; i++, row += t->row_words) {
-                if (first_x[i] <= last_x[i]) {
-                    tribox_impl_set_run(t, row, (size_t)first_x[i], (size_t)last_x[i]);
-                }
-            }
+            tribox_impl_layer_set(t, row, row_words, layer_words, first + tribox_impl_splat_int(at[0] - 1),
+                                  last + tribox_impl_splat_int(at[0] - 1), from, to);
         }
     }
     return 1;
