@@ -3531,13 +3531,22 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
     q->on = 1;
 }
 
-/* What the ways of a fill share. */
+/* What the ways of a fill share. Triangles left for the row walk wait until the stack is free of all else. */
+#define TRIBOX_IMPL_BATCH 32
+
 typedef struct tribox_impl_fill {
-    const tribox_grid        *grid;
     const tribox_mesh        *mesh;
     const tribox_impl_target *target;
     tribox_impl_quick         quick;
+    int                       left;     /* a batch's, and what waited in groups, at most */
+    size_t                    for_walk[TRIBOX_IMPL_BATCH + 3 * TRIBOX_IMPL_WIDE];
 } tribox_impl_fill;
+
+TRIBOX_IMPL_FN void tribox_impl_fill_later(tribox_impl_fill *fill, size_t triangle)
+{
+    fill->for_walk[fill->left] = triangle;
+    fill->left++;
+}
 
 /* ---- Index boxes of WIDE triangles */
 
@@ -4272,7 +4281,7 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, con
 /* ---- All ways together */
 
 /* One triangle, wherever it is, by rows or exactly. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_fill_one(const tribox_impl_fill *fill, size_t triangle)
+TRIBOX_IMPL_NOINLINE void tribox_impl_fill_one(tribox_impl_fill *fill, size_t triangle)
 {
     const tribox_impl_quick *q = &fill->quick;
     const int indexed = fill->mesh->indices != NULL;
@@ -4302,11 +4311,11 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_fill_one(const tribox_impl_fill *fill, siz
     }
     tribox_impl_corners(fill->mesh, triangle, corner);
     if (box.unsure[0] != 0 || !fits || !tribox_impl_fill_rows(fill, corner, at, count)) {
-        tribox_impl_fill_exact(fill->grid, fill->mesh, triangle, fill->target);
+        tribox_impl_fill_later(fill, triangle);
     }
 }
 
-TRIBOX_IMPL_FORCED void tribox_impl_group_flush(const tribox_impl_fill *fill, tribox_impl_group *g, int n)
+TRIBOX_IMPL_FORCED void tribox_impl_group_flush(tribox_impl_fill *fill, tribox_impl_group *g, int n)
 {
     const uint64_t all = ~(uint64_t)0 >> (64 - n * n * n);
     tribox_impl_missed m;
@@ -4339,17 +4348,17 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_flush(const tribox_impl_fill *fill, tr
     g->n = 0;
 }
 
-TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush2(const tribox_impl_fill *fill, tribox_impl_group *g)
+TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush2(tribox_impl_fill *fill, tribox_impl_group *g)
 {
     tribox_impl_group_flush(fill, g, 2);
 }
 
-TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush3(const tribox_impl_fill *fill, tribox_impl_group *g)
+TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush3(tribox_impl_fill *fill, tribox_impl_group *g)
 {
     tribox_impl_group_flush(fill, g, 3);
 }
 
-TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush4(const tribox_impl_fill *fill, tribox_impl_group *g)
+TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush4(tribox_impl_fill *fill, tribox_impl_group *g)
 {
     tribox_impl_group_flush(fill, g, 4);
 }
@@ -4372,8 +4381,6 @@ TRIBOX_IMPL_FN int tribox_impl_group_add(tribox_impl_group *g, const tribox_impl
 }
 
 /* Boxes as in tribox_impl_group, extents -1 where fill_one must look, and the words of their first voxels. */
-#define TRIBOX_IMPL_BATCH 32
-
 typedef struct tribox_impl_batch {
     tribox_impl_i4 box[TRIBOX_IMPL_BATCH];
     size_t         word[TRIBOX_IMPL_BATCH];
@@ -4445,7 +4452,7 @@ TRIBOX_IMPL_FORCED int tribox_impl_fill_short(const tribox_impl_fill *fill, trib
 }
 
 /* A box of some voxels, all in the region. */
-TRIBOX_IMPL_FN void tribox_impl_fill_some(const tribox_impl_fill *fill, tribox_impl_i4 box, size_t triangle)
+TRIBOX_IMPL_FN void tribox_impl_fill_some(tribox_impl_fill *fill, tribox_impl_i4 box, size_t triangle)
 {
     const void *corner[3];
     const int at[3] = { box[0] - TRIBOX_IMPL_MARGIN, box[1] - TRIBOX_IMPL_MARGIN,
@@ -4453,12 +4460,12 @@ TRIBOX_IMPL_FN void tribox_impl_fill_some(const tribox_impl_fill *fill, tribox_i
     const int count[3] = { (box[3] & 255) + 1, (box[3] >> 8 & 255) + 1, (box[3] >> 16) + 1 };
     tribox_impl_corners(fill->mesh, triangle, corner);
     if (!tribox_impl_fill_rows(fill, corner, at, count)) {
-        tribox_impl_fill_exact(fill->grid, fill->mesh, triangle, fill->target);
+        tribox_impl_fill_later(fill, triangle);
     }
 }
 
 /* BATCH triangles from t. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_fill_batch(const tribox_impl_fill *fill, size_t t,
+TRIBOX_IMPL_NOINLINE void tribox_impl_fill_batch(tribox_impl_fill *fill, size_t t,
                                                  tribox_impl_group groups[3])
 {
     const int thin = fill->quick.thin;
@@ -4493,6 +4500,16 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_fill_batch(const tribox_impl_fill *fill, s
     }
 }
 
+/* What the other ways have left. */
+TRIBOX_IMPL_FN void tribox_impl_fill_left(tribox_impl_fill *fill, const tribox_grid *grid)
+{
+    int i;
+    for (i = 0; i < fill->left; i++) {
+        tribox_impl_fill_exact(grid, fill->mesh, fill->for_walk[i], fill->target);
+    }
+    fill->left = 0;
+}
+
 /* All triangles. Returns how many are done: 0 if the grid's numbers are out of range. */
 TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const tribox_mesh *mesh,
                                              const tribox_impl_target *target)
@@ -4500,9 +4517,9 @@ TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const trib
     tribox_impl_fill fill;
     tribox_impl_group groups[3];
     size_t t = 0;
-    fill.grid = grid;
     fill.mesh = mesh;
     fill.target = target;
+    fill.left = 0;
     groups[0].n = groups[1].n = groups[2].n = 0;
     tribox_impl_quick_init(&fill.quick, grid, target);
     if (!fill.quick.on) {
@@ -4510,6 +4527,7 @@ TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const trib
     }
     for (; mesh->triangles - t >= TRIBOX_IMPL_BATCH; t += TRIBOX_IMPL_BATCH) {
         tribox_impl_fill_batch(&fill, t, groups);
+        tribox_impl_fill_left(&fill, grid);
     }
     for (; t < mesh->triangles; t++) {
         tribox_impl_fill_one(&fill, t);
@@ -4517,6 +4535,7 @@ TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const trib
     tribox_impl_group_flush2(&fill, &groups[0]);
     tribox_impl_group_flush3(&fill, &groups[1]);
     tribox_impl_group_flush4(&fill, &groups[2]);
+    tribox_impl_fill_left(&fill, grid);
     return t;
 }
 #endif
