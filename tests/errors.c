@@ -2,7 +2,7 @@
  * questions, in every rounding mode, against rationals (GMP). What tests/proofs prove from above, this looks
  * at from below: it fails where a value is beyond its bound, and prints the worst that it found.
  *
- *   build/errors [thousands of questions for each line] [seed] */
+ *   build/errors [thousands of questions for each line, three times as many for a fill] [seed] */
 #include "tribox.h"
 
 #include <fenv.h>
@@ -12,16 +12,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ONE_BOX, PREPARED, PREPARED_FLOAT, WALK, KINDS };
+enum { ONE_BOX, PREPARED, PREPARED_FLOAT, WALK, FILL_BOXES, FILL_EDGES, FILL_PLANE };
 enum { VALUES = 11 };
+#if TRIBOX_SIMD
+enum { KINDS = 7 };
+#else
+enum { KINDS = 4 };
+#endif
 
-static const char *const kind_names[KINDS] = {"one box, double", "prepared, double", "prepared, float",
-                                              "grid walk"};
+static const char *const kind_names[7] = {"one box, double", "prepared, double", "prepared, float",
+                                          "grid walk", "fill, index boxes", "fill, row edges",
+                                          "fill, row plane"};
 
 /* v0, v1, v2, then box_min and box_max, or p and size, or origin and size */
 typedef struct numbers {
     double x[15];
-    int    index[3];    /* of the walk's voxel */
+    int    index[3];    /* of the walk's voxel; rows of a fill */
+    int    lo[3];       /* a fill's region */
+    int    n[3];
     int    thin;
 } numbers;
 
@@ -138,9 +146,173 @@ __attribute__((noinline)) static void walked(computed *r, const numbers *q)
     }
 }
 
+#if TRIBOX_SIMD
+enum { ROWS_ASKED = 2 };
+enum { MARGIN = 16 };   /* TRIBOX_IMPL_MARGIN, which the header undefines */
+
+/* What the header computed of a triangle's way through the fill. */
+typedef struct filled {
+    int    boxed;               /* the grid's numbers are in range; what follows of the box holds */
+    int    unsure;
+    int    first[3];            /* MARGIN added */
+    int    last[3];
+    int    end[3];
+    float  face[3][2][2];       /* of each axis: low and high, by shift_down and shift_up */
+    int    placed;              /* the box fits the rows, which are sure so far; all below holds */
+    int    at[3];
+    int    rows[3];             /* up to the region's end */
+    int    start[3];
+    int    row[3][ROWS_ASKED];  /* in the planes xy, xz, yz */
+    int    flat[3];
+    float  area[3];
+    tribox_impl_row_edge edge[3];
+    float  bound[3][3][ROWS_ASKED][2][2];   /* edge, plane, row, lo and hi, least and most; row: as above */
+    tribox_impl_row_bounds bounds[3];
+    int    has_plane;
+    float  plane[ROWS_ASKED][2][2];         /* in row y = row[0], z = row[1] */
+    float  plane_error;
+} filled;
+
+/* The axes that a plane's edges bound, and those of its rows. */
+static const int bounded_axis[3] = {0, 0, 1};
+static const int row_axis[3] = {1, 2, 2};
+
+__attribute__((noinline)) static void fill_boxes(filled *r, tribox_impl_quick *quick, const numbers *q)
+{
+    tribox_impl_target target;
+    tribox_impl_points v[3];
+    tribox_impl_boxes box;
+    tribox_grid grid;
+    int c;
+    int k;
+
+    memset(r, 0, sizeof *r);
+    memset(&target, 0, sizeof target);
+    for (k = 0; k < 3; k++) {
+        grid.origin[k] = q->x[9 + k];
+        grid.size[k] = q->x[12 + k];
+        grid.lo[k] = q->lo[k];
+        grid.hi[k] = q->lo[k] + q->n[k];
+    }
+    grid.flags = q->thin ? TRIBOX_THIN : 0u;
+    if (!tribox_impl_grid_valid(&grid)) {
+        return;
+    }
+    tribox_impl_quick_init(quick, &grid, &target);
+    if (!quick->on) {
+        return;
+    }
+    for (c = 0; c < 3; c++) {
+        v[c].x = tribox_impl_wide_all((float)q->x[3 * c]);
+        v[c].y = tribox_impl_wide_all((float)q->x[3 * c + 1]);
+        v[c].z = tribox_impl_wide_all((float)q->x[3 * c + 2]);
+    }
+    tribox_impl_boxes_of(quick, v, &box);
+    r->boxed = 1;
+    r->unsure = box.unsure[0] != 0;
+    for (k = 0; k < 3; k++) {
+        float least = (float)q->x[k];
+        float most = (float)q->x[k];
+        for (c = 1; c < 3; c++) {
+            const float x = (float)q->x[3 * c + k];
+            least = x < least ? x : least;
+            most = x > most ? x : most;
+        }
+        least *= quick->inverse[k];
+        most *= quick->inverse[k];
+        r->face[k][0][0] = least + quick->shift_down[k];
+        r->face[k][0][1] = least + quick->shift_up[k];
+        r->face[k][1][0] = most + quick->shift_down[k];
+        r->face[k][1][1] = most + quick->shift_up[k];
+        r->first[k] = box.first[k][0];
+        r->last[k] = box.last[k][0];
+        r->end[k] = quick->end[k];
+    }
+}
+
+/* As tribox_impl_fill_one and tribox_impl_fill_rows do it. */
+__attribute__((noinline)) static void fill_rows(filled *r, const tribox_impl_quick *quick, const numbers *q)
+{
+    tribox_impl_placed p;
+    tribox_impl_row_plane plane;
+    float x[3][3];
+    const void *corner[3];
+    int count[3];
+    int i;
+    int j;
+    int k;
+
+    if (!r->boxed || r->unsure) {
+        return;
+    }
+    for (k = 0; k < 3; k++) {
+        r->at[k] = r->first[k] - MARGIN;
+        count[k] = r->last[k] - r->first[k] + 1;
+        if (r->last[k] < MARGIN || r->first[k] > r->end[k] || r->first[k] <= 0 ||
+            r->last[k] > r->end[k] + MARGIN || count[k] > TRIBOX_IMPL_ROWS) {
+            return;
+        }
+        r->start[k] = r->at[k] < 0 ? -r->at[k] : 0;
+        r->rows[k] = count[k] < q->n[k] - r->at[k] ? count[k] : q->n[k] - r->at[k];
+        for (i = 0; i < 3; i++) {
+            x[i][k] = (float)q->x[3 * i + k];
+        }
+        corner[k] = x[k];
+    }
+    tribox_impl_place(&p, quick, corner, r->at, count);
+    tribox_impl_row_plane_set(&plane, &p, quick->thin);
+    {
+        const tribox_impl_f4 area = { (float)p.n[2], -(float)p.n[1], (float)p.n[0], (float)p.n[0] };
+        const tribox_impl_i4 flat = tribox_impl_abs4(area) <= tribox_impl_splat((float)p.tau);
+        tribox_impl_f4 off = tribox_impl_splat((float)(4.0 * quick->delta_f64 * (p.reach + 2.0)));
+        if (tribox_impl_any(flat)) {
+            const tribox_impl_f4 wide = tribox_impl_splat((float)(8192.0 * p.tau * p.reach * p.reach));
+            if (quick->thin) {
+                return;
+            }
+            off = tribox_impl_select(flat, wide, off);
+        }
+        for (i = 0; i < 3; i++) {
+            tribox_impl_row_edge_set(&r->edge[i], &p, i, area, flat, off, quick->thin);
+            r->area[i] = area[i];
+            r->flat[i] = flat[i] != 0;
+        }
+    }
+    r->placed = 1;
+    for (k = 0; k < 3; k++) {
+        const int b = bounded_axis[k];
+        tribox_impl_row_bounds_set(&r->bounds[k], r->edge, k, r->rows[row_axis[k]], r->start[b], r->rows[b]);
+        for (j = 0; j < ROWS_ASKED; j++) {
+            const int row = (q->index[j] + k * q->index[2]) % r->rows[row_axis[k]];
+            r->row[k][j] = row;
+            for (i = 0; i < 3; i++) {
+                const float lo = r->edge[i].lo_slope[k] * (float)row;
+                const float hi = r->edge[i].hi_slope[k] * (float)row;
+                r->bound[i][k][j][0][0] = r->edge[i].lo_least[k] + lo;
+                r->bound[i][k][j][0][1] = r->edge[i].lo_most[k] + lo;
+                r->bound[i][k][j][1][0] = r->edge[i].hi_least[k] + hi;
+                r->bound[i][k][j][1][1] = r->edge[i].hi_most[k] + hi;
+            }
+        }
+    }
+    r->has_plane = tribox_impl_abs(p.n[0]) > p.tau && plane.error < 0.125;
+    for (j = 0; j < ROWS_ASKED && r->has_plane; j++) {
+        const double middle = plane.at + plane.slope_z * (double)r->row[1][j];
+        const float step = (float)r->row[0][j] * (float)plane.slope_y;
+        r->plane[j][0][0] = (float)(middle - plane.half - plane.error) + step;
+        r->plane[j][0][1] = (float)(middle - plane.half + plane.error) + step;
+        r->plane[j][1][0] = (float)(middle + plane.half - plane.error) + step;
+        r->plane[j][1][1] = (float)(middle + plane.half + plane.error) + step;
+    }
+}
+#endif
+
 /* ---- the exact values ---------------------------------------------------------------------------------- */
 
 static mpq_t v[3][3], low[3], extent[3], w[3], t, u, sum, largest, n[3], half_n[3];
+#if TRIBOX_SIMD
+static mpq_t size_of[3], factor, spread, middle;
+#endif
 
 static void exact_init(void)
 {
@@ -153,6 +325,9 @@ static void exact_init(void)
         mpq_inits(low[i], extent[i], w[i], n[i], half_n[i], (void *)0);
     }
     mpq_inits(t, u, sum, largest, (void *)0);
+#if TRIBOX_SIMD
+    mpq_inits(size_of[0], size_of[1], size_of[2], factor, spread, middle, (void *)0);
+#endif
 }
 
 /* (v_j - v_i) . k */
@@ -346,9 +521,306 @@ static double worst_part(const computed *r, const numbers *q, int kind)
     return worst;
 }
 
+#if TRIBOX_SIMD
+static const double wrong = 1e9;    /* an answer, not just a bound */
+
+/* low = v_0, v_1, v_2 = corners from the corner of voxel `from`, in the caller's unit */
+static void exact_place(const numbers *q, const int from[3])
+{
+    int c;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        mpq_set_d(size_of[k], q->x[12 + k]);
+        mpq_set_si(t, from[k], 1);
+        mpq_mul(t, t, size_of[k]);
+        mpq_set_d(u, q->x[9 + k]);
+        mpq_add(low[k], t, u);
+        for (c = 0; c < 3; c++) {
+            mpq_set_d(v[c][k], q->x[3 * c + k]);
+            mpq_sub(v[c][k], v[c][k], low[k]);
+        }
+    }
+}
+
+/* |middle of least and most - exact / factor| / half of what is between them, factor > 0 */
+static double part_of(float least, float most, mpq_t exact)
+{
+    if (!(least <= most)) {
+        return wrong;
+    }
+    if (least < -FLT_MAX || most > FLT_MAX) {
+        return 0.0;
+    }
+    mpq_set_d(t, (double)least);
+    mpq_set_d(u, (double)most);
+    mpq_sub(sum, u, t);
+    mpq_mul(sum, sum, factor);      /* 2 factor * bound */
+    mpq_add(t, t, u);
+    mpq_mul(t, t, factor);
+    mpq_sub(t, t, exact);
+    mpq_sub(t, t, exact);           /* 2 factor * error */
+    mpq_abs(t, t);
+    if (mpq_sgn(t) == 0) {
+        return 0.0;
+    }
+    return mpq_sgn(sum) == 0 ? wrong : mpq_get_d(t) / mpq_get_d(sum);
+}
+
+static int floor_of(mpq_t x, mpq_t over, int least, int most)
+{
+    int r;
+
+    mpq_div(x, x, over);
+    mpz_fdiv_q(mpq_numref(x), mpq_numref(x), mpq_denref(x));
+    r = mpz_cmp_si(mpq_numref(x), least) < 0 ? least
+      : mpz_cmp_si(mpq_numref(x), most) > 0  ? most
+                                             : (int)mpz_get_si(mpq_numref(x));
+    mpz_set_ui(mpq_denref(x), 1);
+    return r;
+}
+
+/* Index boxes, voxels counted from the region's minimum corner, MARGIN added. */
+static double boxes_part(const filled *r, const numbers *q)
+{
+    double worst = 0.0;
+    int from[3];
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        from[k] = q->lo[k] - MARGIN;
+    }
+    exact_place(q, from);
+    for (k = 0; k < 3; k++) {
+        int c;
+        int side;
+        mpq_set(factor, size_of[k]);
+        for (side = 0; side < 2; side++) {
+            const int far_out = r->end[k] + 1 + MARGIN;
+            int index;
+            mpq_set(middle, v[0][k]);
+            for (c = 1; c < 3; c++) {
+                if ((mpq_cmp(v[c][k], middle) < 0) == (side == 0)) {
+                    mpq_set(middle, v[c][k]);
+                }
+            }
+            mpq_set(w[0], middle);
+            index = floor_of(w[0], factor, -1, far_out);
+            if (index >= 0 && index < far_out) {
+                const double part = part_of(r->face[k][side][0], r->face[k][side][1], middle);
+                worst = part > worst ? part : worst;
+            }
+            /* off the region: also strictly, since no bound is met */
+            if (side == 0 ? r->first[k] > r->end[k] && index <= r->end[k]
+                          : r->last[k] < MARGIN && index >= MARGIN) {
+                return wrong;
+            }
+            if (!r->unsure && index >= 0 && index < far_out &&
+                index != (side == 0 ? r->first[k] : r->last[k])) {
+                return wrong;
+            }
+        }
+    }
+    return worst;
+}
+
+/* middle and spread of edge i in a row of a plane, times factor. Returns the sign of d_r. */
+static int exact_row_edge(int i, int plane, int row, int thin)
+{
+    const int b = bounded_axis[plane];
+    const int r = row_axis[plane];
+    const int j = (i + 1) % 3;
+    int sign;
+
+    edge(w[0], i, j, b);
+    edge(w[1], i, j, r);
+    sign = mpq_sgn(w[1]);
+    mpq_set_si(t, 2 * row + 1, 2);
+    mpq_canonicalize(t);
+    mpq_mul(t, t, size_of[r]);
+    mpq_sub(t, t, v[i][r]);
+    mpq_mul(t, t, w[0]);
+    mpq_mul(middle, v[i][b], w[1]);
+    mpq_add(middle, middle, t);
+    if (sign < 0) {
+        mpq_neg(middle, middle);
+    }
+    mpq_abs(w[1], w[1]);
+    mpq_mul(factor, w[1], size_of[b]);
+    mpq_add(middle, middle, factor);        /* voxels are counted from 1 */
+    mpq_abs(w[0], w[0]);
+    mpq_mul(spread, w[0], size_of[r]);
+    if (thin) {
+        mpq_sub(spread, spread, factor);
+        if (mpq_sgn(spread) < 0) {
+            mpq_set_si(spread, 0, 1);
+        }
+    }
+    mpq_div_2exp(spread, spread, 1);
+    return sign;
+}
+
+/* What the edges bound together in a row: of a triangle that the header takes for a segment in that plane,
+ * whose edges bound from both sides, no bound may cut off what the exact edges leave. */
+static int flat_row_holds(const filled *r, int plane, int j, int area, int thin)
+{
+    const int b = bounded_axis[plane];
+    const int row = r->row[plane][j];
+    int first = r->start[b] + 1;
+    int last = r->rows[b];
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        const int sign = exact_row_edge(i, plane, row, thin);
+        if (sign != 0 && sign * area <= 0) {
+            int at;
+            mpq_sub(t, middle, spread);
+            at = floor_of(t, factor, first, r->rows[b] + 1);
+            first = at > first ? at : first;
+        }
+        if (sign != 0 && sign * area >= 0) {
+            int at;
+            mpq_add(t, middle, spread);
+            at = floor_of(t, factor, 0, last);
+            last = at < last ? at : last;
+        }
+    }
+    return (int)r->bounds[plane].lo_least[row] <= first && (int)r->bounds[plane].lo_most[row] >= first &&
+           (int)r->bounds[plane].hi_least[row] <= last && (int)r->bounds[plane].hi_most[row] >= last;
+}
+
+static double edges_part(const filled *r, const numbers *q)
+{
+    double worst = 0.0;
+    int plane;
+    int i;
+    int j;
+    int side;
+
+    exact_normal();
+    for (plane = 0; plane < 3; plane++) {
+        const int area = plane == 1 ? -mpq_sgn(n[1]) : mpq_sgn(n[plane == 0 ? 2 : 0]);
+        if (!r->flat[plane] && area != (r->area[plane] > 0.0f) - (r->area[plane] < 0.0f)) {
+            return wrong;
+        }
+        for (j = 0; j < ROWS_ASKED; j++) {
+            if (r->flat[plane] && !flat_row_holds(r, plane, j, area, q->thin)) {
+                return wrong;
+            }
+            for (i = 0; i < 3; i++) {
+                for (side = 0; side < 2; side++) {
+                    const float *bound = r->bound[i][plane][j][side];
+                    double part;
+                    int sign;
+                    if (side == 0 ? r->edge[i].lo_least[plane] == -TRIBOX_IMPL_NOWHERE
+                                  : r->edge[i].hi_most[plane] == TRIBOX_IMPL_NOWHERE) {
+                        continue;
+                    }
+                    sign = exact_row_edge(i, plane, r->row[plane][j], q->thin);
+                    if (sign == 0 || (!r->flat[plane] && sign * area != (side == 0 ? -1 : 1))) {
+                        return wrong;   /* the steps to d_r are monotone: its sign is right */
+                    }
+                    if (bound[0] <= 0.5f && bound[1] >= (float)r->rows[bounded_axis[plane]] + 1.5f) {
+                        continue;       /* the whole box: d_r is below its error */
+                    }
+                    (side == 0 ? mpq_sub : mpq_add)(middle, middle, spread);
+                    part = part_of(bound[0], bound[1], middle);
+                    worst = part > worst ? part : worst;
+                }
+            }
+        }
+    }
+    return worst;
+}
+
+static double plane_part(const filled *r, const numbers *q)
+{
+    double worst = 0.0;
+    int sign;
+    int j;
+    int k;
+    int side;
+
+    exact_normal();
+    sign = mpq_sgn(n[0]);
+    if (sign == 0) {
+        return wrong;
+    }
+    for (k = 0; k < 3; k++) {
+        mpq_mul(w[k], n[k], size_of[k]);
+        mpq_abs(w[k], w[k]);
+    }
+    mpq_set(factor, w[0]);
+    if (q->thin) {
+        mpq_set(spread, mpq_cmp(w[1], w[2]) > 0 ? w[1] : w[2]);
+        mpq_sub(spread, spread, w[0]);
+        if (mpq_sgn(spread) < 0) {
+            mpq_set_si(spread, 0, 1);
+        }
+    } else {
+        mpq_add(spread, w[1], w[2]);
+    }
+    mpq_div_2exp(spread, spread, 1);
+    for (j = 0; j < ROWS_ASKED; j++) {
+        mpq_mul(middle, n[0], v[0][0]);
+        for (k = 1; k < 3; k++) {
+            mpq_set_si(t, 2 * r->row[k - 1][j] + 1, 2);
+            mpq_canonicalize(t);
+            mpq_mul(t, t, size_of[k]);
+            mpq_sub(t, t, v[0][k]);
+            mpq_mul(t, t, n[k]);
+            mpq_sub(middle, middle, t);
+        }
+        if (sign < 0) {
+            mpq_neg(middle, middle);
+        }
+        mpq_add(middle, middle, factor);        /* voxels are counted from 1 */
+        mpq_sub(w[1], middle, spread);
+        mpq_add(w[2], middle, spread);
+        for (side = 0; side < 2; side++) {
+            const double part = part_of(r->plane[j][side][0], r->plane[j][side][1], w[1 + side]);
+            worst = part > worst ? part : worst;
+        }
+    }
+    return worst;
+}
+
+static double ask_fill(const numbers *q, int kind, int mode)
+{
+    tribox_impl_quick quick;
+    filled r;
+    int from[3];
+    int k;
+
+    fesetround(mode);
+    fill_boxes(&r, &quick, q);
+    if (kind != FILL_BOXES) {
+        fill_rows(&r, &quick, q);
+    }
+    fesetround(FE_TONEAREST);
+    if (kind == FILL_BOXES) {
+        return r.boxed ? boxes_part(&r, q) : 0.0;
+    }
+    if (!r.placed || (kind == FILL_PLANE && !r.has_plane)) {
+        return 0.0;
+    }
+    for (k = 0; k < 3; k++) {
+        from[k] = q->lo[k] + r.at[k];
+    }
+    exact_place(q, from);
+    return kind == FILL_EDGES ? edges_part(&r, q) : plane_part(&r, q);
+}
+#endif
+
 static double ask(const numbers *q, int kind, int mode)
 {
     computed r;
+
+#if TRIBOX_SIMD
+    if (kind >= FILL_BOXES) {
+        return ask_fill(q, kind, mode);
+    }
+#endif
 
     memset(&r, 0, sizeof r);
     fesetround(mode);
@@ -371,11 +843,98 @@ static double any_number(int kind)
     return kind == PREPARED_FLOAT ? (double)(float)x : x;
 }
 
+#if TRIBOX_SIMD
+/* A triangle in a box of up to 64 voxels a side, in a region anywhere; its shape now and then a sliver, one
+ * in a projection only, a segment there, small, or with an edge along an axis or nearly so. Some regions are
+ * far from the grid's origin and near 0, where floats are closest together. */
+static void any_fill(numbers *q)
+{
+    static const double sizes[4] = {1.0, 0.1, 1.0 / 3.0, 0.7};
+    const int like = random_below(4);
+    const int place = random_below(6);
+    const int shape = random_below(10);
+    const double reach = ldexp(64.0, -random_below(6));
+    const double small = shape == 0 ? ldexp(1.0, -random_below(30)) : 1.0;
+    const double thinness = random_below(4) == 0 ? 0.0 : ldexp(random_signed(), -random_below(60));
+    const double between = ldexp((double)random_below(65), -5) - 0.5;
+    const int axis = random_below(3);
+    int c;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        const double side = (random_below(3) == 0 ? 2.0 + 62.0 * fabs(random_signed()) : reach) * small;
+        const double size = sizes[random_below(2) == 0 ? like : random_below(4)];
+        const int near_zero = place >= 3 && (random_below(3) == 0 || (k == axis && shape >= 3));
+        double corner;
+        q->x[12 + k] = size;
+        q->lo[k] = random_below(2) == 0 ? 0 : random_below(place == 2 ? 200000 : 200) - 100;
+        q->n[k] = 1 + random_below(random_below(8) == 0 ? 3000 : 130);
+        q->x[9 + k] = place == 0 ? 0.0 : random_signed() * (place == 1 ? 4.0 : 1e5) * size;
+        corner = q->x[9 + k] + (q->lo[k] - 8.0 + (q->n[k] + 8) * fabs(random_signed())) * size;
+        if (near_zero) {
+            q->lo[k] = place == 3 ? q->lo[k] : random_below(200000) - 100000;
+            q->x[9 + k] = (random_signed() * 8.0 - q->n[k] / 2 - q->lo[k]) * size;
+            corner = random_below(2) == 0 ? -0.25 * side * size : 0.0;
+        }
+        for (c = 0; c < 3; c++) {
+            q->x[3 * c + k] = corner + side * size * fabs(random_signed());
+        }
+        if (shape <= 2 || (shape <= 4 && k != axis)) {
+            q->x[6 + k] = q->x[k] + between * (q->x[3 + k] - q->x[k]) +
+                          side * size * thinness * random_signed();
+        } else if (shape == 5 && k == axis) {
+            q->x[3 + k] = q->x[k] + side * size * thinness;
+        } else if ((shape == 6 || shape == 7) && k == axis) {
+            for (c = 0; c < 3; c++) {
+                q->x[3 * c + k] = corner * (shape - 6) + side * size * thinness * random_signed();
+            }
+        } else if (shape == 8 && k != axis) {
+            q->x[3 + k] = q->x[k] + side * size * thinness * random_signed();
+        }
+        for (c = 0; c < 3; c++) {
+            q->x[3 * c + k] = (double)(float)q->x[3 * c + k];
+        }
+        q->index[k] = random_below(TRIBOX_IMPL_ROWS);
+    }
+    q->thin = random_below(4) == 0;
+}
+
+static void change_fill(numbers *q)
+{
+    const int i = random_below(9);
+
+    if (random_below(8) == 0) {
+        q->x[i] = q->x[(i + 3) % 9];
+    } else if (random_below(4) == 0) {
+        q->x[i] = (double)nextafterf((float)q->x[i], random_below(2) == 0 ? FLT_MAX : -FLT_MAX);
+    } else {
+        q->x[i] += random_signed() * q->x[12 + i % 3] * ldexp(64.0, -random_below(60));
+        q->x[i] = (double)(float)q->x[i];
+    }
+    if (random_below(4) == 0) {
+        q->index[random_below(3)] = random_below(TRIBOX_IMPL_ROWS);
+    }
+    if (random_below(8) == 0) {
+        q->x[9 + i % 3] += random_signed() * q->x[12 + i % 3] * ldexp(64.0, -random_below(55));
+    }
+    if (random_below(8) == 0) {
+        q->x[12 + i % 3] *= 1.0 + random_signed() * ldexp(1.0, -2 - random_below(50));
+    }
+}
+#endif
+
 static void any_question(numbers *q, int kind)
 {
     const double far_off = random_below(3) == 0 ? ldexp(random_signed(), random_below(12)) : 0.0;
     int i;
 
+    memset(q, 0, sizeof *q);
+#if TRIBOX_SIMD
+    if (kind >= FILL_BOXES) {
+        any_fill(q);
+        return;
+    }
+#endif
     for (i = 0; i < 15; i++) {
         const double x = any_number(kind) + far_off;
         q->x[i] = kind == PREPARED_FLOAT ? (double)(float)x : x;
@@ -399,11 +958,28 @@ static void change(numbers *q, int kind)
     const int i = random_below(15);
     double x = q->x[i] + random_signed() * ldexp(1.0, -random_below(kind == PREPARED_FLOAT ? 26 : 55));
 
+#if TRIBOX_SIMD
+    if (kind >= FILL_BOXES) {
+        change_fill(q);
+        return;
+    }
+#endif
     x = kind == PREPARED_FLOAT ? (double)(float)x : x;
     q->x[i] = i >= 12 && kind != ONE_BOX ? fabs(x) : x;
     if (random_below(4) == 0) {
         q->index[random_below(3)] = random_below(1000);
     }
+}
+
+static void print_question(const numbers *q)
+{
+    int i;
+
+    for (i = 0; i < 15; i++) {
+        printf("%a%s", q->x[i], i % 3 == 2 ? "\n" : ", ");
+    }
+    printf("index %d %d %d, lo %d %d %d, n %d %d %d, thin %d\n", q->index[0], q->index[1], q->index[2],
+           q->lo[0], q->lo[1], q->lo[2], q->n[0], q->n[1], q->n[2], q->thin);
 }
 
 int main(int argc, char **argv)
@@ -421,7 +997,7 @@ int main(int argc, char **argv)
         for (mode = 0; mode < 4; mode++) {
             double worst = 0.0;
             long   done;
-            for (done = 0; done < thousands; done++) {
+            for (done = 0; done < (kind >= FILL_BOXES ? 3 : 1) * thousands; done++) {
                 numbers best;
                 double  part = 0.0;
                 int     step;
@@ -429,14 +1005,20 @@ int main(int argc, char **argv)
                 for (step = 0; step < 1000; step++) {
                     numbers next = best;
                     double  at;
-                    if (step > 0) {
+                    /* half of a fill's questions are new: of segments there is more to ask than of parts */
+                    if (part > 0.0 && (kind < FILL_BOXES || random_below(2) != 0)) {
                         change(&next, kind);
+                    } else if (step > 0) {
+                        any_question(&next, kind);
                     }
                     at = ask(&next, kind, modes[mode]);
                     if (at >= part) {
                         part = at;
                         best = next;
                     }
+                }
+                if (part > 1.0 && worst <= 1.0) {
+                    print_question(&best);
                 }
                 worst = part > worst ? part : worst;
             }
