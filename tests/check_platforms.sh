@@ -87,7 +87,7 @@ done
 
 # the whole suite where floating-point arithmetic is least to be trusted
 suite() { # compiler, flags
-    make -s test B="$CHECK_DIR/suite/$1$2" CC="$1" CFLAGS="$2"
+    make -s test B="$CHECK_DIR/suite/$1${2//[^[:alnum:]]/}" CC="$1" CFLAGS="$2" # make splits names at spaces
 }
 export -f suite
 for cc in gcc clang; do
