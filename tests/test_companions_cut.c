@@ -1037,7 +1037,12 @@ static void octants_of_doubles_beyond_floats(void)
     random_seed(71);
     for (i = 0; i < TEST_LOOPS(4000); i++) {
         const unsigned flags = (1u << random_below(4)) >> 1;
-        const int      e = random_below(4) ? random_below(2060) - 1050 : 90 + random_below(40);
+#ifdef __FAST_MATH__
+        const int      least = -1000;   /* such a program may read subnormals as zero before it asks */
+#else
+        const int      least = -1050;
+#endif
+        const int      e = random_below(4) ? least + random_below(1010 - least) : 90 + random_below(40);
         const double   scale = power_of_two(e);
         double         x[15];
         double         large[15];

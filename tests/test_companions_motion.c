@@ -632,7 +632,10 @@ static fraction sooner(int there_is_one, fraction a, fraction b)
 /* Is f the greatest float <= x? Both products are below 2^53. */
 static int floors_fraction(float f, fraction x)
 {
-    return (double)f * (double)x.d <= (double)x.n && (double)next_float(f) * (double)x.d > (double)x.n;
+    /* -Ofast may read a subnormal float as zero, so 2^-149 is a double here */
+    const double next = f == 0 ? 1.0 / 713623846352979940529142984724747568191373312.0 : (double)next_float(f);
+
+    return (double)f * (double)x.d <= (double)x.n && next * (double)x.d > (double)x.n;
 }
 
 typedef struct scene {

@@ -26,8 +26,8 @@ static few_case few;
 static void few_set(void *user, int x0, int x1, int y, int z)
 {
     few_case *c = (few_case *)user;
-    size_t    row_words = (size_t)(c->n[0] + 63) / 64;
-    size_t row = ((size_t)(z - c->grid.lo[2]) * (size_t)c->n[1] + (size_t)(y - c->grid.lo[1])) * row_words;
+    size_t    in_row = (size_t)(c->n[0] + 63) / 64;
+    size_t row = ((size_t)(z - c->grid.lo[2]) * (size_t)c->n[1] + (size_t)(y - c->grid.lo[1])) * in_row;
     int    x;
 
     for (x = x0 - c->grid.lo[0]; x <= x1 - c->grid.lo[0]; x++) {
@@ -66,12 +66,12 @@ static void few_corners(few_case *c, int n)
 
     for (a = 0; a < 3; a++) {
         int step = steps[random_below(6)];
-        int voxels = 1 + random_below(n);
+        int cells = 1 + random_below(n);
         int first = c->grid.lo[a] + random_below(c->n[a] + 2) - 1;
         for (i = 0; i < 3; i++) {
-            double at = (double)random_below(voxels * step + 1) / step;
+            double at = (double)random_below(cells * step + 1) / step;
             if (random_below(6) == 0) {
-                at = (random_signed() + 1) * 0.5 * voxels;
+                at = (random_signed() + 1) * 0.5 * cells;
             }
             c->copies[3 * i + a] = (float)(c->grid.origin[a] + (first + at) * c->grid.size[a]);
         }
