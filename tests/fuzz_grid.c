@@ -49,12 +49,17 @@ static void try_flags(const question *ask, const unsigned char rules[EDGE][EDGE]
     count = tribox_grid_spans_f64(&grid, x, x + 3, x + 6, take, &r);
     require("spans in order", flags, r.in_order, 1, ask);
     if (floats(x, 9)) {
+        static const uint32_t copies[3 * 40] = {        /* so many that a fill takes them several at a time */
+            0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2,
+            0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2,
+            0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2,
+            0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};
         tribox_mesh mesh;
         narrow_all(f, x);
         mesh.positions = f;
         mesh.stride = 0;
-        mesh.indices = NULL;
-        mesh.triangles = 1;
+        mesh.indices = flags & TRIBOX_OPEN ? NULL : copies;
+        mesh.triangles = mesh.indices ? 40 : 1;
         require("tribox_grid_words", flags, (int)tribox_grid_words(&grid),
                 floats(x, 9) && ask->x[12] > 0 && ask->x[13] > 0 && ask->x[14] > 0 && is_finite(x[9]) &&
                         is_finite(x[10]) && is_finite(x[11]) && is_finite(x[12]) && is_finite(x[13]) &&

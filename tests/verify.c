@@ -653,6 +653,7 @@ static void walks(run *r, long n)
 /* ---- fills and locate ------------------------------------------------------------------------- */
 
 #define FILL_TRIANGLES 6
+#define FILL_COPIES 48      /* so many that a fill takes them several at a time */
 #define FILL_EDGE 48
 
 /* marks voxels in bits of the test's own layout: one byte a voxel */
@@ -708,6 +709,7 @@ static void fill(run *r)
     static uint64_t bits[FILL_EDGE * FILL_EDGE * 2 + 2];
     const uint64_t guard = UINT64_C(0x5555aaaa12345678);
     float positions[9 * FILL_TRIANGLES];
+    uint32_t indices[3 * FILL_COPIES];
     question ask, next;
     tribox_grid grid;
     tribox_mesh mesh;
@@ -737,8 +739,11 @@ static void fill(run *r)
     }
     mesh.positions = positions;
     mesh.stride = 0;
-    mesh.indices = NULL;
-    mesh.triangles = (size_t)n;
+    for (i = 0; i < 3 * FILL_COPIES; ++i) {
+        indices[i] = (uint32_t)(i % (3 * n));
+    }
+    mesh.indices = dice_below(&r->d, 4) ? indices : NULL;
+    mesh.triangles = mesh.indices ? FILL_COPIES : (size_t)n;
     words = tribox_grid_words(&grid);
     expect(r, "tribox_grid_words", flags,
            words == (size_t)(ask.last[1] - ask.index[1] + 1) * (size_t)(ask.last[2] - ask.index[2] + 1) *
