@@ -3932,14 +3932,16 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_set(const tribox_impl_fill *fill, cons
  * Error. Corners are in double from the box's corner, off by delta_f64 = d; edges and areas too, before they
  * are rounded to float; m: the box's longest side. M, h and the sums, in units of u: at most 6 (m + 1), and
  * for g 15 |g| (m + 1): the slope's three roundings times a distance of m, and those of products and sums; so
- * 16 u (1 + |g|) (m + 2). An edge off by 2 d on each axis adds 4 d (m + 2) (1 + |g|) / |d_r|. An edge with
- * |d_r| < 1e-18 bounds nothing: it crosses its row of cells from end to end, or it is a point, and its other
- * corner's edges are those of a segment. Areas are sure above tau = 64 d m (true: 10 d m). Below it the
- * triangle is a segment in that plane up to tau / |d_r|, and each of its edges bounds from both sides. If
- * that plane is yz, the triangle's plane n_y y + n_z z = c follows: the edges leave a cell at least the error
- * of freedom on both sides, 8192 tau m^2 / |d_r|, while n_x x is at most tau m and n_y, n_z are off by tau,
- * |n_y| + |n_z| > 1e-3. The plane: in units of u, 12 (1 + |g_y| + |g_z|) (m + 2), and 4 tau / |n_x| times the
- * same. */
+ * 16 u (1 + |g|) (m + 2). An edge off by 2 d on each axis adds 4 d (m + 2) (1 + |g|) / |d_r|, which is more
+ * than the box where |d_r| is below 4 d: such an edge bounds nothing. Nor does one with |d_r| < 1e-18: it
+ * crosses its row of cells from end to end, or it is a point, and its other corner's edges are those of a
+ * segment.
+ *
+ * Areas are sure above tau = 64 d m (true: 10 d m). Below it the triangle is a segment in that plane up to
+ * tau / |d_r|, and each of its edges bounds from both sides. If that plane is yz, the triangle's plane n_y y
+ * + n_z z = c follows: the edges leave a cell at least the error of freedom on both sides, 8192 tau m^2 /
+ * |d_r|, while n_x x is at most tau m and n_y, n_z are off by tau, |n_y| + |n_z| > 1e-3.
+ * The plane: in units of u, 12 (1 + |g_y| + |g_z|) (m + 2), and 4 tau / |n_x| times the same. */
 #define TRIBOX_IMPL_ROWS 64
 #define TRIBOX_IMPL_NOWHERE 65536.0f
 
