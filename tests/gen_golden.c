@@ -24,20 +24,6 @@ static unsigned decide(const question *ask)
     return rules;
 }
 
-static double number(uint64_t bits, int f64)
-{
-    double d;
-    if (f64) {
-        memcpy(&d, &bits, sizeof d);
-    } else {
-        uint32_t word = (uint32_t)bits;
-        float f;
-        memcpy(&f, &word, sizeof f);
-        d = (double)f;
-    }
-    return d;
-}
-
 static void fill_question(question *ask, int kind, const uint64_t *v, const uint64_t *a, const uint64_t *b,
                           int f64)
 {
@@ -45,11 +31,11 @@ static void fill_question(question *ask, int kind, const uint64_t *v, const uint
     memset(ask, 0, sizeof *ask);
     ask->kind = kind;
     for (i = 0; i < 9; ++i) {
-        ask->x[i] = number(v[i], f64);
+        ask->x[i] = companion_number(v[i], f64);
     }
     for (i = 0; i < 3; ++i) {
-        ask->x[9 + i] = number(a[i], f64);
-        ask->x[12 + i] = number(b[i], f64);
+        ask->x[9 + i] = companion_number(a[i], f64);
+        ask->x[12 + i] = companion_number(b[i], f64);
     }
 }
 
@@ -75,8 +61,8 @@ static void ask_voxels(const golden_grid *g, int triangle, voxels *out)
     int x, y, z, i;
     fill_question(&ask, ASK_GRID, g->v + 9 * triangle, g->origin, g->size, g->f64);
     for (i = 0; i < 3; ++i) {
-        ask.x[9 + i] = number(g->origin[i], 1);
-        ask.x[12 + i] = number(g->size[i], 1);
+        ask.x[9 + i] = companion_number(g->origin[i], 1);
+        ask.x[12 + i] = companion_number(g->size[i], 1);
     }
     for (z = 0; z < GOLDEN_EDGE; ++z) {
         for (y = 0; y < GOLDEN_EDGE; ++y) {
@@ -159,8 +145,8 @@ static uint64_t golden_ask_locate(const golden_grid *g)
     int k, inside = 1;
     mpz_init(index);
     for (k = 0; k < 3; ++k) {
-        inside &= exact_index(&judge, number(g->point[k], 1), number(g->origin[k], 1), number(g->size[k], 1),
-                              index);
+        inside &= exact_index(&judge, companion_number(g->point[k], 1), companion_number(g->origin[k], 1),
+                              companion_number(g->size[k], 1), index);
         at[k] = mpz_fits_sint_p(index) ? (int)mpz_get_si(index) : INT32_MIN;
         inside &= at[k] >= g->lo[k] && at[k] < g->lo[k] + GOLDEN_EDGE;
     }
