@@ -3311,6 +3311,17 @@ TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_abs(tribox_impl_fw a)
     return (tribox_impl_fw)((tribox_impl_iw)a & tribox_impl_wide_int(0x7fffffff));
 }
 
+TRIBOX_IMPL_FORCED int tribox_impl_wide_any(tribox_impl_iw mask)
+{
+#if TRIBOX_IMPL_WIDE > 4
+    tribox_impl_i4 half[2];
+    TRIBOX_IMPL_COPY(half, &mask, sizeof mask);
+    return tribox_impl_any(half[0] | half[1]);
+#else
+    return tribox_impl_any((tribox_impl_i4)mask);
+#endif
+}
+
 /* All bits of a lane: its sign. */
 TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_sign(tribox_impl_fw a)
 {
@@ -3456,6 +3467,7 @@ typedef struct tribox_impl_quick {
     float          base_low[3];
     float          size_high[3];
     float          size_low[3];
+    float          step[3];         /* of the lattice: a voxel's PARTs; 0: its planes are no floats */
     int32_t        end[3];          /* the region's last voxel, MARGIN added */
     int            n[3];
     float          delta_low;
@@ -3466,9 +3478,28 @@ typedef struct tribox_impl_quick {
     size_t         layer_words;
     int            on;              /* 0: this grid's numbers are out of range */
     int            thin;
+    int            closed;          /* thin, too */
+    int32_t        low_touch;       /* 1: a corner on a voxel's upper face touches it */
+    int32_t        high_miss;       /* 1: a corner on a voxel's lower face does not touch it */
 } tribox_impl_quick;
 
 #define TRIBOX_IMPL_MARGIN 16       /* voxels beyond the region in which X is still used */
+#define TRIBOX_IMPL_PARTS_LOG2 4
+#define TRIBOX_IMPL_PARTS (1 << TRIBOX_IMPL_PARTS_LOG2)     /* of a voxel, in the lattice */
+
+/* The step of the lattice on axis k; 0 where not all its planes are whole numbers of `spacing`, or where these
+ * need more than 50 bits. */
+TRIBOX_IMPL_FN float tribox_impl_lattice_step(const tribox_grid *grid, int k, double spacing)
+{
+    const double step = grid->size[k] * (1.0 / TRIBOX_IMPL_PARTS);
+    const double origin = tribox_impl_abs(grid->origin[k]);
+    const double origin_down = tribox_impl_floor_to(origin, spacing);
+    const double most = spacing * 1125899906842624.0;       /* 2^50 */
+    const int exact = origin < most && tribox_impl_abs((double)grid->lo[k]) * step < most &&
+                      tribox_impl_bits64(&origin) == tribox_impl_bits64(&origin_down) &&
+                      !(tribox_impl_floor_to(step, spacing) < step);
+    return exact ? (float)step : 0.0f;
+}
 
 TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_grid *grid,
                                            const tribox_impl_target *t)
@@ -3478,6 +3509,9 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
     int k;
     q->on = 0;
     q->thin = (grid->flags & TRIBOX_THIN) != 0;
+    q->closed = q->thin || (grid->flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN)) == 0;
+    q->low_touch = q->closed;
+    q->high_miss = !q->closed && (grid->flags & TRIBOX_OPEN) != 0;
     q->layer_words = t->ny * t->row_words;
     q->delta_low = 0.0f;
     q->delta_f64 = 0.0;
@@ -3515,6 +3549,7 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         q->base_low[k] = (float)(base - base_high);
         q->size_high[k] = (float)size_high;
         q->size_low[k] = (float)(size - size_high);
+        q->step[k] = tribox_impl_lattice_step(grid, k, spacing);
         q->delta_low = (float)delta_low > q->delta_low ? (float)delta_low : q->delta_low;
         q->delta_f64 = delta > q->delta_f64 ? delta : q->delta_f64;
         q->origin_f64[k] = origin;
@@ -3548,9 +3583,16 @@ TRIBOX_IMPL_FN void tribox_impl_fill_later(tribox_impl_fill *fill, size_t triang
 typedef struct tribox_impl_boxes {
     tribox_impl_iw first[3];    /* MARGIN added */
     tribox_impl_iw last[3];
-    tribox_impl_iw cut;         /* not 0: not all in the region, by the guess */
+    tribox_impl_iw cut;         /* negative: not all in the region, by the guess */
     tribox_impl_iw unsure;      /* not 0: a face is too near to a grid plane, or a corner is not finite */
+    tribox_impl_iw lattice;     /* not 0: on some axis all corners are on the lattice */
 } tribox_impl_boxes;
+
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_select(tribox_impl_iw mask, tribox_impl_iw a,
+                                                          tribox_impl_iw b)
+{
+    return (mask & a) | (~mask & b);
+}
 
 TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_box_round(tribox_impl_fw x)
 {
@@ -3559,35 +3601,143 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_box_round(tribox_impl_fw x)
     return __builtin_convertvector(clamped, tribox_impl_iw);
 }
 
+/* The place of x on axis k's lattice, in PARTs from MARGIN voxels before the region. Clears lanes of `on`
+ * where x is not there. */
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_lattice_place(const tribox_impl_quick *q, int k,
+                                                            tribox_impl_fw x, tribox_impl_iw *on)
+{
+    const tribox_impl_fw parts = tribox_impl_wide_all((float)TRIBOX_IMPL_PARTS);
+    const tribox_impl_fw guess = x * tribox_impl_wide_all(q->inverse[k]) +
+                                 tribox_impl_wide_all(q->shift_down[k]);
+    const tribox_impl_fw place = __builtin_convertvector(
+        tribox_impl_box_round(guess * parts + tribox_impl_wide_all(0.5f)), tribox_impl_fw);
+    const tribox_impl_fw from_base = (place - parts) * tribox_impl_wide_all(q->step[k]);
+    tribox_impl_fw there = tribox_impl_wide_all(q->base_high[k]) + from_base;
+    TRIBOX_IMPL_KEEP4(there);
+    *on &= ((tribox_impl_iw)there == (tribox_impl_iw)x) |
+           (((((tribox_impl_iw)there | (tribox_impl_iw)x) << tribox_impl_wide_int(1)) == tribox_impl_wide_int(0)));
+    return place;
+}
+
+/* Index boxes on axis k. Where the corners are on its lattice, which `on_lattice` asks for, they are exact. */
 TRIBOX_IMPL_FORCED void tribox_impl_box_axis(const tribox_impl_quick *q, int k, tribox_impl_fw x0,
-                                             tribox_impl_fw x1, tribox_impl_fw x2, tribox_impl_boxes *out)
+                                             tribox_impl_fw x1, tribox_impl_fw x2, int on_lattice,
+                                             tribox_impl_boxes *out)
 {
     const tribox_impl_fw inverse = tribox_impl_wide_all(q->inverse[k]);
     const tribox_impl_fw down = tribox_impl_wide_all(q->shift_down[k]);
     const tribox_impl_fw up = tribox_impl_wide_all(q->shift_up[k]);
     const tribox_impl_fw low = tribox_impl_wide_min(tribox_impl_wide_min(x0, x1), x2) * inverse;
     const tribox_impl_fw high = tribox_impl_wide_max(tribox_impl_wide_max(x0, x1), x2) * inverse;
-    const tribox_impl_iw first = tribox_impl_box_round(low + down);
-    const tribox_impl_iw last = tribox_impl_box_round(high + up);
-    const tribox_impl_iw before = first - tribox_impl_wide_int(TRIBOX_IMPL_MARGIN);
+    tribox_impl_iw first = tribox_impl_box_round(low + down);
+    tribox_impl_iw last = tribox_impl_box_round(high + up);
+    tribox_impl_iw before;
     /* truncation is towards 0: below it is unsure, and cut; where the two guesses differ, a face is near */
-    out->unsure |= (first ^ tribox_impl_box_round(low + up)) | (last ^ tribox_impl_box_round(high + down));
+    tribox_impl_iw unsure = (first ^ tribox_impl_box_round(low + up)) |
+                            (last ^ tribox_impl_box_round(high + down));
+    if (on_lattice && q->step[k] > 0.0f) {
+        const tribox_impl_iw parts_log2 = tribox_impl_wide_int(TRIBOX_IMPL_PARTS_LOG2);
+        tribox_impl_iw on = tribox_impl_wide_int(-1);
+        const tribox_impl_fw p0 = tribox_impl_lattice_place(q, k, x0, &on);
+        const tribox_impl_fw p1 = tribox_impl_lattice_place(q, k, x1, &on);
+        const tribox_impl_fw p2 = tribox_impl_lattice_place(q, k, x2, &on);
+        const tribox_impl_iw least = __builtin_convertvector(
+            tribox_impl_wide_min(tribox_impl_wide_min(p0, p1), p2), tribox_impl_iw);
+        const tribox_impl_iw most = __builtin_convertvector(
+            tribox_impl_wide_max(tribox_impl_wide_max(p0, p1), p2), tribox_impl_iw);
+        first = tribox_impl_wide_select(on, (least - tribox_impl_wide_int(q->low_touch)) >> parts_log2, first);
+        last = tribox_impl_wide_select(on, (most - tribox_impl_wide_int(q->high_miss)) >> parts_log2, last);
+        unsure &= ~on;
+        out->lattice |= on;
+    }
+    before = first - tribox_impl_wide_int(TRIBOX_IMPL_MARGIN);
+    out->unsure |= unsure;
     out->cut |= before | (tribox_impl_wide_int(q->end[k]) - last);
     out->first[k] = first;
     out->last[k] = last;
 }
 
 TRIBOX_IMPL_FORCED void tribox_impl_boxes_of(const tribox_impl_quick *q, const tribox_impl_points v[3],
-                                             tribox_impl_boxes *out)
+                                             int on_lattice, tribox_impl_boxes *out)
 {
     const tribox_impl_fw sum = ((v[0].x + v[1].x + v[2].x) + (v[0].y + v[1].y + v[2].y)) +
                                (v[0].z + v[1].z + v[2].z);
     out->cut = tribox_impl_wide_int(0);
+    out->lattice = tribox_impl_wide_int(0);
     out->unsure = ((tribox_impl_iw)sum & tribox_impl_wide_int(0x7fffffff)) > tribox_impl_wide_int(0x7f7fffff);
-    tribox_impl_box_axis(q, 0, v[0].x, v[1].x, v[2].x, out);
-    tribox_impl_box_axis(q, 1, v[0].y, v[1].y, v[2].y, out);
-    tribox_impl_box_axis(q, 2, v[0].z, v[1].z, v[2].z, out);
-    out->cut = out->cut < tribox_impl_wide_int(0);
+    tribox_impl_box_axis(q, 0, v[0].x, v[1].x, v[2].x, on_lattice, out);
+    tribox_impl_box_axis(q, 1, v[0].y, v[1].y, v[2].y, on_lattice, out);
+    tribox_impl_box_axis(q, 2, v[0].z, v[1].z, v[2].z, on_lattice, out);
+}
+
+/* Index boxes as the ways of a fill take them. In the last lane a byte for each extent, that is the voxels
+ * less 1, and these: */
+#define TRIBOX_IMPL_ON_LATTICE (1 << 24)
+#define TRIBOX_IMPL_IS_CUT (1 << 25)        /* not all of it is in the region */
+#define TRIBOX_IMPL_OFF (-2)                /* none of it is */
+#define TRIBOX_IMPL_NOT_KNOWN (-1)          /* or it is too large, or too far off the region */
+
+#define TRIBOX_IMPL_ROWS 64
+
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_extents(const tribox_impl_boxes *box)
+{
+    return (box->last[0] - box->first[0]) | tribox_impl_wide_up(box->last[1] - box->first[1], 8) |
+           tribox_impl_wide_up(box->last[2] - box->first[2], 16);
+}
+
+/* Returns whether some box is not as simple as can be: sure by the guess, of up to ROWS voxels on each axis,
+ * and in the region. */
+TRIBOX_IMPL_FORCED int tribox_impl_boxes_are_special(const tribox_impl_boxes *box)
+{
+    const tribox_impl_iw extents = (box->last[0] - box->first[0]) | (box->last[1] - box->first[1]) |
+                                   (box->last[2] - box->first[2]);
+    const tribox_impl_iw other = box->unsure | (extents & tribox_impl_wide_int(~(TRIBOX_IMPL_ROWS - 1)));
+    return tribox_impl_wide_any((other != tribox_impl_wide_int(0)) | box->cut);
+}
+
+/* Lanes of boxes off the region, by the guess on that side: X is off by its bound at most within MARGIN, by
+ * 2^-20 of itself beyond; a triangle that is not finite sets nothing anyway. Empty boxes are off, too. */
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_boxes_off(const tribox_impl_quick *q,
+                                                        const tribox_impl_boxes *box)
+{
+    tribox_impl_iw off = tribox_impl_wide_int(0);
+    int k;
+    for (k = 0; k < 3; k++) {
+        off |= (box->last[k] - tribox_impl_wide_int(TRIBOX_IMPL_MARGIN)) |
+               (tribox_impl_wide_int(q->end[k]) - box->first[k]) | (box->last[k] - box->first[k]);
+    }
+    return off < tribox_impl_wide_int(0);
+}
+
+/* Any boxes, as guessed, of triangles v. */
+TRIBOX_IMPL_NOINLINE void tribox_impl_boxes_special(const tribox_impl_quick *q, const tribox_impl_points v[3],
+                                                    tribox_impl_boxes *box,
+                                                    tribox_impl_i4 out[TRIBOX_IMPL_WIDE])
+{
+    const tribox_impl_iw none = tribox_impl_wide_int(0);
+    tribox_impl_iw off = tribox_impl_boxes_off(q, box);
+    tribox_impl_iw other = none;
+    tribox_impl_iw far = none;
+    tribox_impl_iw last = tribox_impl_wide_int(TRIBOX_IMPL_OFF);
+    int k;
+    if (tribox_impl_wide_any(~off)) {
+        if (tribox_impl_wide_any(box->unsure != none)) {
+            tribox_impl_boxes_of(q, v, 1, box);
+            off = tribox_impl_boxes_off(q, box);
+        }
+        for (k = 0; k < 3; k++) {
+            other |= box->last[k] - box->first[k];
+            far |= (box->first[k] - tribox_impl_wide_int(1)) |
+                   (tribox_impl_wide_int(q->end[k] + TRIBOX_IMPL_MARGIN) - box->last[k]);
+        }
+        other = box->unsure | (other & tribox_impl_wide_int(~(TRIBOX_IMPL_ROWS - 1)));
+        last = tribox_impl_extents(box) | (box->lattice & tribox_impl_wide_int(TRIBOX_IMPL_ON_LATTICE)) |
+               ((box->cut < none) & tribox_impl_wide_int(TRIBOX_IMPL_IS_CUT));
+        last = tribox_impl_wide_select((far < none) | (other != none),
+                                       tribox_impl_wide_int(TRIBOX_IMPL_NOT_KNOWN), last);
+        last = tribox_impl_wide_select(off, tribox_impl_wide_int(TRIBOX_IMPL_OFF), last);
+    }
+    tribox_impl_points_to(out, box->first[0], box->first[1], box->first[2], last);
 }
 
 /* ---- Groups: boxes of up to n^3 voxels, n = 2, 3 or 4
@@ -3622,10 +3772,11 @@ TRIBOX_IMPL_FORCED void tribox_impl_boxes_of(const tribox_impl_quick *q, const t
 /* Corners and boxes of WIDE triangles. */
 typedef struct tribox_impl_group {
     tribox_impl_f4 v[3][TRIBOX_IMPL_WIDE];
-    tribox_impl_i4 box[TRIBOX_IMPL_WIDE];       /* the first voxel, MARGIN added; extents, a byte each */
+    tribox_impl_i4 box[TRIBOX_IMPL_WIDE];
     size_t         word[TRIBOX_IMPL_WIDE];      /* of the first voxel */
     size_t         triangle[TRIBOX_IMPL_WIDE];
     int            n;
+    int32_t        lattice;                     /* not 0: some are on the lattice */
 } tribox_impl_group;
 
 /* Voxels missed: bit x + n y + n^2 z. Of 4^3 the lower half, the upper half, and what both miss. */
@@ -3635,6 +3786,7 @@ typedef struct tribox_impl_missed {
     tribox_impl_iw both;
     tribox_impl_fw least;           /* of |E| and |area| */
     tribox_impl_fw least_plane;     /* of |D| */
+    tribox_impl_fw touch_plane;     /* |D| up to which the plane touches */
 } tribox_impl_missed;
 
 #define TRIBOX_IMPL_STRIDE(n, k) ((k) == 0 ? 1 : (k) == 1 ? (n) : (n) * (n))
@@ -3681,14 +3833,15 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_point(tribox_impl_missed *m, tribox_im
     tribox_impl_group_miss(m, tribox_impl_wide_up(cell, up) & tribox_impl_wide_sign(e), n, z);
 }
 
-/* An edge d with E = e at the first inner point; sign is the area's. */
+/* An edge d with E = e at the first inner point; sign is the area's; |E| up to `touch` touches. */
 TRIBOX_IMPL_FORCED void tribox_impl_group_edge(tribox_impl_missed *m, tribox_impl_fw e, tribox_impl_fw d_b,
-                                               tribox_impl_fw d_c, tribox_impl_iw sign, int n, int b, int c)
+                                               tribox_impl_fw d_c, tribox_impl_iw sign, tribox_impl_fw touch,
+                                               int n, int b, int c)
 {
     const tribox_impl_iw sign_bit = tribox_impl_wide_int(TRIBOX_IMPL_SIGN_BIT);
     const tribox_impl_iw cell = tribox_impl_group_side(tribox_impl_wide_sign(d_c) ^ ~sign, n, b) &
                                 tribox_impl_group_side(tribox_impl_wide_sign(d_b) ^ sign, n, c);
-    const tribox_impl_fw e00 = tribox_impl_wide_flip(e, sign & sign_bit);
+    const tribox_impl_fw e00 = tribox_impl_wide_flip(e, sign & sign_bit) + touch;
     const tribox_impl_fw to_b = tribox_impl_wide_flip(d_c, ~sign & sign_bit);
     const tribox_impl_fw to_c = tribox_impl_wide_flip(d_b, sign & sign_bit);
     tribox_impl_group_point(m, e00, cell, n, b, c, 0, 0);
@@ -3715,7 +3868,8 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_edge(tribox_impl_missed *m, tribox_imp
 TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_group_edges(tribox_impl_missed *m, tribox_impl_fw b0,
                                                           tribox_impl_fw b1, tribox_impl_fw b2,
                                                           tribox_impl_fw c0, tribox_impl_fw c1,
-                                                          tribox_impl_fw c2, int n, int b, int c)
+                                                          tribox_impl_fw c2, tribox_impl_fw touch,
+                                                          int n, int b, int c)
 {
     tribox_impl_fw e0 = b0 * c1 - c0 * b1;
     tribox_impl_fw e1 = b1 * c2 - c1 * b2;
@@ -3727,10 +3881,10 @@ TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_group_edges(tribox_impl_missed *m,
     TRIBOX_IMPL_KEEP4(e2);
     area = (e0 + e1) + e2;
     sign = tribox_impl_wide_sign(area);
-    m->least = tribox_impl_wide_min(m->least, tribox_impl_wide_abs(area));
-    tribox_impl_group_edge(m, e0, b1 - b0, c1 - c0, sign, n, b, c);
-    tribox_impl_group_edge(m, e1, b2 - b1, c2 - c1, sign, n, b, c);
-    tribox_impl_group_edge(m, e2, b0 - b2, c0 - c2, sign, n, b, c);
+    m->least = tribox_impl_wide_min(m->least, tribox_impl_wide_abs(area) + touch);
+    tribox_impl_group_edge(m, e0, b1 - b0, c1 - c0, sign, touch, n, b, c);
+    tribox_impl_group_edge(m, e1, b2 - b1, c2 - c1, sign, touch, n, b, c);
+    tribox_impl_group_edge(m, e2, b0 - b2, c0 - c2, sign, touch, n, b, c);
     return area;
 }
 
@@ -3743,9 +3897,11 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_row(tribox_impl_missed *m, tribox_impl
     int x;
     for (x = 0; x < 3; x++) {
         if (x < n - 1) {
-            m->least_plane = tribox_impl_wide_min(m->least_plane, tribox_impl_wide_abs(d));
-            tribox_impl_group_miss(
-                m, tribox_impl_wide_up(cell ^ (change & tribox_impl_wide_sign(d)), up + x), n, z);
+            const tribox_impl_fw size = tribox_impl_wide_abs(d);
+            const tribox_impl_iw missed = (cell ^ (change & tribox_impl_wide_sign(d))) &
+                                          (size > m->touch_plane);
+            m->least_plane = tribox_impl_wide_min(m->least_plane, size);
+            tribox_impl_group_miss(m, tribox_impl_wide_up(missed, up + x), n, z);
             d -= n_x;
         }
     }
@@ -3795,7 +3951,7 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_beyond(tribox_impl_missed *m, tribox_i
     int i;
     for (i = 1; i < 4; i++) {
         if (i < n) {
-            const tribox_impl_iw before = tribox_impl_wide_sign(most - tribox_impl_wide_all((float)(i - 1)));
+            const tribox_impl_iw before = most < tribox_impl_wide_all((float)(i - 1));
             const uint32_t voxels = at0 << (halves ? 16 * (i & 1) : i * TRIBOX_IMPL_STRIDE(n, k));
             tribox_impl_group_miss(m, before & tribox_impl_wide_int((int32_t)voxels), n, halves ? i & 2 : -1);
         }
@@ -3827,6 +3983,98 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_place(const tribox_impl_quick *q, int 
     TRIBOX_IMPL_KEEP4(*x2);
 }
 
+/* Corners of a group from the first inner grid point, and what touches on the lattice: E in the planes xy, yz,
+ * zx; lanes `planar` are sure of D, which touches up to `plane`. */
+typedef struct tribox_impl_group_placed {
+    tribox_impl_points v[3];
+    tribox_impl_fw     touch[3];
+    tribox_impl_fw     touch_plane;
+    tribox_impl_iw     planar;
+} tribox_impl_group_placed;
+
+TRIBOX_IMPL_FORCED void tribox_impl_group_corners(tribox_impl_points out_v[3], tribox_impl_points *out_first,
+                                                  const tribox_impl_group *g)
+{
+    tribox_impl_f4 box[TRIBOX_IMPL_WIDE];
+    tribox_impl_points_from(&out_v[0], g->v[0]);
+    tribox_impl_points_from(&out_v[1], g->v[1]);
+    tribox_impl_points_from(&out_v[2], g->v[2]);
+    TRIBOX_IMPL_COPY(box, g->box, sizeof box);
+    tribox_impl_points_from(out_first, box);
+}
+
+/* Coordinates of one axis that are on the lattice, exactly. Returns their lanes, in out_level those that are
+ * all the same. */
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_snap(const tribox_impl_quick *q, int k,
+                                                         tribox_impl_iw first, tribox_impl_fw x0,
+                                                         tribox_impl_fw x1, tribox_impl_fw x2,
+                                                         tribox_impl_fw *out0, tribox_impl_fw *out1,
+                                                         tribox_impl_fw *out2, tribox_impl_iw *out_level)
+{
+    const tribox_impl_fw at = __builtin_convertvector(first, tribox_impl_fw) + tribox_impl_wide_all(1.0f);
+    const tribox_impl_fw part = tribox_impl_wide_all(1.0f / TRIBOX_IMPL_PARTS);
+    tribox_impl_iw on = tribox_impl_wide_int(q->step[k] > 0.0f ? -1 : 0);
+    const tribox_impl_fw p0 = tribox_impl_lattice_place(q, k, x0, &on) * part - at;
+    const tribox_impl_fw p1 = tribox_impl_lattice_place(q, k, x1, &on) * part - at;
+    const tribox_impl_fw p2 = tribox_impl_lattice_place(q, k, x2, &on) * part - at;
+    *out0 = (tribox_impl_fw)tribox_impl_wide_select(on, (tribox_impl_iw)p0, (tribox_impl_iw)*out0);
+    *out1 = (tribox_impl_fw)tribox_impl_wide_select(on, (tribox_impl_iw)p1, (tribox_impl_iw)*out1);
+    *out2 = (tribox_impl_fw)tribox_impl_wide_select(on, (tribox_impl_iw)p2, (tribox_impl_iw)*out2);
+    *out_level = (p0 == p1) & (p1 == p2) & on;
+    return on;
+}
+
+/* Lanes in which the triangle is a segment in a plane on whose axes it is on the lattice and level; and those
+ * in which E is on the lattice there. */
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_flat(tribox_impl_fw b0, tribox_impl_fw b1,
+                                                         tribox_impl_fw b2, tribox_impl_fw c0,
+                                                         tribox_impl_fw c1, tribox_impl_fw c2,
+                                                         tribox_impl_iw on, tribox_impl_iw level,
+                                                         tribox_impl_fw *out_touch)
+{
+    const tribox_impl_fw area = (b1 - b0) * (c2 - c0) - (c1 - c0) * (b2 - b0);
+    const tribox_impl_fw half = tribox_impl_wide_all(0.5f / (TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS));
+    *out_touch = (tribox_impl_fw)((on | level) & (tribox_impl_iw)half);
+    return ((area == tribox_impl_wide_all(0.0f)) & on) | level;
+}
+
+TRIBOX_IMPL_NOINLINE void tribox_impl_group_on_lattice(const tribox_impl_quick *q, const tribox_impl_group *g,
+                                                       tribox_impl_group_placed *p)
+{
+    tribox_impl_points v[3];
+    tribox_impl_points first;
+    tribox_impl_points *const p0 = &p->v[0];
+    tribox_impl_points *const p1 = &p->v[1];
+    tribox_impl_points *const p2 = &p->v[2];
+    tribox_impl_iw level_x;
+    tribox_impl_iw level_y;
+    tribox_impl_iw level_z;
+    tribox_impl_iw on_x;
+    tribox_impl_iw on_y;
+    tribox_impl_iw on_z;
+    tribox_impl_iw flat;
+    tribox_impl_iw on;
+    tribox_impl_group_corners(v, &first, g);
+    on_x = tribox_impl_group_snap(q, 0, (tribox_impl_iw)first.x, v[0].x, v[1].x, v[2].x, &p0->x, &p1->x, &p2->x,
+                                  &level_x);
+    on_y = tribox_impl_group_snap(q, 1, (tribox_impl_iw)first.y, v[0].y, v[1].y, v[2].y, &p0->y, &p1->y, &p2->y,
+                                  &level_y);
+    on_z = tribox_impl_group_snap(q, 2, (tribox_impl_iw)first.z, v[0].z, v[1].z, v[2].z, &p0->z, &p1->z, &p2->z,
+                                  &level_z);
+    flat = tribox_impl_group_flat(p0->x, p1->x, p2->x, p0->y, p1->y, p2->y, on_x & on_y, level_x | level_y,
+                                  &p->touch[0]) |
+           tribox_impl_group_flat(p0->y, p1->y, p2->y, p0->z, p1->z, p2->z, on_y & on_z, level_y | level_z,
+                                  &p->touch[1]) |
+           tribox_impl_group_flat(p0->z, p1->z, p2->z, p0->x, p1->x, p2->x, on_z & on_x, level_z | level_x,
+                                  &p->touch[2]);
+    on = on_x & on_y & on_z;
+    p->planar = flat | on;
+    p->touch_plane = (tribox_impl_fw)tribox_impl_wide_select(
+        flat, (tribox_impl_iw)tribox_impl_wide_all(TRIBOX_IMPL_MOST_INDEX),
+        (tribox_impl_iw)tribox_impl_wide_all(
+            0.5f / (TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS)) & on);
+}
+
 /* The voxels that each triangle of a group misses. Returns the lanes that are unsure. */
 TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_decide(const tribox_impl_quick *q,
                                                            const tribox_impl_group *g, int n,
@@ -3834,35 +4082,39 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_decide(const tribox_impl_qui
 {
     const float delta = 4.1f * TRIBOX_IMPL_U32 * (float)n + q->delta_low;
     const tribox_impl_iw none = tribox_impl_wide_int(0);
-    tribox_impl_points v0;
-    tribox_impl_points v1;
-    tribox_impl_points v2;
+    tribox_impl_group_placed p;
     tribox_impl_points first;
-    tribox_impl_f4 box[TRIBOX_IMPL_WIDE];
     tribox_impl_fw n_x;
     tribox_impl_fw n_y;
     tribox_impl_fw n_z;
-    tribox_impl_points_from(&v0, g->v[0]);
-    tribox_impl_points_from(&v1, g->v[1]);
-    tribox_impl_points_from(&v2, g->v[2]);
-    TRIBOX_IMPL_COPY(box, g->box, sizeof box);
-    tribox_impl_points_from(&first, box);
-    tribox_impl_group_place(q, 0, (tribox_impl_iw)first.x, &v0.x, &v1.x, &v2.x);
-    tribox_impl_group_place(q, 1, (tribox_impl_iw)first.y, &v0.y, &v1.y, &v2.y);
-    tribox_impl_group_place(q, 2, (tribox_impl_iw)first.z, &v0.z, &v1.z, &v2.z);
+    tribox_impl_group_corners(p.v, &first, g);
+    tribox_impl_group_place(q, 0, (tribox_impl_iw)first.x, &p.v[0].x, &p.v[1].x, &p.v[2].x);
+    tribox_impl_group_place(q, 1, (tribox_impl_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
+    tribox_impl_group_place(q, 2, (tribox_impl_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
+    p.touch[0] = p.touch[1] = p.touch[2] = p.touch_plane = tribox_impl_wide_all(0.0f);
+    p.planar = none;
+    if (TRIBOX_IMPL_RARELY(g->lattice != 0)) {
+        tribox_impl_group_placed on_lattice = p;
+        tribox_impl_group_on_lattice(q, g, &on_lattice);
+        p = on_lattice;
+    }
     m->low = m->high = m->both = none;
     m->least = tribox_impl_wide_all(1.0f);
-    tribox_impl_group_beyond(m, v0.x, v1.x, v2.x, n, 0);
-    tribox_impl_group_beyond(m, v0.y, v1.y, v2.y, n, 1);
-    tribox_impl_group_beyond(m, v0.z, v1.z, v2.z, n, 2);
-    n_z = tribox_impl_group_edges(m, v0.x, v1.x, v2.x, v0.y, v1.y, v2.y, n, 0, 1);
-    n_x = tribox_impl_group_edges(m, v0.y, v1.y, v2.y, v0.z, v1.z, v2.z, n, 1, 2);
-    n_y = tribox_impl_group_edges(m, v0.z, v1.z, v2.z, v0.x, v1.x, v2.x, n, 2, 0);
-    tribox_impl_group_plane(m, n_x, n_y, n_z, (n_x * v0.x + n_y * v0.y) + n_z * v0.z, n);
+    m->touch_plane = p.touch_plane;
+    tribox_impl_group_beyond(m, p.v[0].x, p.v[1].x, p.v[2].x, n, 0);
+    tribox_impl_group_beyond(m, p.v[0].y, p.v[1].y, p.v[2].y, n, 1);
+    tribox_impl_group_beyond(m, p.v[0].z, p.v[1].z, p.v[2].z, n, 2);
+    n_z = tribox_impl_group_edges(m, p.v[0].x, p.v[1].x, p.v[2].x, p.v[0].y, p.v[1].y, p.v[2].y, p.touch[0],
+                                  n, 0, 1);
+    n_x = tribox_impl_group_edges(m, p.v[0].y, p.v[1].y, p.v[2].y, p.v[0].z, p.v[1].z, p.v[2].z, p.touch[1],
+                                  n, 1, 2);
+    n_y = tribox_impl_group_edges(m, p.v[0].z, p.v[1].z, p.v[2].z, p.v[0].x, p.v[1].x, p.v[2].x, p.touch[2],
+                                  n, 2, 0);
+    tribox_impl_group_plane(m, n_x, n_y, n_z, (n_x * p.v[0].x + n_y * p.v[0].y) + n_z * p.v[0].z, n);
     m->low |= m->both;
     m->high |= m->both;
     return (m->least <= tribox_impl_wide_all(12.0f * (float)n * delta)) |
-           (m->least_plane <= tribox_impl_wide_all(32.0f * (float)(n * n) * delta));
+           ((m->least_plane <= tribox_impl_wide_all(32.0f * (float)(n * n) * delta)) & ~p.planar);
 }
 
 /* Sets voxels of triangle i's box, all in the region. */
@@ -3874,7 +4126,7 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_set(const tribox_impl_fill *fill, cons
     const uint64_t run = ((uint64_t)1 << n) - 1;
     const int x = (g->box[i][0] - TRIBOX_IMPL_MARGIN) & 63;
     const int more_y = (g->box[i][3] >> 8) & 3;
-    const int more_z = g->box[i][3] >> 16;
+    const int more_z = (g->box[i][3] >> 16) & 3;
     uint64_t *row = fill->target->bits + g->word[i];
     int z;
     if (TRIBOX_IMPL_RARELY(x > 64 - n)) {       /* in two words, if they hold any of it */
@@ -3936,7 +4188,6 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_set(const tribox_impl_fill *fill, cons
  * follows from theirs: a cell that passes them does so by their error, 8192 tau m^2 / |d_r|, while n_x moves
  * the plane by at most tau m, and n_y, n_z, of which |n_y| + |n_z| > 1e-3, by as much.
  * The plane: in units of u, 12 (1 + |g_y| + |g_z|) (m + 2), and 4 tau / |n_x| times the same. */
-#define TRIBOX_IMPL_ROWS 64
 #define TRIBOX_IMPL_NOWHERE 65536.0f
 
 /* A line in the planes xy, xz, yz over rows y, z, z: its bounds in row r are those in row 0 plus slope * r;
@@ -3963,7 +4214,8 @@ typedef struct tribox_impl_row_plane {
     double at;
     double slope_y;
     double slope_z;
-    double half;
+    double half_lo;
+    double half_hi;
     double error;       /* of both bounds; 1: it is not known */
 } tribox_impl_row_plane;
 
@@ -3974,14 +4226,66 @@ typedef struct tribox_impl_placed {
     double n[3];
     double reach;       /* m */
     double tau;
+    double step;        /* of the lattice; 0: no axis is on it, and what follows is not set */
+    int    on[3];
+    int    flat[3];     /* n is exactly 0 on this axis */
 } tribox_impl_placed;
 
+/* Finds the axes on which all corners are on the lattice, its coarsest step there, and their places. */
+TRIBOX_IMPL_FN void tribox_impl_snap(tribox_impl_placed *p, const tribox_impl_quick *q,
+                                     const void *const corner[3], const int at[3])
+{
+    int all = TRIBOX_IMPL_PARTS / 2;
+    int axes = 0;
+    int c;
+    int k;
+    for (k = 0; k < 3; k++) {
+        const double base = q->origin_f64[k] + q->size_f64[k] * (double)at[k];
+        int place[3];
+        int same = q->step[k] > 0.0f;
+        for (c = 0; c < 3; c++) {
+            float x;
+            double there;
+            TRIBOX_IMPL_COPY(&x, (const char *)corner[c] + (size_t)k * sizeof x, sizeof x);
+            place[c] = (int)(p->v[c][k] * (double)TRIBOX_IMPL_PARTS + 0.5);
+            there = base + (double)place[c] * (double)q->step[k];
+            same &= there == tribox_impl_widen(&x);
+        }
+        p->on[k] = same;
+        if (same) {
+            for (c = 0; c < 3; c++) {
+                p->v[c][k] = (double)place[c] * (1.0 / TRIBOX_IMPL_PARTS);
+                all |= place[c];
+            }
+            axes++;
+        }
+    }
+    p->step = axes > 0 ? (double)(all & -all) * (1.0 / TRIBOX_IMPL_PARTS) : 0.0;
+}
+
+/* Finds the planes in which the triangle is exactly a segment. */
+TRIBOX_IMPL_FN void tribox_impl_snap_flat(tribox_impl_placed *p)
+{
+    int level[3];
+    int k;
+    for (k = 0; k < 3; k++) {
+        level[k] = p->on[k] && p->e[0][k] == 0.0 && p->e[1][k] == 0.0;
+    }
+    for (k = 0; k < 3; k++) {
+        const int b = k < 2 ? k + 1 : 0;
+        const int c = k > 0 ? k - 1 : 2;
+        p->flat[k] = level[b] || level[c] || (p->on[b] && p->on[c] && p->n[k] == 0.0);
+    }
+}
+
 TRIBOX_IMPL_FN void tribox_impl_place(tribox_impl_placed *p, const tribox_impl_quick *q,
-                                      const void *const corner[3], const int at[3], const int count[3])
+                                      const void *const corner[3], const int at[3], const int count[3],
+                                      int on_lattice)
 {
     int c;
     int k;
     p->reach = 0.0;
+    p->step = 0.0;
     for (k = 0; k < 3; k++) {
         const double base = q->origin_f64[k] + q->size_f64[k] * (double)at[k];
         for (c = 0; c < 3; c++) {
@@ -3991,27 +4295,37 @@ TRIBOX_IMPL_FN void tribox_impl_place(tribox_impl_placed *p, const tribox_impl_q
             TRIBOX_IMPL_KEEP(p->v[c][k]);
             p->v[c][k] *= q->inverse_f64[k];
         }
+        p->reach = (double)count[k] > p->reach ? (double)count[k] : p->reach;
+    }
+    if (on_lattice) {
+        tribox_impl_snap(p, q, corner, at);
+    }
+    for (k = 0; k < 3; k++) {
         p->e[0][k] = p->v[1][k] - p->v[0][k];
         p->e[1][k] = p->v[2][k] - p->v[1][k];
         p->e[2][k] = p->v[0][k] - p->v[2][k];
-        p->reach = (double)count[k] > p->reach ? (double)count[k] : p->reach;
     }
     p->n[0] = p->e[0][1] * p->e[1][2] - p->e[0][2] * p->e[1][1];
     p->n[1] = p->e[0][2] * p->e[1][0] - p->e[0][0] * p->e[1][2];
     p->n[2] = p->e[0][0] * p->e[1][1] - p->e[0][1] * p->e[1][0];
     p->tau = 64.0 * q->delta_f64 * p->reach;
+    if (p->step > 0.0) {
+        tribox_impl_snap_flat(p);
+    }
 }
 
 TRIBOX_IMPL_FN void tribox_impl_row_plane_set(tribox_impl_row_plane *out, const tribox_impl_placed *p,
-                                              int thin)
+                                              const tribox_impl_quick *q)
 {
     const double n_x = tribox_impl_abs(p->n[0]);
     const double n_y = tribox_impl_abs(p->n[1]);
     const double n_z = tribox_impl_abs(p->n[2]);
-    if (n_x <= p->tau) {
+    const int on = p->step > 0.0;
+    const int flat = on && (p->flat[0] || p->flat[1] || p->flat[2]);
+    if (n_x <= p->tau || flat) {
         out->at = out->slope_y = out->slope_z = 0.0;
-        out->half = (double)TRIBOX_IMPL_NOWHERE;
-        out->error = n_y + n_z > 1e-3 ? 0.0 : 1.0;
+        out->half_lo = out->half_hi = (double)TRIBOX_IMPL_NOWHERE;
+        out->error = flat || n_y + n_z > 1e-3 ? 0.0 : 1.0;
     } else {
         const double inverse = 1.0 / p->n[0];
         const double steep = (n_y + n_z) * tribox_impl_abs(inverse);
@@ -4019,9 +4333,16 @@ TRIBOX_IMPL_FN void tribox_impl_row_plane_set(tribox_impl_row_plane *out, const 
         out->slope_y = -p->n[1] * inverse;
         out->slope_z = -p->n[2] * inverse;
         out->at = p->v[0][0] + 1.0 - out->slope_y * (p->v[0][1] - 0.5) - out->slope_z * (p->v[0][2] - 0.5);
-        out->half = 0.5 * (!thin ? steep : most > n_x ? most * tribox_impl_abs(inverse) - 1.0 : 0.0);
+        out->half_lo = 0.5 * (!q->thin ? steep : most > n_x ? most * tribox_impl_abs(inverse) - 1.0 : 0.0);
+        out->half_hi = out->half_lo;
         out->error = (1.0 + steep) * (p->reach + 2.0) *
                      ((double)(12.0f * TRIBOX_IMPL_U32) + 4.0 * p->tau * tribox_impl_abs(inverse));
+        if (on && p->on[0] && p->on[1] && p->on[2]) {
+            const double touch = 0.5 * p->step * p->step * p->step * tribox_impl_abs(inverse);
+            const int high_misses = q->high_miss || (!q->closed && (out->slope_y > 0.0 || out->slope_z > 0.0));
+            out->half_lo += q->closed ? touch : -touch;
+            out->half_hi += high_misses ? -touch : touch;
+        }
     }
 }
 
@@ -4031,11 +4352,19 @@ TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_select(tribox_impl_i4 mask, tribox_imp
     return (tribox_impl_f4)((mask & (tribox_impl_i4)a) | (~mask & (tribox_impl_i4)b));
 }
 
-/* The lines of edge i. Areas, and how far an edge may be off, times its d_r, are those in the planes
- * xy, xz, yz. */
+/* The planes xy, xz, yz. */
+typedef struct tribox_impl_row_planes {
+    tribox_impl_f4 area;
+    tribox_impl_i4 flat;            /* the triangle is a segment */
+    tribox_impl_f4 off;             /* how far an edge may be off, times its d_r */
+    tribox_impl_f4 touch;           /* on the lattice, how near a line may touch, times d_r */
+    tribox_impl_f4 touch_level;     /* the same for one of slope 0 */
+} tribox_impl_row_planes;
+
+/* The lines of edge i. */
 TRIBOX_IMPL_FORCED void tribox_impl_row_edge_set(tribox_impl_row_edge *out, const tribox_impl_placed *p,
-                                                 int i, tribox_impl_f4 area, tribox_impl_i4 flat,
-                                                 tribox_impl_f4 off, int thin)
+                                                 int i, const tribox_impl_row_planes *planes,
+                                                 const tribox_impl_quick *q)
 {
     const tribox_impl_f4 zero = tribox_impl_splat(0.0f);
     const tribox_impl_f4 one = tribox_impl_splat(1.0f);
@@ -4051,26 +4380,72 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_edge_set(tribox_impl_row_edge *out, cons
     const tribox_impl_f4 steep = tribox_impl_abs4(slope);
     const tribox_impl_f4 middle = (TRIBOX_IMPL_LANES(v, v, 0, 0, 1, 1) + one) -
                                   slope * (TRIBOX_IMPL_LANES(v, v, 1, 2, 2, 2) - half);
-    const tribox_impl_f4 spread = half * (thin ? tribox_impl_max4(steep - one, zero) : steep);
+    const tribox_impl_f4 spread = half * (q->thin ? tribox_impl_max4(steep - one, zero) : steep);
     const tribox_impl_f4 rounding = tribox_impl_splat(16.0f * TRIBOX_IMPL_U32 * ((float)p->reach + 2.0f));
-    const tribox_impl_f4 error = (steep + one) * (rounding + off * tribox_impl_abs4(inverse));
-    const tribox_impl_i4 below = ((tribox_impl_i4)area ^ (tribox_impl_i4)e_r) < tribox_impl_splat_int(0);
-    const tribox_impl_i4 is_lo = (below | flat) & has;
-    const tribox_impl_i4 is_hi = (~below | flat) & has;
-    const tribox_impl_f4 lo = middle - spread;
-    const tribox_impl_f4 hi = middle + spread;
-    const tribox_impl_f4 lo_least = tribox_impl_select(is_lo, lo - error, -nowhere);
-    const tribox_impl_f4 lo_most = tribox_impl_select(is_lo, lo + error, -nowhere);
-    const tribox_impl_f4 hi_least = tribox_impl_select(is_hi, hi - error, nowhere);
-    const tribox_impl_f4 hi_most = tribox_impl_select(is_hi, hi + error, nowhere);
-    const tribox_impl_i4 lo_slope = (tribox_impl_i4)slope & is_lo;
-    const tribox_impl_i4 hi_slope = (tribox_impl_i4)slope & is_hi;
+    const tribox_impl_f4 error = (steep + one) * (rounding + planes->off * tribox_impl_abs4(inverse));
+    const tribox_impl_i4 below = ((tribox_impl_i4)planes->area ^ (tribox_impl_i4)e_r) < tribox_impl_splat_int(0);
+    const tribox_impl_i4 is_lo = (below | planes->flat) & has;
+    const tribox_impl_i4 is_hi = (~below | planes->flat) & has;
+    tribox_impl_f4 lo = middle - spread;
+    tribox_impl_f4 hi = middle + spread;
+    tribox_impl_f4 lo_least;
+    tribox_impl_f4 lo_most;
+    tribox_impl_f4 hi_least;
+    tribox_impl_f4 hi_most;
+    tribox_impl_i4 lo_slope;
+    tribox_impl_i4 hi_slope;
+    if (p->step > 0.0) {
+        const tribox_impl_f4 touch = tribox_impl_select(e_b == zero, planes->touch_level,
+                                                        planes->touch * tribox_impl_abs4(inverse));
+        const tribox_impl_i4 sign_bit = tribox_impl_splat_int(TRIBOX_IMPL_SIGN_BIT);
+        const tribox_impl_i4 low_misses = tribox_impl_splat_int(q->closed ? 0 : -1);
+        const tribox_impl_i4 high_misses = tribox_impl_splat_int(q->high_miss ? -1 : 0) |
+                                           ((slope > zero) & low_misses);
+        lo -= (tribox_impl_f4)((tribox_impl_i4)touch ^ (low_misses & sign_bit));
+        hi += (tribox_impl_f4)((tribox_impl_i4)touch ^ (high_misses & sign_bit));
+    }
+    lo_least = tribox_impl_select(is_lo, lo - error, -nowhere);
+    lo_most = tribox_impl_select(is_lo, lo + error, -nowhere);
+    hi_least = tribox_impl_select(is_hi, hi - error, nowhere);
+    hi_most = tribox_impl_select(is_hi, hi + error, nowhere);
+    lo_slope = (tribox_impl_i4)slope & is_lo;
+    hi_slope = (tribox_impl_i4)slope & is_hi;
     TRIBOX_IMPL_COPY(out->lo_least, &lo_least, sizeof lo_least);
     TRIBOX_IMPL_COPY(out->lo_most, &lo_most, sizeof lo_most);
     TRIBOX_IMPL_COPY(out->lo_slope, &lo_slope, sizeof lo_slope);
     TRIBOX_IMPL_COPY(out->hi_least, &hi_least, sizeof hi_least);
     TRIBOX_IMPL_COPY(out->hi_most, &hi_most, sizeof hi_most);
     TRIBOX_IMPL_COPY(out->hi_slope, &hi_slope, sizeof hi_slope);
+}
+
+/* Returns 0 if unsure: an area might be 0, which the thin test must know. */
+TRIBOX_IMPL_FN int tribox_impl_row_planes_set(tribox_impl_row_planes *out, const tribox_impl_placed *p,
+                                              const tribox_impl_quick *q)
+{
+    const tribox_impl_f4 area = { (float)p->n[2], -(float)p->n[1], (float)p->n[0], (float)p->n[0] };
+    tribox_impl_i4 might = tribox_impl_abs4(area) <= tribox_impl_splat((float)p->tau);
+    out->area = area;
+    out->flat = might;
+    out->off = tribox_impl_splat((float)(4.0 * q->delta_f64 * (p->reach + 2.0)));
+    if (p->step > 0.0) {
+        const tribox_impl_i4 flat = { -p->flat[2], -p->flat[1], -p->flat[0], -p->flat[0] };
+        const tribox_impl_i4 on_b = { -p->on[0], -p->on[0], -p->on[1], -p->on[1] };
+        const tribox_impl_i4 on_r = { -p->on[1], -p->on[2], -p->on[2], -p->on[2] };
+        const tribox_impl_f4 level = tribox_impl_splat((float)(0.5 * p->step));
+        const tribox_impl_f4 touch = tribox_impl_splat((float)(0.5 * p->step * p->step));
+        out->touch = (tribox_impl_f4)((tribox_impl_i4)touch & on_b & on_r);
+        out->touch_level = (tribox_impl_f4)((tribox_impl_i4)level & on_b);
+        might &= ~flat;
+        out->flat |= flat;
+    }
+    if (TRIBOX_IMPL_RARELY(tribox_impl_any(might))) {
+        const tribox_impl_f4 off = tribox_impl_splat((float)(8192.0 * p->tau * p->reach * p->reach));
+        if (q->thin) {
+            return 0;
+        }
+        out->off = tribox_impl_select(might, off, out->off);
+    }
+    return 1;
 }
 
 /* The greatest and the least of three lines in four rows, from their values in row 0. */
@@ -4189,7 +4564,7 @@ TRIBOX_IMPL_FORCED void tribox_impl_layer_set(const tribox_impl_target *t, uint6
 /* A triangle whose box has up to ROWS voxels on each axis. Returns 0 if unsure; voxels set by then
  * are right. */
 TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, size_t triangle,
-                                               const int at[3], const int count[3])
+                                               const int at[3], const int count[3], int on_lattice)
 {
     const tribox_impl_quick *q = &fill->quick;
     const tribox_impl_target *t = fill->target;
@@ -4198,6 +4573,7 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, siz
     const size_t layer_words = q->layer_words;
     tribox_impl_placed p;
     tribox_impl_row_plane plane;
+    tribox_impl_row_planes planes;
     tribox_impl_row_edge edge[3];
     tribox_impl_row_bounds x_of_y;
     tribox_impl_row_bounds x_of_z;
@@ -4212,25 +4588,13 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, siz
         end[i] = count[i] < q->n[i] - at[i] ? count[i] : q->n[i] - at[i];
     }
     tribox_impl_corners(fill->mesh, triangle, corner);
-    tribox_impl_place(&p, q, corner, at, count);
-    tribox_impl_row_plane_set(&plane, &p, q->thin);
-    {
-        const tribox_impl_f4 area = { (float)p.n[2], -(float)p.n[1], (float)p.n[0], (float)p.n[0] };
-        const tribox_impl_i4 flat = tribox_impl_abs4(area) <= tribox_impl_splat((float)p.tau);
-        tribox_impl_f4 off = tribox_impl_splat((float)(4.0 * q->delta_f64 * (p.reach + 2.0)));
-        if (TRIBOX_IMPL_RARELY(tribox_impl_any(flat))) {
-            const tribox_impl_f4 wide = tribox_impl_splat((float)(8192.0 * p.tau * p.reach * p.reach));
-            if (q->thin) {
-                return 0;
-            }
-            off = tribox_impl_select(flat, wide, off);
-        }
-        for (i = 0; i < 3; i++) {
-            tribox_impl_row_edge_set(&edge[i], &p, i, area, flat, off, q->thin);
-        }
-    }
-    if (!(plane.error < 0.125)) {
+    tribox_impl_place(&p, q, corner, at, count, on_lattice);
+    tribox_impl_row_plane_set(&plane, &p, q);
+    if (!(plane.error < 0.125) || !tribox_impl_row_planes_set(&planes, &p, q)) {
         return 0;
+    }
+    for (i = 0; i < 3; i++) {
+        tribox_impl_row_edge_set(&edge[i], &p, i, &planes, q);
     }
     tribox_impl_row_bounds_set(&x_of_y, edge, 0, end[1], start[0], end[0]);
     tribox_impl_row_bounds_set(&x_of_z, edge, 1, end[2], start[0], end[0]);
@@ -4252,10 +4616,10 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, siz
         l.lo_most = tribox_impl_splat(x_of_z.lo_most[z]);
         l.hi_least = tribox_impl_splat(x_of_z.hi_least[z]);
         l.hi_most = tribox_impl_splat(x_of_z.hi_most[z]);
-        l.plane_lo_least = tribox_impl_splat((float)(middle - plane.half - plane.error));
-        l.plane_lo_most = tribox_impl_splat((float)(middle - plane.half + plane.error));
-        l.plane_hi_least = tribox_impl_splat((float)(middle + plane.half - plane.error));
-        l.plane_hi_most = tribox_impl_splat((float)(middle + plane.half + plane.error));
+        l.plane_lo_least = tribox_impl_splat((float)(middle - plane.half_lo - plane.error));
+        l.plane_lo_most = tribox_impl_splat((float)(middle - plane.half_lo + plane.error));
+        l.plane_hi_least = tribox_impl_splat((float)(middle + plane.half_hi - plane.error));
+        l.plane_hi_most = tribox_impl_splat((float)(middle + plane.half_hi + plane.error));
         l.slope = tribox_impl_splat((float)plane.slope_y);
         for (y = first_y & ~3; y <= last_y; y += 4) {
             const int from = y < first_y ? first_y - y : 0;
@@ -4280,35 +4644,19 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, siz
 
 /* ---- All ways together */
 
-/* One triangle, wherever it is, by rows or exactly. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_fill_one(tribox_impl_fill *fill, size_t triangle)
+/* One triangle, by rows or exactly. */
+TRIBOX_IMPL_NOINLINE void tribox_impl_fill_one(tribox_impl_fill *fill, tribox_impl_i4 box, size_t triangle)
 {
-    const tribox_impl_quick *q = &fill->quick;
-    const int indexed = fill->mesh->indices != NULL;
-    tribox_impl_points v[3];
-    tribox_impl_boxes box;
-    int at[3];
-    int count[3];
-    int off = 0;
-    int fits = 1;
-    int k;
-    tribox_impl_load_corners(&v[0], fill->mesh, indexed, triangle, 0, 0);
-    tribox_impl_load_corners(&v[1], fill->mesh, indexed, triangle, 0, 1);
-    tribox_impl_load_corners(&v[2], fill->mesh, indexed, triangle, 0, 2);
-    tribox_impl_boxes_of(q, v, &box);
-    for (k = 0; k < 3; k++) {
-        at[k] = box.first[k][0] - TRIBOX_IMPL_MARGIN;
-        count[k] = box.last[k][0] - box.first[k][0] + 1;
-        off |= box.last[k][0] < TRIBOX_IMPL_MARGIN || box.first[k][0] > q->end[k];
-        fits &= box.first[k][0] > 0 && box.last[k][0] <= q->end[k] + TRIBOX_IMPL_MARGIN &&
-                count[k] <= TRIBOX_IMPL_ROWS;
-    }
-    /* Off the region by the guess on that side: X is off by the bound at most within MARGIN, by 2^-20 of
-     * itself beyond; a triangle that is not finite sets nothing anyway. */
-    if (off) {
+    const int at[3] = { box[0] - TRIBOX_IMPL_MARGIN, box[1] - TRIBOX_IMPL_MARGIN,
+                        box[2] - TRIBOX_IMPL_MARGIN };
+    const int count[3] = { (box[3] & 255) + 1, (box[3] >> 8 & 255) + 1, (box[3] >> 16 & 255) + 1 };
+    const int on_lattice = (box[3] & TRIBOX_IMPL_ON_LATTICE) != 0;
+    if (box[3] == TRIBOX_IMPL_OFF) {
         return;
     }
-    if (box.unsure[0] != 0 || !fits || !tribox_impl_fill_rows(fill, triangle, at, count)) {
+    if (box[3] == TRIBOX_IMPL_NOT_KNOWN ||
+        (!tribox_impl_fill_rows(fill, triangle, at, count, on_lattice) &&
+         (on_lattice || !tribox_impl_fill_rows(fill, triangle, at, count, 1)))) {
         tribox_impl_fill_later(fill, triangle);
     }
 }
@@ -4337,13 +4685,14 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_flush(tribox_impl_fill *fill, tribox_i
     TRIBOX_IMPL_COPY(again, &unsure, sizeof again);
     for (i = 0; i < g->n; i++) {
         if (TRIBOX_IMPL_RARELY(again[i] != 0)) {
-            tribox_impl_fill_one(fill, g->triangle[i]);
+            tribox_impl_fill_one(fill, g->box[i], g->triangle[i]);
         } else {
             const uint64_t missed = n == 4 ? low[i] | (uint64_t)high[i] << 32 : low[i];
             tribox_impl_group_set(fill, g, i, n, ~missed & all);
         }
     }
     g->n = 0;
+    g->lattice = 0;
 }
 
 TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush2(tribox_impl_fill *fill, tribox_impl_group *g)
@@ -4374,15 +4723,35 @@ TRIBOX_IMPL_FN int tribox_impl_group_add(tribox_impl_group *g, const tribox_impl
     g->box[n] = box;
     g->word[n] = word;
     g->triangle[n] = triangle;
+    g->lattice |= box[3] & TRIBOX_IMPL_ON_LATTICE;
     g->n = n + 1;
     return n + 1 == TRIBOX_IMPL_WIDE;
 }
 
-/* Boxes as in tribox_impl_group, extents -1 where fill_one must look, and the words of their first voxels. */
+/* Boxes, and the words of the first voxels of those in the region. */
 typedef struct tribox_impl_batch {
     tribox_impl_i4 box[TRIBOX_IMPL_BATCH];
     size_t         word[TRIBOX_IMPL_BATCH];
 } tribox_impl_batch;
+
+/* Boxes of WIDE triangles from t, `step` triangles apart. */
+TRIBOX_IMPL_FORCED void tribox_impl_boxes_set(tribox_impl_i4 out[TRIBOX_IMPL_WIDE], const tribox_impl_fill *fill,
+                                              size_t t, size_t step, int indexed)
+{
+    tribox_impl_points v[3];
+    tribox_impl_boxes box;
+    tribox_impl_load_corners(&v[0], fill->mesh, indexed, t, step, 0);
+    tribox_impl_load_corners(&v[1], fill->mesh, indexed, t, step, 1);
+    tribox_impl_load_corners(&v[2], fill->mesh, indexed, t, step, 2);
+    tribox_impl_boxes_of(&fill->quick, v, 0, &box);
+    if (TRIBOX_IMPL_RARELY(tribox_impl_boxes_are_special(&box))) {
+        const tribox_impl_points corner[3] = { v[0], v[1], v[2] };
+        tribox_impl_boxes any = box;
+        tribox_impl_boxes_special(&fill->quick, corner, &any, out);
+    } else {
+        tribox_impl_points_to(out, box.first[0], box.first[1], box.first[2], tribox_impl_extents(&box));
+    }
+}
 
 /* The boxes of BATCH triangles from t; asks for the memory of their voxels. */
 TRIBOX_IMPL_FORCED void tribox_impl_batch_set(tribox_impl_batch *b, const tribox_impl_fill *fill, size_t t,
@@ -4392,28 +4761,11 @@ TRIBOX_IMPL_FORCED void tribox_impl_batch_set(tribox_impl_batch *b, const tribox
     const size_t layer_words = fill->quick.layer_words;
     int i;
     for (i = 0; i < TRIBOX_IMPL_BATCH; i += TRIBOX_IMPL_WIDE) {
-        const tribox_impl_iw none = tribox_impl_wide_int(0);
-        tribox_impl_points v[3];
-        tribox_impl_boxes box;
-        tribox_impl_iw x;
-        tribox_impl_iw y;
-        tribox_impl_iw z;
-        tribox_impl_iw other;
-        tribox_impl_load_corners(&v[0], fill->mesh, indexed, t + (size_t)i, 1, 0);
-        tribox_impl_load_corners(&v[1], fill->mesh, indexed, t + (size_t)i, 1, 1);
-        tribox_impl_load_corners(&v[2], fill->mesh, indexed, t + (size_t)i, 1, 2);
-        tribox_impl_boxes_of(&fill->quick, v, &box);
-        x = box.last[0] - box.first[0];
-        y = box.last[1] - box.first[1];
-        z = box.last[2] - box.first[2];
-        other = box.unsure | ((x | y | z) & tribox_impl_wide_int(~(TRIBOX_IMPL_ROWS - 1)));
-        other = (other > none) | (other < none) | box.cut;
-        tribox_impl_points_to(b->box + i, box.first[0], box.first[1], box.first[2],
-                              other | x | tribox_impl_wide_up(y, 8) | tribox_impl_wide_up(z, 16));
+        tribox_impl_boxes_set(b->box + i, fill, t + (size_t)i, 1, indexed);
     }
     for (i = 0; i < TRIBOX_IMPL_BATCH; i++) {
         const tribox_impl_i4 box = b->box[i];
-        if (box[3] >= 0) {
+        if (box[3] >= 0 && box[3] < TRIBOX_IMPL_IS_CUT) {
             const size_t word = (size_t)(box[2] - TRIBOX_IMPL_MARGIN) * layer_words +
                                 (size_t)(box[1] - TRIBOX_IMPL_MARGIN) * target->row_words +
                                 ((size_t)(box[0] - TRIBOX_IMPL_MARGIN) >> 6);
@@ -4432,7 +4784,7 @@ TRIBOX_IMPL_FORCED int tribox_impl_fill_short(const tribox_impl_fill *fill, trib
     const int x = (box[0] - TRIBOX_IMPL_MARGIN) & 63;
     const uint64_t run = (uint64_t)(1 + 2 * (more & 1)) << x;
     const size_t y1 = fill->target->row_words & ((size_t)0 - (size_t)(more >> 8 & 1));
-    const size_t z1 = fill->quick.layer_words & ((size_t)0 - (size_t)(more >> 16));
+    const size_t z1 = fill->quick.layer_words & ((size_t)0 - (size_t)(more >> 16 & 1));
     uint64_t *row = fill->target->bits + word;
     if (x + (more & 1) > 63) {
         return 0;
@@ -4440,24 +4792,13 @@ TRIBOX_IMPL_FORCED int tribox_impl_fill_short(const tribox_impl_fill *fill, trib
     if ((row[0] & row[y1] & row[z1] & row[y1 + z1] & run) == run) {
         return 1;
     }
-    if ((more & (more - 1)) != 0 || fill->quick.thin) {
+    if ((more & (more - 1) & ~TRIBOX_IMPL_ON_LATTICE) != 0 || fill->quick.thin) {
         return 0;
     }
     row[0] |= run;
     row[y1] |= run;
     row[z1] |= run;
     return 1;
-}
-
-/* A box of some voxels, all in the region. */
-TRIBOX_IMPL_FN void tribox_impl_fill_some(tribox_impl_fill *fill, tribox_impl_i4 box, size_t triangle)
-{
-    const int at[3] = { box[0] - TRIBOX_IMPL_MARGIN, box[1] - TRIBOX_IMPL_MARGIN,
-                        box[2] - TRIBOX_IMPL_MARGIN };
-    const int count[3] = { (box[3] & 255) + 1, (box[3] >> 8 & 255) + 1, (box[3] >> 16) + 1 };
-    if (!tribox_impl_fill_rows(fill, triangle, at, count)) {
-        tribox_impl_fill_later(fill, triangle);
-    }
 }
 
 /* BATCH triangles from t. */
@@ -4474,14 +4815,14 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_fill_batch(tribox_impl_fill *fill, size_t 
     }
     for (i = 0; i < TRIBOX_IMPL_BATCH; i++, t++) {
         const tribox_impl_i4 box = batch.box[i];
-        const int more = box[3];        /* fits 2^3, 3^3, 4^3 voxels? */
+        const int more = box[3] & ~TRIBOX_IMPL_ON_LATTICE;      /* fits 2^3, 3^3, 4^3 voxels? */
         if ((more & ~0x010101) == 0 && tribox_impl_fill_short(fill, box, batch.word[i])) {
             continue;
         }
-        if (more < 0) {
-            tribox_impl_fill_one(fill, t);
-        } else if (thin || (more & ~0x030303) != 0) {
-            tribox_impl_fill_some(fill, box, t);
+        if (thin || (more & ~0x030303) != 0 || (more != box[3] && !fill->quick.closed)) {
+            if (box[3] != TRIBOX_IMPL_OFF) {
+                tribox_impl_fill_one(fill, box, t);
+            }
         } else if ((more & ~0x010101) == 0) {
             if (tribox_impl_group_add(&groups[0], fill, box, batch.word[i], t)) {
                 tribox_impl_group_flush2(fill, &groups[0]);
@@ -4513,10 +4854,14 @@ TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const trib
     tribox_impl_fill fill;
     tribox_impl_group groups[3];
     size_t t = 0;
+    int i;
     fill.mesh = mesh;
     fill.target = target;
     fill.left = 0;
-    groups[0].n = groups[1].n = groups[2].n = 0;
+    for (i = 0; i < 3; i++) {
+        groups[i].n = 0;
+        groups[i].lattice = 0;
+    }
     tribox_impl_quick_init(&fill.quick, grid, target);
     if (!fill.quick.on) {
         return 0;
@@ -4526,7 +4871,9 @@ TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const trib
         tribox_impl_fill_left(&fill, grid);
     }
     for (; t < mesh->triangles; t++) {
-        tribox_impl_fill_one(&fill, t);
+        tribox_impl_i4 box[TRIBOX_IMPL_WIDE];
+        tribox_impl_boxes_set(box, &fill, t, 0, mesh->indices != NULL);
+        tribox_impl_fill_one(&fill, box[0], t);
     }
     tribox_impl_group_flush2(&fill, &groups[0]);
     tribox_impl_group_flush3(&fill, &groups[1]);
