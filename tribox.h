@@ -3421,16 +3421,16 @@ TRIBOX_IMPL_FORCED void tribox_impl_load_points(tribox_impl_f4 *x, tribox_impl_f
     *z = third;
 }
 
-/* Corner c of WIDE triangles from t, `step` triangles apart: 1, or 0 for one triangle in all lanes. */
-TRIBOX_IMPL_FORCED void tribox_impl_load_corners(tribox_impl_points *out, const tribox_mesh *mesh,
-                                                 int indexed, size_t t, size_t step, size_t c)
+/* Corner c of WIDE triangles: those listed, or from the first on if there is no list. */
+TRIBOX_IMPL_FORCED void tribox_impl_load_corner(tribox_impl_points *out, const tribox_mesh *mesh, int indexed,
+                                                const size_t *list, size_t first, size_t c)
 {
     const char *positions = (const char *)mesh->positions;
     const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
     tribox_impl_f4 x[TRIBOX_IMPL_WIDE / 4];
     tribox_impl_f4 y[TRIBOX_IMPL_WIDE / 4];
     tribox_impl_f4 z[TRIBOX_IMPL_WIDE / 4];
-#define TRIBOX_IMPL_AT(i) (3 * (t + (i) * step) + c)
+#define TRIBOX_IMPL_AT(i) (3 * (list != NULL ? list[i] : first + (i)) + c)
 #define TRIBOX_IMPL_POINT(i) \
     (positions + stride * (indexed ? (size_t)mesh->indices[TRIBOX_IMPL_AT(i)] : TRIBOX_IMPL_AT(i)))
     tribox_impl_load_points(&x[0], &y[0], &z[0], TRIBOX_IMPL_POINT(0), TRIBOX_IMPL_POINT(1),
@@ -3444,6 +3444,14 @@ TRIBOX_IMPL_FORCED void tribox_impl_load_corners(tribox_impl_points *out, const 
     TRIBOX_IMPL_COPY(&out->x, x, sizeof out->x);
     TRIBOX_IMPL_COPY(&out->y, y, sizeof out->y);
     TRIBOX_IMPL_COPY(&out->z, z, sizeof out->z);
+}
+
+TRIBOX_IMPL_FORCED void tribox_impl_load_corners(tribox_impl_points out[3], const tribox_mesh *mesh, int indexed,
+                                                 const size_t *list, size_t first)
+{
+    tribox_impl_load_corner(&out[0], mesh, indexed, list, first, 0);
+    tribox_impl_load_corner(&out[1], mesh, indexed, list, first, 1);
+    tribox_impl_load_corner(&out[2], mesh, indexed, list, first, 2);
 }
 
 /* ---- The fill's grid
@@ -3769,9 +3777,8 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_boxes_special(const tribox_impl_quick *q, 
  *         (8 + 9 (n - 2)) n^3 u: less than 32 n^2 delta. The signs of n are those of the areas, and sure.
  * What is left covers second-order terms. No value is NaN: a sure box has finite corners within it. */
 
-/* Corners and boxes of WIDE triangles. */
+/* Boxes of WIDE triangles. */
 typedef struct tribox_impl_group {
-    tribox_impl_f4 v[3][TRIBOX_IMPL_WIDE];
     tribox_impl_i4 box[TRIBOX_IMPL_WIDE];
     size_t         word[TRIBOX_IMPL_WIDE];      /* of the first voxel */
     size_t         triangle[TRIBOX_IMPL_WIDE];
@@ -3992,13 +3999,16 @@ typedef struct tribox_impl_group_placed {
     tribox_impl_iw     planar;
 } tribox_impl_group_placed;
 
+/* Corners of a group's triangles, and their boxes. */
 TRIBOX_IMPL_FORCED void tribox_impl_group_corners(tribox_impl_points out_v[3], tribox_impl_points *out_first,
-                                                  const tribox_impl_group *g)
+                                                  const tribox_impl_group *g, const tribox_mesh *mesh)
 {
     tribox_impl_f4 box[TRIBOX_IMPL_WIDE];
-    tribox_impl_points_from(&out_v[0], g->v[0]);
-    tribox_impl_points_from(&out_v[1], g->v[1]);
-    tribox_impl_points_from(&out_v[2], g->v[2]);
+    if (mesh->indices != NULL) {
+        tribox_impl_load_corners(out_v, mesh, 1, g->triangle, 0);
+    } else {
+        tribox_impl_load_corners(out_v, mesh, 0, g->triangle, 0);
+    }
     TRIBOX_IMPL_COPY(box, g->box, sizeof box);
     tribox_impl_points_from(out_first, box);
 }
@@ -4039,7 +4049,7 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_flat(tribox_impl_fw b0, trib
 }
 
 TRIBOX_IMPL_NOINLINE void tribox_impl_group_on_lattice(const tribox_impl_quick *q, const tribox_impl_group *g,
-                                                       tribox_impl_group_placed *p)
+                                                       const tribox_mesh *mesh, tribox_impl_group_placed *p)
 {
     tribox_impl_points v[3];
     tribox_impl_points first;
@@ -4054,7 +4064,7 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_group_on_lattice(const tribox_impl_quick *
     tribox_impl_iw on_z;
     tribox_impl_iw flat;
     tribox_impl_iw on;
-    tribox_impl_group_corners(v, &first, g);
+    tribox_impl_group_corners(v, &first, g, mesh);
     on_x = tribox_impl_group_snap(q, 0, (tribox_impl_iw)first.x, v[0].x, v[1].x, v[2].x, &p0->x, &p1->x, &p2->x,
                                   &level_x);
     on_y = tribox_impl_group_snap(q, 1, (tribox_impl_iw)first.y, v[0].y, v[1].y, v[2].y, &p0->y, &p1->y, &p2->y,
@@ -4077,7 +4087,8 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_group_on_lattice(const tribox_impl_quick *
 
 /* The voxels that each triangle of a group misses. Returns the lanes that are unsure. */
 TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_decide(const tribox_impl_quick *q,
-                                                           const tribox_impl_group *g, int n,
+                                                           const tribox_impl_group *g,
+                                                           const tribox_mesh *mesh, int n,
                                                            tribox_impl_missed *m)
 {
     const float delta = 4.1f * TRIBOX_IMPL_U32 * (float)n + q->delta_low;
@@ -4087,7 +4098,7 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_decide(const tribox_impl_qui
     tribox_impl_fw n_x;
     tribox_impl_fw n_y;
     tribox_impl_fw n_z;
-    tribox_impl_group_corners(p.v, &first, g);
+    tribox_impl_group_corners(p.v, &first, g, mesh);
     tribox_impl_group_place(q, 0, (tribox_impl_iw)first.x, &p.v[0].x, &p.v[1].x, &p.v[2].x);
     tribox_impl_group_place(q, 1, (tribox_impl_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
     tribox_impl_group_place(q, 2, (tribox_impl_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
@@ -4095,7 +4106,7 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_decide(const tribox_impl_qui
     p.planar = none;
     if (TRIBOX_IMPL_RARELY(g->lattice != 0)) {
         tribox_impl_group_placed on_lattice = p;
-        tribox_impl_group_on_lattice(q, g, &on_lattice);
+        tribox_impl_group_on_lattice(q, g, mesh, &on_lattice);
         p = on_lattice;
     }
     m->low = m->high = m->both = none;
@@ -4674,12 +4685,10 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_flush(tribox_impl_fill *fill, tribox_i
         return;
     }
     for (i = g->n; i < TRIBOX_IMPL_WIDE; i++) {
-        g->v[0][i] = g->v[0][0];
-        g->v[1][i] = g->v[1][0];
-        g->v[2][i] = g->v[2][0];
+        g->triangle[i] = g->triangle[0];
         g->box[i] = g->box[0];
     }
-    unsure = tribox_impl_group_decide(&fill->quick, g, n, &m);
+    unsure = tribox_impl_group_decide(&fill->quick, g, fill->mesh, n, &m);
     TRIBOX_IMPL_COPY(low, &m.low, sizeof low);
     TRIBOX_IMPL_COPY(high, &m.high, sizeof high);
     TRIBOX_IMPL_COPY(again, &unsure, sizeof again);
@@ -4711,15 +4720,10 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush4(tribox_impl_fill *fill, tribo
 }
 
 /* Returns 1 when the group is full. */
-TRIBOX_IMPL_FN int tribox_impl_group_add(tribox_impl_group *g, const tribox_impl_fill *fill,
-                                         tribox_impl_i4 box, size_t word, size_t triangle)
+TRIBOX_IMPL_FORCED int tribox_impl_group_add(tribox_impl_group *g, tribox_impl_i4 box, size_t word,
+                                             size_t triangle)
 {
-    const void *corner[3];
     const int n = g->n;
-    tribox_impl_corners(fill->mesh, triangle, corner);
-    g->v[0][n] = tribox_impl_load3(corner[0]);
-    g->v[1][n] = tribox_impl_load3(corner[1]);
-    g->v[2][n] = tribox_impl_load3(corner[2]);
     g->box[n] = box;
     g->word[n] = word;
     g->triangle[n] = triangle;
@@ -4734,15 +4738,13 @@ typedef struct tribox_impl_batch {
     size_t         word[TRIBOX_IMPL_BATCH];
 } tribox_impl_batch;
 
-/* Boxes of WIDE triangles from t, `step` triangles apart. */
+/* Boxes of WIDE triangles: those listed, or from the first on if there is no list. */
 TRIBOX_IMPL_FORCED void tribox_impl_boxes_set(tribox_impl_i4 out[TRIBOX_IMPL_WIDE], const tribox_impl_fill *fill,
-                                              size_t t, size_t step, int indexed)
+                                              int indexed, const size_t *list, size_t first)
 {
     tribox_impl_points v[3];
     tribox_impl_boxes box;
-    tribox_impl_load_corners(&v[0], fill->mesh, indexed, t, step, 0);
-    tribox_impl_load_corners(&v[1], fill->mesh, indexed, t, step, 1);
-    tribox_impl_load_corners(&v[2], fill->mesh, indexed, t, step, 2);
+    tribox_impl_load_corners(v, fill->mesh, indexed, list, first);
     tribox_impl_boxes_of(&fill->quick, v, 0, &box);
     if (TRIBOX_IMPL_RARELY(tribox_impl_boxes_are_special(&box))) {
         const tribox_impl_points corner[3] = { v[0], v[1], v[2] };
@@ -4761,7 +4763,7 @@ TRIBOX_IMPL_FORCED void tribox_impl_batch_set(tribox_impl_batch *b, const tribox
     const size_t layer_words = fill->quick.layer_words;
     int i;
     for (i = 0; i < TRIBOX_IMPL_BATCH; i += TRIBOX_IMPL_WIDE) {
-        tribox_impl_boxes_set(b->box + i, fill, t + (size_t)i, 1, indexed);
+        tribox_impl_boxes_set(b->box + i, fill, indexed, NULL, t + (size_t)i);
     }
     for (i = 0; i < TRIBOX_IMPL_BATCH; i++) {
         const tribox_impl_i4 box = b->box[i];
@@ -4824,14 +4826,14 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_fill_batch(tribox_impl_fill *fill, size_t 
                 tribox_impl_fill_one(fill, box, t);
             }
         } else if ((more & ~0x010101) == 0) {
-            if (tribox_impl_group_add(&groups[0], fill, box, batch.word[i], t)) {
+            if (tribox_impl_group_add(&groups[0], box, batch.word[i], t)) {
                 tribox_impl_group_flush2(fill, &groups[0]);
             }
         } else if (((more + 0x010101) & ~0x030303) == 0) {
-            if (tribox_impl_group_add(&groups[1], fill, box, batch.word[i], t)) {
+            if (tribox_impl_group_add(&groups[1], box, batch.word[i], t)) {
                 tribox_impl_group_flush3(fill, &groups[1]);
             }
-        } else if (tribox_impl_group_add(&groups[2], fill, box, batch.word[i], t)) {
+        } else if (tribox_impl_group_add(&groups[2], box, batch.word[i], t)) {
             tribox_impl_group_flush4(fill, &groups[2]);
         }
     }
@@ -4872,7 +4874,11 @@ TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const trib
     }
     for (; t < mesh->triangles; t++) {
         tribox_impl_i4 box[TRIBOX_IMPL_WIDE];
-        tribox_impl_boxes_set(box, &fill, t, 0, mesh->indices != NULL);
+        size_t list[TRIBOX_IMPL_WIDE];
+        for (i = 0; i < TRIBOX_IMPL_WIDE; i++) {
+            list[i] = t;
+        }
+        tribox_impl_boxes_set(box, &fill, mesh->indices != NULL, list, 0);
         tribox_impl_fill_one(&fill, box[0], t);
     }
     tribox_impl_group_flush2(&fill, &groups[0]);
