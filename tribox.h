@@ -3487,6 +3487,7 @@ typedef struct tribox_impl_quick {
     int            on;              /* 0: this grid's numbers are out of range */
     int            thin;
     int            closed;          /* thin, too */
+    int            lattice;         /* some step is not 0 */
     int32_t        low_touch;       /* 1: a corner on a voxel's upper face touches it */
     int32_t        high_miss;       /* 1: a corner on a voxel's lower face does not touch it */
 } tribox_impl_quick;
@@ -3566,24 +3567,48 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         q->n[k] = (int)n;
         q->end[k] = TRIBOX_IMPL_MARGIN + (int)n - 1;
     }
+    q->lattice = q->step[0] + q->step[1] + q->step[2] > 0.0f;
     q->on = 1;
 }
 
-/* What the ways of a fill share. Triangles left for the row walk wait until the stack is free of all else. */
+/* Boxes of WIDE triangles. */
+typedef struct tribox_impl_group {
+    tribox_impl_i4 box[TRIBOX_IMPL_WIDE];
+    size_t         word[TRIBOX_IMPL_WIDE];      /* of the first voxel */
+    size_t         triangle[TRIBOX_IMPL_WIDE];
+    int            n;
+    int32_t        lattice;                     /* not 0: some are on the lattice */
+} tribox_impl_group;
+
+/* Rows y and layers z of the region, first to last, that a triangle leaves for the row walk. */
+typedef struct tribox_impl_doubt {
+    size_t   triangle;
+    uint16_t first[2];
+    uint16_t last[2];
+} tribox_impl_doubt;
+
+/* What the ways of a fill share. Doubts wait until the stack is free of all else. */
 #define TRIBOX_IMPL_BATCH 32
 
 typedef struct tribox_impl_fill {
     const tribox_mesh        *mesh;
     const tribox_impl_target *target;
     tribox_impl_quick         quick;
-    int                       left;     /* a batch's, and what waited in groups, at most */
-    size_t                    for_walk[TRIBOX_IMPL_BATCH + 3 * TRIBOX_IMPL_WIDE];
+    tribox_impl_group         few[3];   /* boxes of up to 2^3, 3^3, 4^3 voxels */
+    tribox_impl_group         rows[2];  /* of up to FEW^3, ROWS^3 */
+    int                       doubts;   /* a batch's, and of what waited in groups, at most */
+    tribox_impl_doubt         doubt[TRIBOX_IMPL_BATCH + 5 * TRIBOX_IMPL_WIDE];
 } tribox_impl_fill;
 
-TRIBOX_IMPL_FN void tribox_impl_fill_later(tribox_impl_fill *fill, size_t triangle)
+TRIBOX_IMPL_FN tribox_impl_doubt *tribox_impl_fill_later(tribox_impl_fill *fill, size_t triangle)
 {
-    fill->for_walk[fill->left] = triangle;
-    fill->left++;
+    tribox_impl_doubt *d = &fill->doubt[fill->doubts];
+    d->triangle = triangle;
+    d->first[0] = d->first[1] = 0;
+    d->last[0] = (uint16_t)(fill->quick.n[1] - 1);
+    d->last[1] = (uint16_t)(fill->quick.n[2] - 1);
+    fill->doubts++;
+    return d;
 }
 
 /* ---- Index boxes of WIDE triangles */
@@ -3729,7 +3754,7 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_boxes_special(const tribox_impl_quick *q, 
     tribox_impl_iw last = tribox_impl_wide_int(TRIBOX_IMPL_OFF);
     int k;
     if (tribox_impl_wide_any(~off)) {
-        if (tribox_impl_wide_any(box->unsure != none)) {
+        if (q->lattice && tribox_impl_wide_any(box->unsure != none)) {
             tribox_impl_boxes_of(q, v, 1, box);
             off = tribox_impl_boxes_off(q, box);
         }
@@ -3776,15 +3801,6 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_boxes_special(const tribox_impl_quick *q, 
  *   D     The normal's 7 n delta times n, three times; its n^2 times delta, three times; rounding
  *         (8 + 9 (n - 2)) n^3 u: less than 32 n^2 delta. The signs of n are those of the areas, and sure.
  * What is left covers second-order terms. No value is NaN: a sure box has finite corners within it. */
-
-/* Boxes of WIDE triangles. */
-typedef struct tribox_impl_group {
-    tribox_impl_i4 box[TRIBOX_IMPL_WIDE];
-    size_t         word[TRIBOX_IMPL_WIDE];      /* of the first voxel */
-    size_t         triangle[TRIBOX_IMPL_WIDE];
-    int            n;
-    int32_t        lattice;                     /* not 0: some are on the lattice */
-} tribox_impl_group;
 
 /* Voxels missed: bit x + n y + n^2 z. Of 4^3 the lower half, the upper half, and what both miss. */
 typedef struct tribox_impl_missed {
@@ -4001,9 +4017,12 @@ typedef struct tribox_impl_group_placed {
 
 /* Corners of a group's triangles, and their boxes. */
 TRIBOX_IMPL_FORCED void tribox_impl_group_corners(tribox_impl_points out_v[3], tribox_impl_points *out_first,
-                                                  const tribox_impl_group *g, const tribox_mesh *mesh)
+                                                  tribox_impl_iw *out_extents, const tribox_impl_group *g,
+                                                  const tribox_mesh *mesh)
 {
     tribox_impl_f4 box[TRIBOX_IMPL_WIDE];
+    int32_t extents[TRIBOX_IMPL_WIDE];
+    int i;
     if (mesh->indices != NULL) {
         tribox_impl_load_corners(out_v, mesh, 1, g->triangle, 0);
     } else {
@@ -4011,6 +4030,10 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_corners(tribox_impl_points out_v[3], t
     }
     TRIBOX_IMPL_COPY(box, g->box, sizeof box);
     tribox_impl_points_from(out_first, box);
+    for (i = 0; i < TRIBOX_IMPL_WIDE; i++) {
+        extents[i] = g->box[i][3];
+    }
+    TRIBOX_IMPL_COPY(out_extents, extents, sizeof extents);
 }
 
 /* Coordinates of one axis that are on the lattice, exactly. Returns their lanes, in out_level those that are
@@ -4064,7 +4087,8 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_group_on_lattice(const tribox_impl_quick *
     tribox_impl_iw on_z;
     tribox_impl_iw flat;
     tribox_impl_iw on;
-    tribox_impl_group_corners(v, &first, g, mesh);
+    tribox_impl_iw extents;
+    tribox_impl_group_corners(v, &first, &extents, g, mesh);
     on_x = tribox_impl_group_snap(q, 0, (tribox_impl_iw)first.x, v[0].x, v[1].x, v[2].x, &p0->x, &p1->x, &p2->x,
                                   &level_x);
     on_y = tribox_impl_group_snap(q, 1, (tribox_impl_iw)first.y, v[0].y, v[1].y, v[2].y, &p0->y, &p1->y, &p2->y,
@@ -4095,10 +4119,11 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_decide(const tribox_impl_qui
     const tribox_impl_iw none = tribox_impl_wide_int(0);
     tribox_impl_group_placed p;
     tribox_impl_points first;
+    tribox_impl_iw extents;
     tribox_impl_fw n_x;
     tribox_impl_fw n_y;
     tribox_impl_fw n_z;
-    tribox_impl_group_corners(p.v, &first, g, mesh);
+    tribox_impl_group_corners(p.v, &first, &extents, g, mesh);
     tribox_impl_group_place(q, 0, (tribox_impl_iw)first.x, &p.v[0].x, &p.v[1].x, &p.v[2].x);
     tribox_impl_group_place(q, 1, (tribox_impl_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
     tribox_impl_group_place(q, 2, (tribox_impl_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
@@ -4201,291 +4226,505 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_set(const tribox_impl_fill *fill, cons
  * The plane: in units of u, 12 (1 + |g_y| + |g_z|) (m + 2), and 4 tau / |n_x| times the same. */
 #define TRIBOX_IMPL_NOWHERE 65536.0f
 
-/* A line in the planes xy, xz, yz over rows y, z, z: its bounds in row r are those in row 0 plus slope * r;
- * NOWHERE where it does not bound. Voxels are counted from 1, so that truncation is floor. */
-typedef struct tribox_impl_row_edge {
-    float lo_least[4];
-    float lo_most[4];
-    float lo_slope[4];
-    float hi_least[4];
-    float hi_most[4];
-    float hi_slope[4];
-} tribox_impl_row_edge;
+typedef double tribox_impl_dw __attribute__((vector_size(8 * TRIBOX_IMPL_WIDE)));
 
-/* The bounds of all rows in one of these planes. */
+/* What the lines of rows are made of, in lanes of triangles. */
+typedef struct tribox_impl_row_parts {
+    tribox_impl_points v[3];        /* from the first inner grid planes */
+    tribox_impl_points e[3];        /* edges */
+    tribox_impl_points n;
+    tribox_impl_fw     slope_y;     /* of the plane: -n_y / n_x, -n_z / n_x */
+    tribox_impl_fw     slope_z;
+    tribox_impl_fw     inverse;     /* 1 / n_x */
+    tribox_impl_fw     reach;       /* m */
+    tribox_impl_fw     tau;
+    tribox_impl_points touch;       /* in planes yz, zx, xy: how near a line touches, times d_r, */
+    tribox_impl_points level;       /* one along its rows, */
+    tribox_impl_fw     touch_plane; /* and the plane, times n_x */
+    tribox_impl_iw     flat_x;      /* n is exactly 0 on this axis */
+    tribox_impl_iw     flat_y;
+    tribox_impl_iw     flat_z;
+    int                on_lattice;  /* 0: all of touch, level and flat are 0 */
+} tribox_impl_row_parts;
+
+/* A line for each edge in the plane of axes b and r: its bounds in row r are those in row 0 plus slope * r;
+ * NOWHERE where it does not bound. Voxels are counted from 1, so that truncation is floor. */
+typedef struct tribox_impl_row_lines {
+    tribox_impl_fw lo_least[3];
+    tribox_impl_fw lo_most[3];
+    tribox_impl_fw lo_slope[3];
+    tribox_impl_fw hi_least[3];
+    tribox_impl_fw hi_most[3];
+    tribox_impl_fw hi_slope[3];
+} tribox_impl_row_lines;
+
+/* The plane's middle in row (y, z) is at + y * slope_y + z * slope_z, voxels counted from 1; its bounds are
+ * these more. */
+typedef struct tribox_impl_rows {
+    tribox_impl_row_lines x_of_y;
+    tribox_impl_row_lines x_of_z;
+    tribox_impl_row_lines y_of_z;
+    tribox_impl_fw        at;
+    tribox_impl_fw        slope_y;
+    tribox_impl_fw        slope_z;
+    tribox_impl_fw        lo_least;
+    tribox_impl_fw        lo_most;
+    tribox_impl_fw        hi_least;
+    tribox_impl_fw        hi_most;
+    tribox_impl_iw        unsure;
+} tribox_impl_rows;
+
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_choose(tribox_impl_iw mask, tribox_impl_fw a,
+                                                          tribox_impl_fw b)
+{
+    return (tribox_impl_fw)tribox_impl_wide_select(mask, (tribox_impl_iw)a, (tribox_impl_iw)b);
+}
+
+/* The first two edges on one axis, and all three in floats. */
+TRIBOX_IMPL_FORCED void tribox_impl_row_axis(tribox_impl_dw out[2], tribox_impl_fw *e0, tribox_impl_fw *e1,
+                                             tribox_impl_fw *e2, tribox_impl_fw x0, tribox_impl_fw x1,
+                                             tribox_impl_fw x2, double inverse)
+{
+    const tribox_impl_dw scale = TRIBOX_IMPL_ALL(inverse);
+    const tribox_impl_dw d0 = __builtin_convertvector(x0, tribox_impl_dw);
+    const tribox_impl_dw d1 = __builtin_convertvector(x1, tribox_impl_dw);
+    const tribox_impl_dw d2 = __builtin_convertvector(x2, tribox_impl_dw);
+    tribox_impl_dw d[3];
+    d[0] = d1 - d0;
+    d[1] = d2 - d1;
+    d[2] = d0 - d2;
+    TRIBOX_IMPL_KEEP(d[0]);
+    TRIBOX_IMPL_KEEP(d[1]);
+    TRIBOX_IMPL_KEEP(d[2]);
+    out[0] = d[0] * scale;
+    out[1] = d[1] * scale;
+    *e0 = __builtin_convertvector(out[0], tribox_impl_fw);
+    *e1 = __builtin_convertvector(out[1], tribox_impl_fw);
+    *e2 = __builtin_convertvector(d[2] * scale, tribox_impl_fw);
+}
+
+/* Edges, normals and slopes, which floats would not do for. */
+TRIBOX_IMPL_FORCED void tribox_impl_row_normals(tribox_impl_row_parts *p, const tribox_impl_quick *q,
+                                                const tribox_impl_points v[3])
+{
+    tribox_impl_dw x[2];
+    tribox_impl_dw y[2];
+    tribox_impl_dw z[2];
+    tribox_impl_dw n_x;
+    tribox_impl_dw n_y;
+    tribox_impl_dw n_z;
+    tribox_impl_fw one;
+    tribox_impl_dw inverse = TRIBOX_IMPL_ALL(1.0);
+    tribox_impl_row_axis(x, &p->e[0].x, &p->e[1].x, &p->e[2].x, v[0].x, v[1].x, v[2].x, q->inverse_f64[0]);
+    tribox_impl_row_axis(y, &p->e[0].y, &p->e[1].y, &p->e[2].y, v[0].y, v[1].y, v[2].y, q->inverse_f64[1]);
+    tribox_impl_row_axis(z, &p->e[0].z, &p->e[1].z, &p->e[2].z, v[0].z, v[1].z, v[2].z, q->inverse_f64[2]);
+    n_x = y[0] * z[1] - z[0] * y[1];
+    n_y = z[0] * x[1] - x[0] * z[1];
+    n_z = x[0] * y[1] - y[0] * x[1];
+    p->n.x = __builtin_convertvector(n_x, tribox_impl_fw);
+    p->n.y = __builtin_convertvector(n_y, tribox_impl_fw);
+    p->n.z = __builtin_convertvector(n_z, tribox_impl_fw);
+    /* where n_x is too small to divide by, nobody asks for the slopes */
+    one = (tribox_impl_fw)((tribox_impl_wide_abs(p->n.x) <= p->tau) &
+                           (tribox_impl_iw)tribox_impl_wide_all(1.0f));
+    inverse /= n_x + __builtin_convertvector(one, tribox_impl_dw);
+    p->inverse = __builtin_convertvector(inverse, tribox_impl_fw);
+    p->slope_y = __builtin_convertvector(-n_y * inverse, tribox_impl_fw);
+    p->slope_z = __builtin_convertvector(-n_z * inverse, tribox_impl_fw);
+}
+
+/* Edges of one axis that are on the lattice, and the bits of their places. */
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_row_snap(tribox_impl_iw on, tribox_impl_fw v0, tribox_impl_fw v1,
+                                                       tribox_impl_fw v2, tribox_impl_fw *e0,
+                                                       tribox_impl_fw *e1, tribox_impl_fw *e2)
+{
+    const tribox_impl_fw parts = tribox_impl_wide_all((float)TRIBOX_IMPL_PARTS);
+    *e0 = tribox_impl_wide_choose(on, v1 - v0, *e0);
+    *e1 = tribox_impl_wide_choose(on, v2 - v1, *e1);
+    *e2 = tribox_impl_wide_choose(on, v0 - v2, *e2);
+    return on & (__builtin_convertvector(v0 * parts, tribox_impl_iw) |
+                 __builtin_convertvector(v1 * parts, tribox_impl_iw) |
+                 __builtin_convertvector(v2 * parts, tribox_impl_iw));
+}
+
+/* All of this that is on the lattice, exactly. */
+TRIBOX_IMPL_NOINLINE void tribox_impl_row_parts_snap(tribox_impl_row_parts *p, const tribox_impl_quick *q,
+                                                     const tribox_impl_points v[3],
+                                                     const tribox_impl_points *first)
+{
+    const tribox_impl_fw zero = tribox_impl_wide_all(0.0f);
+    const tribox_impl_fw half = tribox_impl_wide_all(0.5f);
+    tribox_impl_iw level_x;
+    tribox_impl_iw level_y;
+    tribox_impl_iw level_z;
+    const tribox_impl_iw on_x = tribox_impl_group_snap(q, 0, (tribox_impl_iw)first->x, v[0].x, v[1].x, v[2].x,
+                                                       &p->v[0].x, &p->v[1].x, &p->v[2].x, &level_x);
+    const tribox_impl_iw on_y = tribox_impl_group_snap(q, 1, (tribox_impl_iw)first->y, v[0].y, v[1].y, v[2].y,
+                                                       &p->v[0].y, &p->v[1].y, &p->v[2].y, &level_y);
+    const tribox_impl_iw on_z = tribox_impl_group_snap(q, 2, (tribox_impl_iw)first->z, v[0].z, v[1].z, v[2].z,
+                                                       &p->v[0].z, &p->v[1].z, &p->v[2].z, &level_z);
+    const tribox_impl_iw places =
+        tribox_impl_row_snap(on_x, p->v[0].x, p->v[1].x, p->v[2].x, &p->e[0].x, &p->e[1].x, &p->e[2].x) |
+        tribox_impl_row_snap(on_y, p->v[0].y, p->v[1].y, p->v[2].y, &p->e[0].y, &p->e[1].y, &p->e[2].y) |
+        tribox_impl_row_snap(on_z, p->v[0].z, p->v[1].z, p->v[2].z, &p->e[0].z, &p->e[1].z, &p->e[2].z) |
+        tribox_impl_wide_int(TRIBOX_IMPL_PARTS / 2);
+    const tribox_impl_fw step = __builtin_convertvector(places & -places, tribox_impl_fw) *
+                                tribox_impl_wide_all(1.0f / TRIBOX_IMPL_PARTS);     /* the coarsest */
+    const tribox_impl_iw square = (tribox_impl_iw)(half * step * step);
+    p->n.x = tribox_impl_wide_choose(on_y & on_z, p->e[0].y * p->e[1].z - p->e[0].z * p->e[1].y, p->n.x);
+    p->n.y = tribox_impl_wide_choose(on_z & on_x, p->e[0].z * p->e[1].x - p->e[0].x * p->e[1].z, p->n.y);
+    p->n.z = tribox_impl_wide_choose(on_x & on_y, p->e[0].x * p->e[1].y - p->e[0].y * p->e[1].x, p->n.z);
+    p->flat_x = level_y | level_z | (on_y & on_z & (p->n.x == zero));
+    p->flat_y = level_z | level_x | (on_z & on_x & (p->n.y == zero));
+    p->flat_z = level_x | level_y | (on_x & on_y & (p->n.z == zero));
+    p->touch.x = (tribox_impl_fw)(square & on_y & on_z);
+    p->touch.y = (tribox_impl_fw)(square & on_z & on_x);
+    p->touch.z = (tribox_impl_fw)(square & on_x & on_y);
+    p->level.x = (tribox_impl_fw)((tribox_impl_iw)(half * step) & on_y);
+    p->level.y = p->level.z = (tribox_impl_fw)((tribox_impl_iw)(half * step) & on_x);
+    p->touch_plane = (tribox_impl_fw)((tribox_impl_iw)(half * step * step * step) & on_x & on_y & on_z);
+    p->on_lattice = 1;
+}
+
+/* Edge i's line in a plane; `two` has lanes in which edges bound from both sides, `off` how far these may be
+ * off, times d_r. */
+TRIBOX_IMPL_FORCED void tribox_impl_row_line(tribox_impl_row_lines *out, const tribox_impl_row_parts *p,
+                                             const tribox_impl_quick *q, int i, tribox_impl_fw v_b,
+                                             tribox_impl_fw v_r, tribox_impl_fw e_b, tribox_impl_fw e_r,
+                                             tribox_impl_fw area, tribox_impl_iw two, tribox_impl_fw off,
+                                             tribox_impl_fw touch, tribox_impl_fw level)
+{
+    const tribox_impl_fw zero = tribox_impl_wide_all(0.0f);
+    const tribox_impl_fw half = tribox_impl_wide_all(0.5f);
+    const tribox_impl_fw one = tribox_impl_wide_all(1.0f);
+    const tribox_impl_fw nowhere = tribox_impl_wide_all(TRIBOX_IMPL_NOWHERE);
+    const tribox_impl_iw has = tribox_impl_wide_abs(e_r) > tribox_impl_wide_all(1e-18f);
+    const tribox_impl_fw inverse = one / tribox_impl_wide_choose(has, e_r, one);
+    const tribox_impl_fw slope = (tribox_impl_fw)((tribox_impl_iw)(e_b * inverse) & has);
+    const tribox_impl_fw steep = tribox_impl_wide_abs(slope);
+    const tribox_impl_fw middle = (v_b + tribox_impl_wide_all(2.0f)) - slope * (v_r + half);
+    const tribox_impl_fw spread = half * (q->thin ? tribox_impl_wide_max(steep - one, zero) : steep);
+    const tribox_impl_fw rounding = tribox_impl_wide_all(24.0f * TRIBOX_IMPL_U32) *
+                                    (p->reach + tribox_impl_wide_all(2.0f)) +
+                                    tribox_impl_wide_all(2.0f * q->delta_low);
+    const tribox_impl_fw error = (steep + one) * (rounding + off * tribox_impl_wide_abs(inverse));
+    const tribox_impl_iw below = tribox_impl_wide_sign((tribox_impl_fw)((tribox_impl_iw)area ^
+                                                                        (tribox_impl_iw)e_r));
+    const tribox_impl_iw is_lo = (below | two) & has;
+    const tribox_impl_iw is_hi = (~below | two) & has;
+    tribox_impl_fw lo = middle - spread;
+    tribox_impl_fw hi = middle + spread;
+    if (p->on_lattice) {
+        const tribox_impl_fw any = tribox_impl_wide_choose(e_b == zero, level,
+                                                           touch * tribox_impl_wide_abs(inverse));
+        const tribox_impl_iw sign = tribox_impl_wide_int(TRIBOX_IMPL_SIGN_BIT);
+        const tribox_impl_iw low_misses = tribox_impl_wide_int(q->closed ? 0 : -1);
+        const tribox_impl_iw high_misses = tribox_impl_wide_int(q->high_miss ? -1 : 0) |
+                                           ((slope > zero) & low_misses);
+        lo -= tribox_impl_wide_flip(any, low_misses & sign);
+        hi += tribox_impl_wide_flip(any, high_misses & sign);
+    }
+    lo = tribox_impl_wide_choose(is_lo, lo, -nowhere);
+    hi = tribox_impl_wide_choose(is_hi, hi, nowhere);
+    out->lo_least[i] = lo - error;
+    out->lo_most[i] = lo + error;
+    out->lo_slope[i] = (tribox_impl_fw)((tribox_impl_iw)slope & is_lo);
+    out->hi_least[i] = hi - error;
+    out->hi_most[i] = hi + error;
+    out->hi_slope[i] = (tribox_impl_fw)((tribox_impl_iw)slope & is_hi);
+}
+
+/* The plane's bounds; `vacuous` has lanes in which its condition follows from the edges'. */
+TRIBOX_IMPL_FORCED void tribox_impl_row_plane(tribox_impl_rows *out, const tribox_impl_row_parts *p,
+                                              const tribox_impl_quick *q, tribox_impl_iw vacuous)
+{
+    const tribox_impl_fw zero = tribox_impl_wide_all(0.0f);
+    const tribox_impl_fw half = tribox_impl_wide_all(0.5f);
+    const tribox_impl_fw one = tribox_impl_wide_all(1.0f);
+    const tribox_impl_fw nowhere = tribox_impl_wide_all(TRIBOX_IMPL_NOWHERE);
+    const tribox_impl_fw two = tribox_impl_wide_all(2.0f);
+    const tribox_impl_fw steep_y = tribox_impl_wide_abs(p->slope_y);
+    const tribox_impl_fw steep_z = tribox_impl_wide_abs(p->slope_z);
+    const tribox_impl_fw size = tribox_impl_wide_abs(p->inverse);
+    const tribox_impl_fw thin = tribox_impl_wide_max(tribox_impl_wide_max(steep_y, steep_z) - one, zero);
+    const tribox_impl_fw spread = half * (q->thin ? thin : steep_y + steep_z);
+    const tribox_impl_fw rounding = (tribox_impl_wide_all(24.0f * TRIBOX_IMPL_U32) +
+                                     tribox_impl_wide_all(4.0f) * p->tau * size) * (p->reach + two) +
+                                    tribox_impl_wide_all(2.0f * q->delta_low);
+    tribox_impl_fw error = (one + steep_y + steep_z) * rounding;
+    tribox_impl_fw lo = spread;
+    tribox_impl_fw hi = spread;
+    if (p->on_lattice) {
+        const tribox_impl_fw touch = p->touch_plane * size;
+        const tribox_impl_iw sign = tribox_impl_wide_int(TRIBOX_IMPL_SIGN_BIT);
+        const tribox_impl_iw low_misses = tribox_impl_wide_int(q->closed ? 0 : -1);
+        const tribox_impl_iw high_misses = tribox_impl_wide_int(q->high_miss ? -1 : 0) |
+            (((p->slope_y > zero) | (p->slope_z > zero)) & low_misses);
+        lo += tribox_impl_wide_flip(touch, low_misses & sign);
+        hi += tribox_impl_wide_flip(touch, high_misses & sign);
+    }
+    lo = tribox_impl_wide_choose(vacuous, nowhere, lo);
+    hi = tribox_impl_wide_choose(vacuous, nowhere, hi);
+    error = (tribox_impl_fw)((tribox_impl_iw)error & ~vacuous);
+    out->slope_y = (tribox_impl_fw)((tribox_impl_iw)p->slope_y & ~vacuous);
+    out->slope_z = (tribox_impl_fw)((tribox_impl_iw)p->slope_z & ~vacuous);
+    out->at = (p->v[0].x + two) - out->slope_y * (p->v[0].y + half) - out->slope_z * (p->v[0].z + half);
+    out->lo_least = -lo - error;
+    out->lo_most = error - lo;
+    out->hi_least = hi - error;
+    out->hi_most = hi + error;
+    out->unsure |= ~(error < tribox_impl_wide_all(0.125f));
+}
+
+/* The lines and planes of a group. */
+TRIBOX_IMPL_NOINLINE void tribox_impl_rows_set(tribox_impl_rows *out, const tribox_impl_quick *q,
+                                               const tribox_impl_group *g, const tribox_mesh *mesh)
+{
+    const tribox_impl_iw byte = tribox_impl_wide_int(255);
+    const tribox_impl_fw u = tribox_impl_wide_all(64.0f * 2.2204460492503131e-16f);
+    tribox_impl_points v[3];
+    tribox_impl_points first;
+    tribox_impl_row_parts p;
+    tribox_impl_points off;
+    tribox_impl_iw two_x;
+    tribox_impl_iw two_y;
+    tribox_impl_iw two_z;
+    tribox_impl_iw vacuous;
+    tribox_impl_iw extents;
+    int i;
+    tribox_impl_group_corners(v, &first, &extents, g, mesh);
+    p.reach = tribox_impl_wide_max(
+        tribox_impl_wide_max(__builtin_convertvector(extents & byte, tribox_impl_fw),
+                             __builtin_convertvector(extents >> tribox_impl_wide_int(8) & byte, tribox_impl_fw)),
+        __builtin_convertvector(extents >> tribox_impl_wide_int(16) & byte, tribox_impl_fw)) +
+        tribox_impl_wide_all(1.0f);
+    p.tau = u * p.reach * p.reach;
+    p.on_lattice = 0;
+    p.v[0] = v[0];
+    p.v[1] = v[1];
+    p.v[2] = v[2];
+    tribox_impl_group_place(q, 0, (tribox_impl_iw)first.x, &p.v[0].x, &p.v[1].x, &p.v[2].x);
+    tribox_impl_group_place(q, 1, (tribox_impl_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
+    tribox_impl_group_place(q, 2, (tribox_impl_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
+    tribox_impl_row_normals(&p, q, v);
+    off.x = off.y = off.z = tribox_impl_wide_all(0.0f);
+    p.touch = p.level = off;
+    p.flat_x = p.flat_y = p.flat_z = tribox_impl_wide_int(0);
+    p.touch_plane = off.x;
+    if (q->lattice) {
+        tribox_impl_row_parts_snap(&p, q, v, &first);
+    }
+    two_x = p.flat_x | (tribox_impl_wide_abs(p.n.x) <= p.tau);
+    two_y = p.flat_y | (tribox_impl_wide_abs(p.n.y) <= p.tau);
+    two_z = p.flat_z | (tribox_impl_wide_abs(p.n.z) <= p.tau);
+    vacuous = p.flat_x | p.flat_y | p.flat_z;
+    out->unsure = two_x & ~vacuous & (tribox_impl_wide_abs(p.n.y) + tribox_impl_wide_abs(p.n.z) <=
+                                      tribox_impl_wide_all(1e-3f));
+    if (TRIBOX_IMPL_RARELY(tribox_impl_wide_any((two_x & ~p.flat_x) | (two_y & ~p.flat_y) |
+                                                (two_z & ~p.flat_z)))) {
+        const tribox_impl_iw wide = (tribox_impl_iw)(tribox_impl_wide_all(8192.0f) * p.tau * p.reach * p.reach);
+        off.x = (tribox_impl_fw)(wide & two_x & ~p.flat_x);
+        off.y = (tribox_impl_fw)(wide & two_y & ~p.flat_y);
+        off.z = (tribox_impl_fw)(wide & two_z & ~p.flat_z);
+        if (q->thin) {
+            out->unsure |= (two_x & ~p.flat_x) | (two_y & ~p.flat_y) | (two_z & ~p.flat_z);
+        }
+    }
+    tribox_impl_row_plane(out, &p, q, vacuous | two_x);
+    for (i = 0; i < 3; i++) {
+        const tribox_impl_points *a = &p.v[i];
+        const tribox_impl_points *e = &p.e[i];
+        tribox_impl_row_line(&out->x_of_y, &p, q, i, a->x, a->y, e->x, e->y, p.n.z, two_z, off.z, p.touch.z,
+                             p.level.z);
+        tribox_impl_row_line(&out->x_of_z, &p, q, i, a->x, a->z, e->x, e->z, -p.n.y, two_y, off.y, p.touch.y,
+                             p.level.y);
+        tribox_impl_row_line(&out->y_of_z, &p, q, i, a->y, a->z, e->y, e->z, p.n.x, two_x, off.x, p.touch.x,
+                             p.level.x);
+    }
+}
+
+/* ---- Rows of boxes of up to FEW voxels on each axis, in lanes of triangles */
+#define TRIBOX_IMPL_FEW 8
+
 typedef struct tribox_impl_row_bounds {
+    tribox_impl_fw lo_least;
+    tribox_impl_fw lo_most;
+    tribox_impl_fw hi_least;
+    tribox_impl_fw hi_most;
+} tribox_impl_row_bounds;
+
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_row_most(const tribox_impl_fw at[3], const tribox_impl_fw step[3])
+{
+    return tribox_impl_wide_max(tribox_impl_wide_max(at[0] + step[0], at[1] + step[1]), at[2] + step[2]);
+}
+
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_row_least(const tribox_impl_fw at[3], const tribox_impl_fw step[3])
+{
+    return tribox_impl_wide_min(tribox_impl_wide_min(at[0] + step[0], at[1] + step[1]), at[2] + step[2]);
+}
+
+/* Bounds of so many rows, within voxels 1..extent + 1; half a voxel off what might be unsure. */
+TRIBOX_IMPL_FORCED void tribox_impl_row_bounds_set(tribox_impl_row_bounds *out, const tribox_impl_row_lines *l,
+                                                   int rows, tribox_impl_iw extent)
+{
+    const tribox_impl_fw first = tribox_impl_wide_all(1.5f);
+    const tribox_impl_fw before = tribox_impl_wide_all(0.5f);
+    const tribox_impl_fw last = __builtin_convertvector(extent, tribox_impl_fw) + first;
+    const tribox_impl_fw after = last + tribox_impl_wide_all(1.0f);
+    int i;
+    for (i = 0; i < rows; i++, out++) {
+        const tribox_impl_fw row = tribox_impl_wide_all((float)i);
+        tribox_impl_fw lo[3];
+        tribox_impl_fw hi[3];
+        lo[0] = l->lo_slope[0] * row;
+        lo[1] = l->lo_slope[1] * row;
+        lo[2] = l->lo_slope[2] * row;
+        hi[0] = l->hi_slope[0] * row;
+        hi[1] = l->hi_slope[1] * row;
+        hi[2] = l->hi_slope[2] * row;
+        out->lo_least = tribox_impl_wide_min(tribox_impl_wide_max(tribox_impl_row_most(l->lo_least, lo), first), after);
+        out->lo_most = tribox_impl_wide_min(tribox_impl_wide_max(tribox_impl_row_most(l->lo_most, lo), first), after);
+        out->hi_least = tribox_impl_wide_min(tribox_impl_wide_max(tribox_impl_row_least(l->hi_least, hi), before), last);
+        out->hi_most = tribox_impl_wide_min(tribox_impl_wide_max(tribox_impl_row_least(l->hi_most, hi), before), last);
+    }
+}
+
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_row_voxel(tribox_impl_fw x)
+{
+    return __builtin_convertvector(x, tribox_impl_iw);
+}
+
+/* 2^i, i within -126..30 */
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_bit(tribox_impl_iw i)
+{
+#if defined(__AVX2__)
+    return tribox_impl_wide_int(1) << i;
+#else
+    return __builtin_convertvector((tribox_impl_fw)((i + tribox_impl_wide_int(127)) << tribox_impl_wide_int(23)),
+                                   tribox_impl_iw);
+#endif
+}
+
+/* Voxels by rows: bit x of [z][y][lane]; first and last rows of a layer, counted from 1. */
+typedef struct tribox_impl_few {
+    tribox_impl_iw x[TRIBOX_IMPL_FEW][TRIBOX_IMPL_FEW];
+    tribox_impl_iw first_y[TRIBOX_IMPL_FEW];
+    tribox_impl_iw last_y[TRIBOX_IMPL_FEW];
+    tribox_impl_iw unsure;
+} tribox_impl_few;
+
+TRIBOX_IMPL_FORCED void tribox_impl_few_set(tribox_impl_few *out, const tribox_impl_rows *r,
+                                            tribox_impl_iw extents, int rows, int layers)
+{
+    const tribox_impl_iw byte = tribox_impl_wide_int(255);
+    const tribox_impl_iw extent_x = extents & byte;
+    const tribox_impl_iw extent_y = extents >> tribox_impl_wide_int(8) & byte;
+    const tribox_impl_iw extent_z = extents >> tribox_impl_wide_int(16) & byte;
+    tribox_impl_row_bounds x_of_y[TRIBOX_IMPL_FEW];
+    tribox_impl_row_bounds x_of_z[TRIBOX_IMPL_FEW];
+    tribox_impl_row_bounds y_of_z[TRIBOX_IMPL_FEW];
+    int y;
+    int z;
+    out->unsure = r->unsure;
+    tribox_impl_row_bounds_set(x_of_y, &r->x_of_y, rows, extent_x);
+    tribox_impl_row_bounds_set(x_of_z, &r->x_of_z, layers, extent_x);
+    tribox_impl_row_bounds_set(y_of_z, &r->y_of_z, layers, extent_y);
+    for (z = 0; z < layers; z++) {
+        const tribox_impl_iw first_y = tribox_impl_row_voxel(y_of_z[z].lo_least);
+        const tribox_impl_iw last_y = tribox_impl_row_voxel(y_of_z[z].hi_most) &
+                                      ~(tribox_impl_wide_int(z) > extent_z);
+        const tribox_impl_iw differ_y = (first_y != tribox_impl_row_voxel(y_of_z[z].lo_most)) |
+                                        (last_y != tribox_impl_row_voxel(y_of_z[z].hi_least));
+        const tribox_impl_fw at = r->at + tribox_impl_wide_all((float)z) * r->slope_z;
+        const tribox_impl_fw lo_least = at + r->lo_least;
+        const tribox_impl_fw lo_most = at + r->lo_most;
+        const tribox_impl_fw hi_least = at + r->hi_least;
+        const tribox_impl_fw hi_most = at + r->hi_most;
+        out->unsure |= differ_y & ~(first_y > last_y);
+        out->first_y[z] = first_y;
+        out->last_y[z] = last_y;
+        for (y = 0; y < rows; y++) {
+            const tribox_impl_fw step = tribox_impl_wide_all((float)y) * r->slope_y;
+            const tribox_impl_iw first = tribox_impl_row_voxel(tribox_impl_wide_max(
+                tribox_impl_wide_max(x_of_y[y].lo_least, x_of_z[z].lo_least), lo_least + step));
+            const tribox_impl_iw first_most = tribox_impl_row_voxel(tribox_impl_wide_max(
+                tribox_impl_wide_max(x_of_y[y].lo_most, x_of_z[z].lo_most), lo_most + step));
+            const tribox_impl_iw last_least = tribox_impl_row_voxel(tribox_impl_wide_min(
+                tribox_impl_wide_min(x_of_y[y].hi_least, x_of_z[z].hi_least), hi_least + step));
+            const tribox_impl_iw last = tribox_impl_row_voxel(tribox_impl_wide_min(
+                tribox_impl_wide_min(x_of_y[y].hi_most, x_of_z[z].hi_most), hi_most + step));
+            const tribox_impl_iw row = tribox_impl_wide_int(y + 1);
+            const tribox_impl_iw none = (first > last) | (first_y > row) | (row > last_y);
+            out->unsure |= ((first != first_most) | (last != last_least)) & ~none;
+            out->x[z][y] = (tribox_impl_wide_bit(last) - (tribox_impl_wide_bit(first) >> tribox_impl_wide_int(1))) & ~none;
+        }
+    }
+}
+
+/* Sets the voxels of lane i; asks for the memory of the layer above each. */
+TRIBOX_IMPL_FN void tribox_impl_few_store(const tribox_impl_few *few, const tribox_impl_fill *fill,
+                                          const tribox_impl_group *g, int i)
+{
+    const size_t row_words = fill->target->row_words;
+    const size_t layer_words = fill->quick.layer_words;
+    const int x = (g->box[i][0] - TRIBOX_IMPL_MARGIN) & 63;
+    const int layers = (g->box[i][3] >> 16 & 255) + 1;
+    uint64_t *layer = fill->target->bits + g->word[i];
+    int z;
+    for (z = 0; z < layers; z++, layer += layer_words) {
+        const int last_y = few->last_y[z][i];
+        int y = few->first_y[z][i];
+        uint64_t *row = layer + (size_t)(y - 1) * row_words;
+        for (; y <= last_y; y++, row += row_words) {
+            const uint64_t voxels = (uint64_t)(uint32_t)few->x[z][y - 1][i];
+            TRIBOX_IMPL_PREFETCH((uintptr_t)row + sizeof *row * layer_words);
+            if (voxels != 0) {
+                row[0] |= voxels << x;
+                if (TRIBOX_IMPL_RARELY(x > 64 - TRIBOX_IMPL_FEW) && voxels >> (64 - x) != 0) {
+                    row[1] |= voxels >> (64 - x);
+                }
+            }
+        }
+    }
+}
+
+/* ---- Rows of larger boxes, four at a time */
+
+/* Of all rows in one plane. */
+typedef struct tribox_impl_lane_bounds {
     float lo_least[TRIBOX_IMPL_ROWS];
     float lo_most[TRIBOX_IMPL_ROWS];
     float hi_least[TRIBOX_IMPL_ROWS];
     float hi_most[TRIBOX_IMPL_ROWS];
-} tribox_impl_row_bounds;
+} tribox_impl_lane_bounds;
 
-/* The plane's middle in row (y, z) is at + y * slope_y + z * slope_z, voxels counted from 1. */
-typedef struct tribox_impl_row_plane {
-    double at;
-    double slope_y;
-    double slope_z;
-    double half_lo;
-    double half_hi;
-    double error;       /* of both bounds; 1: it is not known */
-} tribox_impl_row_plane;
-
-/* A triangle in voxels from its box's corner. */
-typedef struct tribox_impl_placed {
-    double v[3][3];
-    double e[3][3];     /* edges */
-    double n[3];
-    double reach;       /* m */
-    double tau;
-    double step;        /* of the lattice; 0: no axis is on it, and what follows is not set */
-    int    on[3];
-    int    flat[3];     /* n is exactly 0 on this axis */
-} tribox_impl_placed;
-
-/* Finds the axes on which all corners are on the lattice, its coarsest step there, and their places. */
-TRIBOX_IMPL_FN void tribox_impl_snap(tribox_impl_placed *p, const tribox_impl_quick *q,
-                                     const void *const corner[3], const int at[3])
-{
-    int all = TRIBOX_IMPL_PARTS / 2;
-    int axes = 0;
-    int c;
-    int k;
-    for (k = 0; k < 3; k++) {
-        const double base = q->origin_f64[k] + q->size_f64[k] * (double)at[k];
-        int place[3];
-        int same = q->step[k] > 0.0f;
-        for (c = 0; c < 3; c++) {
-            float x;
-            double there;
-            TRIBOX_IMPL_COPY(&x, (const char *)corner[c] + (size_t)k * sizeof x, sizeof x);
-            place[c] = (int)(p->v[c][k] * (double)TRIBOX_IMPL_PARTS + 0.5);
-            there = base + (double)place[c] * (double)q->step[k];
-            same &= there == tribox_impl_widen(&x);
-        }
-        p->on[k] = same;
-        if (same) {
-            for (c = 0; c < 3; c++) {
-                p->v[c][k] = (double)place[c] * (1.0 / TRIBOX_IMPL_PARTS);
-                all |= place[c];
-            }
-            axes++;
-        }
-    }
-    p->step = axes > 0 ? (double)(all & -all) * (1.0 / TRIBOX_IMPL_PARTS) : 0.0;
-}
-
-/* Finds the planes in which the triangle is exactly a segment. */
-TRIBOX_IMPL_FN void tribox_impl_snap_flat(tribox_impl_placed *p)
-{
-    int level[3];
-    int k;
-    for (k = 0; k < 3; k++) {
-        level[k] = p->on[k] && p->e[0][k] == 0.0 && p->e[1][k] == 0.0;
-    }
-    for (k = 0; k < 3; k++) {
-        const int b = k < 2 ? k + 1 : 0;
-        const int c = k > 0 ? k - 1 : 2;
-        p->flat[k] = level[b] || level[c] || (p->on[b] && p->on[c] && p->n[k] == 0.0);
-    }
-}
-
-TRIBOX_IMPL_FN void tribox_impl_place(tribox_impl_placed *p, const tribox_impl_quick *q,
-                                      const void *const corner[3], const int at[3], const int count[3],
-                                      int on_lattice)
-{
-    int c;
-    int k;
-    p->reach = 0.0;
-    p->step = 0.0;
-    for (k = 0; k < 3; k++) {
-        const double base = q->origin_f64[k] + q->size_f64[k] * (double)at[k];
-        for (c = 0; c < 3; c++) {
-            float x;
-            TRIBOX_IMPL_COPY(&x, (const char *)corner[c] + (size_t)k * sizeof x, sizeof x);
-            p->v[c][k] = (double)x - base;
-            TRIBOX_IMPL_KEEP(p->v[c][k]);
-            p->v[c][k] *= q->inverse_f64[k];
-        }
-        p->reach = (double)count[k] > p->reach ? (double)count[k] : p->reach;
-    }
-    if (on_lattice) {
-        tribox_impl_snap(p, q, corner, at);
-    }
-    for (k = 0; k < 3; k++) {
-        p->e[0][k] = p->v[1][k] - p->v[0][k];
-        p->e[1][k] = p->v[2][k] - p->v[1][k];
-        p->e[2][k] = p->v[0][k] - p->v[2][k];
-    }
-    p->n[0] = p->e[0][1] * p->e[1][2] - p->e[0][2] * p->e[1][1];
-    p->n[1] = p->e[0][2] * p->e[1][0] - p->e[0][0] * p->e[1][2];
-    p->n[2] = p->e[0][0] * p->e[1][1] - p->e[0][1] * p->e[1][0];
-    p->tau = 64.0 * q->delta_f64 * p->reach;
-    if (p->step > 0.0) {
-        tribox_impl_snap_flat(p);
-    }
-}
-
-TRIBOX_IMPL_FN void tribox_impl_row_plane_set(tribox_impl_row_plane *out, const tribox_impl_placed *p,
-                                              const tribox_impl_quick *q)
-{
-    const double n_x = tribox_impl_abs(p->n[0]);
-    const double n_y = tribox_impl_abs(p->n[1]);
-    const double n_z = tribox_impl_abs(p->n[2]);
-    const int on = p->step > 0.0;
-    const int flat = on && (p->flat[0] || p->flat[1] || p->flat[2]);
-    if (n_x <= p->tau || flat) {
-        out->at = out->slope_y = out->slope_z = 0.0;
-        out->half_lo = out->half_hi = (double)TRIBOX_IMPL_NOWHERE;
-        out->error = flat || n_y + n_z > 1e-3 ? 0.0 : 1.0;
-    } else {
-        const double inverse = 1.0 / p->n[0];
-        const double steep = (n_y + n_z) * tribox_impl_abs(inverse);
-        const double most = n_y > n_z ? n_y : n_z;
-        out->slope_y = -p->n[1] * inverse;
-        out->slope_z = -p->n[2] * inverse;
-        out->at = p->v[0][0] + 1.0 - out->slope_y * (p->v[0][1] - 0.5) - out->slope_z * (p->v[0][2] - 0.5);
-        out->half_lo = 0.5 * (!q->thin ? steep : most > n_x ? most * tribox_impl_abs(inverse) - 1.0 : 0.0);
-        out->half_hi = out->half_lo;
-        out->error = (1.0 + steep) * (p->reach + 2.0) *
-                     ((double)(12.0f * TRIBOX_IMPL_U32) + 4.0 * p->tau * tribox_impl_abs(inverse));
-        if (on && p->on[0] && p->on[1] && p->on[2]) {
-            const double touch = 0.5 * p->step * p->step * p->step * tribox_impl_abs(inverse);
-            const int high_misses = q->high_miss || (!q->closed && (out->slope_y > 0.0 || out->slope_z > 0.0));
-            out->half_lo += q->closed ? touch : -touch;
-            out->half_hi += high_misses ? -touch : touch;
-        }
-    }
-}
-
-/* Lanes of a where mask, of b elsewhere. */
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_select(tribox_impl_i4 mask, tribox_impl_f4 a, tribox_impl_f4 b)
-{
-    return (tribox_impl_f4)((mask & (tribox_impl_i4)a) | (~mask & (tribox_impl_i4)b));
-}
-
-/* The planes xy, xz, yz. */
-typedef struct tribox_impl_row_planes {
-    tribox_impl_f4 area;
-    tribox_impl_i4 flat;            /* the triangle is a segment */
-    tribox_impl_f4 off;             /* how far an edge may be off, times its d_r */
-    tribox_impl_f4 touch;           /* on the lattice, how near a line may touch, times d_r */
-    tribox_impl_f4 touch_level;     /* the same for one of slope 0 */
-} tribox_impl_row_planes;
-
-/* The lines of edge i. */
-TRIBOX_IMPL_FORCED void tribox_impl_row_edge_set(tribox_impl_row_edge *out, const tribox_impl_placed *p,
-                                                 int i, const tribox_impl_row_planes *planes,
-                                                 const tribox_impl_quick *q)
-{
-    const tribox_impl_f4 zero = tribox_impl_splat(0.0f);
-    const tribox_impl_f4 one = tribox_impl_splat(1.0f);
-    const tribox_impl_f4 half = tribox_impl_splat(0.5f);
-    const tribox_impl_f4 nowhere = tribox_impl_splat(TRIBOX_IMPL_NOWHERE);
-    const tribox_impl_f4 v = { (float)p->v[i][0], (float)p->v[i][1], (float)p->v[i][2], 0.0f };
-    const tribox_impl_f4 e = { (float)p->e[i][0], (float)p->e[i][1], (float)p->e[i][2], 0.0f };
-    const tribox_impl_f4 e_b = TRIBOX_IMPL_LANES(e, e, 0, 0, 1, 1);
-    const tribox_impl_f4 e_r = TRIBOX_IMPL_LANES(e, e, 1, 2, 2, 2);
-    const tribox_impl_i4 has = tribox_impl_abs4(e_r) > tribox_impl_splat(1e-18f);
-    const tribox_impl_f4 inverse = one / tribox_impl_select(has, e_r, one);
-    const tribox_impl_f4 slope = (tribox_impl_f4)((tribox_impl_i4)(e_b * inverse) & has);
-    const tribox_impl_f4 steep = tribox_impl_abs4(slope);
-    const tribox_impl_f4 middle = (TRIBOX_IMPL_LANES(v, v, 0, 0, 1, 1) + one) -
-                                  slope * (TRIBOX_IMPL_LANES(v, v, 1, 2, 2, 2) - half);
-    const tribox_impl_f4 spread = half * (q->thin ? tribox_impl_max4(steep - one, zero) : steep);
-    const tribox_impl_f4 rounding = tribox_impl_splat(16.0f * TRIBOX_IMPL_U32 * ((float)p->reach + 2.0f));
-    const tribox_impl_f4 error = (steep + one) * (rounding + planes->off * tribox_impl_abs4(inverse));
-    const tribox_impl_i4 below = ((tribox_impl_i4)planes->area ^ (tribox_impl_i4)e_r) < tribox_impl_splat_int(0);
-    const tribox_impl_i4 is_lo = (below | planes->flat) & has;
-    const tribox_impl_i4 is_hi = (~below | planes->flat) & has;
-    tribox_impl_f4 lo = middle - spread;
-    tribox_impl_f4 hi = middle + spread;
-    tribox_impl_f4 lo_least;
-    tribox_impl_f4 lo_most;
-    tribox_impl_f4 hi_least;
-    tribox_impl_f4 hi_most;
-    tribox_impl_i4 lo_slope;
-    tribox_impl_i4 hi_slope;
-    if (p->step > 0.0) {
-        const tribox_impl_f4 touch = tribox_impl_select(e_b == zero, planes->touch_level,
-                                                        planes->touch * tribox_impl_abs4(inverse));
-        const tribox_impl_i4 sign_bit = tribox_impl_splat_int(TRIBOX_IMPL_SIGN_BIT);
-        const tribox_impl_i4 low_misses = tribox_impl_splat_int(q->closed ? 0 : -1);
-        const tribox_impl_i4 high_misses = tribox_impl_splat_int(q->high_miss ? -1 : 0) |
-                                           ((slope > zero) & low_misses);
-        lo -= (tribox_impl_f4)((tribox_impl_i4)touch ^ (low_misses & sign_bit));
-        hi += (tribox_impl_f4)((tribox_impl_i4)touch ^ (high_misses & sign_bit));
-    }
-    lo_least = tribox_impl_select(is_lo, lo - error, -nowhere);
-    lo_most = tribox_impl_select(is_lo, lo + error, -nowhere);
-    hi_least = tribox_impl_select(is_hi, hi - error, nowhere);
-    hi_most = tribox_impl_select(is_hi, hi + error, nowhere);
-    lo_slope = (tribox_impl_i4)slope & is_lo;
-    hi_slope = (tribox_impl_i4)slope & is_hi;
-    TRIBOX_IMPL_COPY(out->lo_least, &lo_least, sizeof lo_least);
-    TRIBOX_IMPL_COPY(out->lo_most, &lo_most, sizeof lo_most);
-    TRIBOX_IMPL_COPY(out->lo_slope, &lo_slope, sizeof lo_slope);
-    TRIBOX_IMPL_COPY(out->hi_least, &hi_least, sizeof hi_least);
-    TRIBOX_IMPL_COPY(out->hi_most, &hi_most, sizeof hi_most);
-    TRIBOX_IMPL_COPY(out->hi_slope, &hi_slope, sizeof hi_slope);
-}
-
-/* Returns 0 if unsure: an area might be 0, which the thin test must know. */
-TRIBOX_IMPL_FN int tribox_impl_row_planes_set(tribox_impl_row_planes *out, const tribox_impl_placed *p,
-                                              const tribox_impl_quick *q)
-{
-    const tribox_impl_f4 area = { (float)p->n[2], -(float)p->n[1], (float)p->n[0], (float)p->n[0] };
-    tribox_impl_i4 might = tribox_impl_abs4(area) <= tribox_impl_splat((float)p->tau);
-    out->area = area;
-    out->flat = might;
-    out->off = tribox_impl_splat((float)(4.0 * q->delta_f64 * (p->reach + 2.0)));
-    if (p->step > 0.0) {
-        const tribox_impl_i4 flat = { -p->flat[2], -p->flat[1], -p->flat[0], -p->flat[0] };
-        const tribox_impl_i4 on_b = { -p->on[0], -p->on[0], -p->on[1], -p->on[1] };
-        const tribox_impl_i4 on_r = { -p->on[1], -p->on[2], -p->on[2], -p->on[2] };
-        const tribox_impl_f4 level = tribox_impl_splat((float)(0.5 * p->step));
-        const tribox_impl_f4 touch = tribox_impl_splat((float)(0.5 * p->step * p->step));
-        out->touch = (tribox_impl_f4)((tribox_impl_i4)touch & on_b & on_r);
-        out->touch_level = (tribox_impl_f4)((tribox_impl_i4)level & on_b);
-        might &= ~flat;
-        out->flat |= flat;
-    }
-    if (TRIBOX_IMPL_RARELY(tribox_impl_any(might))) {
-        const tribox_impl_f4 off = tribox_impl_splat((float)(8192.0 * p->tau * p->reach * p->reach));
-        if (q->thin) {
-            return 0;
-        }
-        out->off = tribox_impl_select(might, off, out->off);
-    }
-    return 1;
-}
-
-/* The greatest and the least of three lines in four rows, from their values in row 0. */
-TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_row_most(const float *a, const float *b, const float *c,
-                                                       const tribox_impl_f4 step[3])
-{
-    const tribox_impl_f4 ab = tribox_impl_max4(tribox_impl_splat(*a) + step[0],
-                                              tribox_impl_splat(*b) + step[1]);
-    return tribox_impl_max4(ab, tribox_impl_splat(*c) + step[2]);
-}
-
-TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_row_least(const float *a, const float *b, const float *c,
+/* The greatest and the least of three lines in four rows, from their values in row 0 and their steps. */
+TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_lane_most(const tribox_impl_fw at[3], int lane,
                                                         const tribox_impl_f4 step[3])
 {
-    const tribox_impl_f4 ab = tribox_impl_min4(tribox_impl_splat(*a) + step[0],
-                                              tribox_impl_splat(*b) + step[1]);
-    return tribox_impl_min4(ab, tribox_impl_splat(*c) + step[2]);
+    const tribox_impl_f4 ab = tribox_impl_max4(tribox_impl_splat(at[0][lane]) + step[0],
+                                              tribox_impl_splat(at[1][lane]) + step[1]);
+    return tribox_impl_max4(ab, tribox_impl_splat(at[2][lane]) + step[2]);
+}
+
+TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_lane_least(const tribox_impl_fw at[3], int lane,
+                                                         const tribox_impl_f4 step[3])
+{
+    const tribox_impl_f4 ab = tribox_impl_min4(tribox_impl_splat(at[0][lane]) + step[0],
+                                              tribox_impl_splat(at[1][lane]) + step[1]);
+    return tribox_impl_min4(ab, tribox_impl_splat(at[2][lane]) + step[2]);
 }
 
 /* Within lo..hi. */
-TRIBOX_IMPL_FORCED void tribox_impl_row_store(float *out, tribox_impl_f4 bound, float lo, float hi)
+TRIBOX_IMPL_FORCED void tribox_impl_lane_store(float *out, tribox_impl_f4 bound, float lo, float hi)
 {
     bound = tribox_impl_min4(tribox_impl_max4(bound, tribox_impl_splat(lo)), tribox_impl_splat(hi));
     TRIBOX_IMPL_COPY(out, &bound, sizeof bound);
 }
 
-/* The bounds in plane p of so many rows, within voxels lo..hi - 1; half a voxel off what might be unsure. */
-TRIBOX_IMPL_FN void tribox_impl_row_bounds_set(tribox_impl_row_bounds *out, const tribox_impl_row_edge e[3],
-                                               int p, int rows, int lo, int hi)
+/* The bounds of so many rows, within voxels lo..hi - 1; half a voxel off what might be unsure. */
+TRIBOX_IMPL_FN void tribox_impl_lane_bounds_set(tribox_impl_lane_bounds *out, const tribox_impl_row_lines *l,
+                                                int lane, int rows, int lo, int hi)
 {
     const tribox_impl_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
     const float first = (float)lo + 1.5f;
@@ -4495,25 +4734,23 @@ TRIBOX_IMPL_FN void tribox_impl_row_bounds_set(tribox_impl_row_bounds *out, cons
         const tribox_impl_f4 row = tribox_impl_splat((float)i) + four;
         tribox_impl_f4 lo_step[3];
         tribox_impl_f4 hi_step[3];
-        lo_step[0] = tribox_impl_splat(e[0].lo_slope[p]) * row;
-        lo_step[1] = tribox_impl_splat(e[1].lo_slope[p]) * row;
-        lo_step[2] = tribox_impl_splat(e[2].lo_slope[p]) * row;
-        hi_step[0] = tribox_impl_splat(e[0].hi_slope[p]) * row;
-        hi_step[1] = tribox_impl_splat(e[1].hi_slope[p]) * row;
-        hi_step[2] = tribox_impl_splat(e[2].hi_slope[p]) * row;
-        tribox_impl_row_store(out->lo_least + i, tribox_impl_row_most(&e[0].lo_least[p], &e[1].lo_least[p],
-                              &e[2].lo_least[p], lo_step), first, last + 1.0f);
-        tribox_impl_row_store(out->lo_most + i, tribox_impl_row_most(&e[0].lo_most[p], &e[1].lo_most[p],
-                              &e[2].lo_most[p], lo_step), first, last + 1.0f);
-        tribox_impl_row_store(out->hi_least + i, tribox_impl_row_least(&e[0].hi_least[p], &e[1].hi_least[p],
-                              &e[2].hi_least[p], hi_step), 0.5f, last);
-        tribox_impl_row_store(out->hi_most + i, tribox_impl_row_least(&e[0].hi_most[p], &e[1].hi_most[p],
-                              &e[2].hi_most[p], hi_step), 0.5f, last);
+        lo_step[0] = tribox_impl_splat(l->lo_slope[0][lane]) * row;
+        lo_step[1] = tribox_impl_splat(l->lo_slope[1][lane]) * row;
+        lo_step[2] = tribox_impl_splat(l->lo_slope[2][lane]) * row;
+        hi_step[0] = tribox_impl_splat(l->hi_slope[0][lane]) * row;
+        hi_step[1] = tribox_impl_splat(l->hi_slope[1][lane]) * row;
+        hi_step[2] = tribox_impl_splat(l->hi_slope[2][lane]) * row;
+        tribox_impl_lane_store(out->lo_least + i, tribox_impl_lane_most(l->lo_least, lane, lo_step), first,
+                               last + 1.0f);
+        tribox_impl_lane_store(out->lo_most + i, tribox_impl_lane_most(l->lo_most, lane, lo_step), first,
+                               last + 1.0f);
+        tribox_impl_lane_store(out->hi_least + i, tribox_impl_lane_least(l->hi_least, lane, hi_step), 0.5f, last);
+        tribox_impl_lane_store(out->hi_most + i, tribox_impl_lane_least(l->hi_most, lane, hi_step), 0.5f, last);
     }
 }
 
 /* A bound as a whole voxel; a plane's may be far away. */
-TRIBOX_IMPL_FORCED tribox_impl_i4 tribox_impl_row_voxel(tribox_impl_f4 a)
+TRIBOX_IMPL_FORCED tribox_impl_i4 tribox_impl_lane_voxel(tribox_impl_f4 a)
 {
     return __builtin_convertvector(tribox_impl_min4(tribox_impl_max4(a, tribox_impl_splat(0.5f)),
                                                     tribox_impl_splat(TRIBOX_IMPL_NOWHERE)), tribox_impl_i4);
@@ -4528,18 +4765,18 @@ typedef struct tribox_impl_layer {
 
 /* Voxels of rows y..y + 3. Returns the lanes that are unsure. */
 TRIBOX_IMPL_FORCED tribox_impl_i4 tribox_impl_layer_rows(const tribox_impl_layer *l,
-                                                         const tribox_impl_row_bounds *x_of_y, int y,
+                                                         const tribox_impl_lane_bounds *x_of_y, int y,
                                                          tribox_impl_i4 *out_first, tribox_impl_i4 *out_last)
 {
     const tribox_impl_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
     const tribox_impl_f4 step = (tribox_impl_splat((float)y) + four) * l->slope;
-    const tribox_impl_i4 first_least = tribox_impl_row_voxel(tribox_impl_max4(
+    const tribox_impl_i4 first_least = tribox_impl_lane_voxel(tribox_impl_max4(
         tribox_impl_max4(tribox_impl_load4(x_of_y->lo_least + y), l->lo_least), l->plane_lo_least + step));
-    const tribox_impl_i4 first_most = tribox_impl_row_voxel(tribox_impl_max4(
+    const tribox_impl_i4 first_most = tribox_impl_lane_voxel(tribox_impl_max4(
         tribox_impl_max4(tribox_impl_load4(x_of_y->lo_most + y), l->lo_most), l->plane_lo_most + step));
-    const tribox_impl_i4 last_least = tribox_impl_row_voxel(tribox_impl_min4(
+    const tribox_impl_i4 last_least = tribox_impl_lane_voxel(tribox_impl_min4(
         tribox_impl_min4(tribox_impl_load4(x_of_y->hi_least + y), l->hi_least), l->plane_hi_least + step));
-    const tribox_impl_i4 last_most = tribox_impl_row_voxel(tribox_impl_min4(
+    const tribox_impl_i4 last_most = tribox_impl_lane_voxel(tribox_impl_min4(
         tribox_impl_min4(tribox_impl_load4(x_of_y->hi_most + y), l->hi_most), l->plane_hi_most + step));
     const tribox_impl_i4 differ = (first_least ^ first_most) | (last_least ^ last_most);
     *out_first = first_least;
@@ -4572,46 +4809,47 @@ TRIBOX_IMPL_FORCED void tribox_impl_layer_set(const tribox_impl_target *t, uint6
     }
 }
 
-/* A triangle whose box has up to ROWS voxels on each axis. Returns 0 if unsure; voxels set by then
- * are right. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, size_t triangle,
-                                               const int at[3], const int count[3], int on_lattice)
+/* Adds layer z and its rows first_y..last_y, unless they are none, to what is left of a triangle. */
+TRIBOX_IMPL_FN void tribox_impl_doubt_add(tribox_impl_doubt *d, int z, int first_y, int last_y)
+{
+    d->first[0] = (uint16_t)(first_y < d->first[0] ? first_y : d->first[0]);
+    d->last[0] = (uint16_t)(last_y > d->last[0] ? last_y : d->last[0]);
+    d->first[1] = (uint16_t)(z < d->first[1] ? z : d->first[1]);
+    d->last[1] = (uint16_t)z;
+}
+
+/* Lane i of a group, whose box has up to ROWS voxels on each axis. */
+TRIBOX_IMPL_FN void tribox_impl_lane_fill(tribox_impl_fill *fill, const tribox_impl_rows *rows,
+                                          const tribox_impl_group *g, int lane)
 {
     const tribox_impl_quick *q = &fill->quick;
     const tribox_impl_target *t = fill->target;
     uint64_t *const bits = t->bits;     /* stores to the bits might change what t and q hold */
     const size_t row_words = t->row_words;
     const size_t layer_words = q->layer_words;
-    tribox_impl_placed p;
-    tribox_impl_row_plane plane;
-    tribox_impl_row_planes planes;
-    tribox_impl_row_edge edge[3];
-    tribox_impl_row_bounds x_of_y;
-    tribox_impl_row_bounds x_of_z;
-    tribox_impl_row_bounds y_of_z;
-    const void *corner[3];
+    const tribox_impl_i4 box = g->box[lane];
+    const int at[3] = { box[0] - TRIBOX_IMPL_MARGIN, box[1] - TRIBOX_IMPL_MARGIN,
+                        box[2] - TRIBOX_IMPL_MARGIN };
+    const int count[3] = { (box[3] & 255) + 1, (box[3] >> 8 & 255) + 1, (box[3] >> 16 & 255) + 1 };
+    tribox_impl_lane_bounds x_of_y;
+    tribox_impl_lane_bounds x_of_z;
+    tribox_impl_lane_bounds y_of_z;
+    tribox_impl_doubt doubt;
     int start[3];
     int end[3];
     int i;
     int z;
+    doubt.first[0] = doubt.first[1] = 65535;
+    doubt.last[0] = doubt.last[1] = 0;
     for (i = 0; i < 3; i++) {
         start[i] = at[i] < 0 ? -at[i] : 0;
         end[i] = count[i] < q->n[i] - at[i] ? count[i] : q->n[i] - at[i];
     }
-    tribox_impl_corners(fill->mesh, triangle, corner);
-    tribox_impl_place(&p, q, corner, at, count, on_lattice);
-    tribox_impl_row_plane_set(&plane, &p, q);
-    if (!(plane.error < 0.125) || !tribox_impl_row_planes_set(&planes, &p, q)) {
-        return 0;
-    }
-    for (i = 0; i < 3; i++) {
-        tribox_impl_row_edge_set(&edge[i], &p, i, &planes, q);
-    }
-    tribox_impl_row_bounds_set(&x_of_y, edge, 0, end[1], start[0], end[0]);
-    tribox_impl_row_bounds_set(&x_of_z, edge, 1, end[2], start[0], end[0]);
-    tribox_impl_row_bounds_set(&y_of_z, edge, 2, end[2], start[1], end[1]);
+    tribox_impl_lane_bounds_set(&x_of_y, &rows->x_of_y, lane, end[1], start[0], end[0]);
+    tribox_impl_lane_bounds_set(&x_of_z, &rows->x_of_z, lane, end[2], start[0], end[0]);
+    tribox_impl_lane_bounds_set(&y_of_z, &rows->y_of_z, lane, end[2], start[1], end[1]);
     for (z = start[2]; z < end[2]; z++) {
-        const double middle = plane.at + plane.slope_z * (double)z;
+        const float middle = rows->at[lane] + rows->slope_z[lane] * (float)z;
         const int first_y = (int)y_of_z.lo_least[z] - 1;
         const int last_y = (int)y_of_z.hi_most[z] - 1;
         uint64_t *layer = bits + (size_t)(at[2] + z) * layer_words;
@@ -4621,17 +4859,18 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, siz
             continue;
         }
         if (first_y != (int)y_of_z.lo_most[z] - 1 || last_y != (int)y_of_z.hi_least[z] - 1) {
-            return 0;
+            tribox_impl_doubt_add(&doubt, at[2] + z, at[1] + first_y, at[1] + last_y);
+            continue;
         }
         l.lo_least = tribox_impl_splat(x_of_z.lo_least[z]);
         l.lo_most = tribox_impl_splat(x_of_z.lo_most[z]);
         l.hi_least = tribox_impl_splat(x_of_z.hi_least[z]);
         l.hi_most = tribox_impl_splat(x_of_z.hi_most[z]);
-        l.plane_lo_least = tribox_impl_splat((float)(middle - plane.half_lo - plane.error));
-        l.plane_lo_most = tribox_impl_splat((float)(middle - plane.half_lo + plane.error));
-        l.plane_hi_least = tribox_impl_splat((float)(middle + plane.half_hi - plane.error));
-        l.plane_hi_most = tribox_impl_splat((float)(middle + plane.half_hi + plane.error));
-        l.slope = tribox_impl_splat((float)plane.slope_y);
+        l.plane_lo_least = tribox_impl_splat(middle + rows->lo_least[lane]);
+        l.plane_lo_most = tribox_impl_splat(middle + rows->lo_most[lane]);
+        l.plane_hi_least = tribox_impl_splat(middle + rows->hi_least[lane]);
+        l.plane_hi_most = tribox_impl_splat(middle + rows->hi_most[lane]);
+        l.slope = tribox_impl_splat(rows->slope_y[lane]);
         for (y = first_y & ~3; y <= last_y; y += 4) {
             const int from = y < first_y ? first_y - y : 0;
             const int to = last_y - y < 3 ? last_y - y : 3;
@@ -4642,32 +4881,111 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fill_rows(const tribox_impl_fill *fill, siz
             if (TRIBOX_IMPL_RARELY(tribox_impl_any(unsure))) {
                 for (i = from; i <= to; i++) {
                     if (unsure[i] != 0) {
-                        return 0;
+                        tribox_impl_doubt_add(&doubt, at[2] + z, at[1] + y + i, at[1] + y + i);
                     }
                 }
+                last |= unsure;     /* nothing */
             }
             tribox_impl_layer_set(t, row, row_words, layer_words, first + tribox_impl_splat_int(at[0] - 1),
                                   last + tribox_impl_splat_int(at[0] - 1), from, to);
         }
     }
-    return 1;
+    if (doubt.first[0] <= doubt.last[0]) {
+        doubt.triangle = g->triangle[lane];
+        *tribox_impl_fill_later(fill, doubt.triangle) = doubt;
+    }
+}
+
+TRIBOX_IMPL_FN void tribox_impl_group_pad(tribox_impl_group *g)
+{
+    int i;
+    for (i = g->n; i < TRIBOX_IMPL_WIDE; i++) {
+        g->triangle[i] = g->triangle[0];
+        g->box[i] = g->box[0];
+    }
+}
+
+TRIBOX_IMPL_NOINLINE void tribox_impl_rows_flush_few(tribox_impl_fill *fill, tribox_impl_group *g)
+{
+    tribox_impl_rows rows;
+    tribox_impl_few few;
+    int32_t extents[TRIBOX_IMPL_WIDE];
+    tribox_impl_iw lanes;
+    int rows_y = 0;
+    int layers = 0;
+    int i;
+    if (g->n == 0) {
+        return;
+    }
+    tribox_impl_group_pad(g);
+    for (i = 0; i < TRIBOX_IMPL_WIDE; i++) {
+        const int more = g->box[i][3];
+        const int y = (more >> 8 & 255) + 1;
+        const int z = (more >> 16 & 255) + 1;
+        extents[i] = more;
+        rows_y = y > rows_y ? y : rows_y;
+        layers = z > layers ? z : layers;
+    }
+    TRIBOX_IMPL_COPY(&lanes, extents, sizeof lanes);
+    tribox_impl_rows_set(&rows, &fill->quick, g, fill->mesh);
+    tribox_impl_few_set(&few, &rows, lanes, rows_y, layers);
+    for (i = 0; i < g->n; i++) {
+        if (few.unsure[i] != 0) {
+            tribox_impl_fill_later(fill, g->triangle[i]);
+        } else {
+            tribox_impl_few_store(&few, fill, g, i);
+        }
+    }
+    g->n = 0;
+}
+
+TRIBOX_IMPL_NOINLINE void tribox_impl_rows_flush(tribox_impl_fill *fill, tribox_impl_group *g)
+{
+    tribox_impl_rows rows;
+    int i;
+    if (g->n == 0) {
+        return;
+    }
+    tribox_impl_group_pad(g);
+    tribox_impl_rows_set(&rows, &fill->quick, g, fill->mesh);
+    for (i = 0; i < g->n; i++) {
+        if (rows.unsure[i] != 0) {
+            tribox_impl_fill_later(fill, g->triangle[i]);
+        } else {
+            tribox_impl_lane_fill(fill, &rows, g, i);
+        }
+    }
+    g->n = 0;
 }
 
 /* ---- All ways together */
 
-/* One triangle, by rows or exactly. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_fill_one(tribox_impl_fill *fill, tribox_impl_i4 box, size_t triangle)
+/* Returns 1 when the group is full. */
+TRIBOX_IMPL_FORCED int tribox_impl_group_add(tribox_impl_group *g, tribox_impl_i4 box, size_t word,
+                                             size_t triangle)
 {
-    const int at[3] = { box[0] - TRIBOX_IMPL_MARGIN, box[1] - TRIBOX_IMPL_MARGIN,
-                        box[2] - TRIBOX_IMPL_MARGIN };
-    const int count[3] = { (box[3] & 255) + 1, (box[3] >> 8 & 255) + 1, (box[3] >> 16 & 255) + 1 };
-    const int on_lattice = (box[3] & TRIBOX_IMPL_ON_LATTICE) != 0;
-    if (box[3] == TRIBOX_IMPL_OFF) {
-        return;
-    }
-    if (box[3] == TRIBOX_IMPL_NOT_KNOWN ||
-        (!tribox_impl_fill_rows(fill, triangle, at, count, on_lattice) &&
-         (on_lattice || !tribox_impl_fill_rows(fill, triangle, at, count, 1)))) {
+    const int n = g->n;
+    g->box[n] = box;
+    g->word[n] = word;
+    g->triangle[n] = triangle;
+    g->lattice |= box[3] & TRIBOX_IMPL_ON_LATTICE;
+    g->n = n + 1;
+    return n + 1 == TRIBOX_IMPL_WIDE;
+}
+
+/* A box of any kind, by rows or exactly. */
+TRIBOX_IMPL_FN void tribox_impl_fill_any(tribox_impl_fill *fill, tribox_impl_i4 box, size_t word,
+                                         size_t triangle)
+{
+    if ((box[3] & ~(TRIBOX_IMPL_ON_LATTICE | 0x070707)) == 0) {
+        if (tribox_impl_group_add(&fill->rows[0], box, word, triangle)) {
+            tribox_impl_rows_flush_few(fill, &fill->rows[0]);
+        }
+    } else if (box[3] >= 0) {
+        if (tribox_impl_group_add(&fill->rows[1], box, word, triangle)) {
+            tribox_impl_rows_flush(fill, &fill->rows[1]);
+        }
+    } else if (box[3] != TRIBOX_IMPL_OFF) {
         tribox_impl_fill_later(fill, triangle);
     }
 }
@@ -4684,17 +5002,14 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_flush(tribox_impl_fill *fill, tribox_i
     if (g->n == 0) {
         return;
     }
-    for (i = g->n; i < TRIBOX_IMPL_WIDE; i++) {
-        g->triangle[i] = g->triangle[0];
-        g->box[i] = g->box[0];
-    }
+    tribox_impl_group_pad(g);
     unsure = tribox_impl_group_decide(&fill->quick, g, fill->mesh, n, &m);
     TRIBOX_IMPL_COPY(low, &m.low, sizeof low);
     TRIBOX_IMPL_COPY(high, &m.high, sizeof high);
     TRIBOX_IMPL_COPY(again, &unsure, sizeof again);
     for (i = 0; i < g->n; i++) {
         if (TRIBOX_IMPL_RARELY(again[i] != 0)) {
-            tribox_impl_fill_one(fill, g->box[i], g->triangle[i]);
+            tribox_impl_fill_any(fill, g->box[i], g->word[i], g->triangle[i]);
         } else {
             const uint64_t missed = n == 4 ? low[i] | (uint64_t)high[i] << 32 : low[i];
             tribox_impl_group_set(fill, g, i, n, ~missed & all);
@@ -4717,19 +5032,6 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush3(tribox_impl_fill *fill, tribo
 TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush4(tribox_impl_fill *fill, tribox_impl_group *g)
 {
     tribox_impl_group_flush(fill, g, 4);
-}
-
-/* Returns 1 when the group is full. */
-TRIBOX_IMPL_FORCED int tribox_impl_group_add(tribox_impl_group *g, tribox_impl_i4 box, size_t word,
-                                             size_t triangle)
-{
-    const int n = g->n;
-    g->box[n] = box;
-    g->word[n] = word;
-    g->triangle[n] = triangle;
-    g->lattice |= box[3] & TRIBOX_IMPL_ON_LATTICE;
-    g->n = n + 1;
-    return n + 1 == TRIBOX_IMPL_WIDE;
 }
 
 /* Boxes, and the words of the first voxels of those in the region. */
@@ -4755,15 +5057,15 @@ TRIBOX_IMPL_FORCED void tribox_impl_boxes_set(tribox_impl_i4 out[TRIBOX_IMPL_WID
     }
 }
 
-/* The boxes of BATCH triangles from t; asks for the memory of their voxels. */
-TRIBOX_IMPL_FORCED void tribox_impl_batch_set(tribox_impl_batch *b, const tribox_impl_fill *fill, size_t t,
-                                              int indexed)
+/* The boxes of a batch; asks for the memory of their voxels. */
+TRIBOX_IMPL_FORCED void tribox_impl_batch_set(tribox_impl_batch *b, const tribox_impl_fill *fill, int indexed,
+                                              const size_t *list, size_t first)
 {
     const tribox_impl_target *target = fill->target;
     const size_t layer_words = fill->quick.layer_words;
     int i;
     for (i = 0; i < TRIBOX_IMPL_BATCH; i += TRIBOX_IMPL_WIDE) {
-        tribox_impl_boxes_set(b->box + i, fill, indexed, NULL, t + (size_t)i);
+        tribox_impl_boxes_set(b->box + i, fill, indexed, list != NULL ? list + i : NULL, first + (size_t)i);
     }
     for (i = 0; i < TRIBOX_IMPL_BATCH; i++) {
         const tribox_impl_i4 box = b->box[i];
@@ -4803,50 +5105,60 @@ TRIBOX_IMPL_FORCED int tribox_impl_fill_short(const tribox_impl_fill *fill, trib
     return 1;
 }
 
-/* BATCH triangles from t. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_fill_batch(tribox_impl_fill *fill, size_t t,
-                                                 tribox_impl_group groups[3])
+/* So many triangles from t, BATCH at most. */
+TRIBOX_IMPL_NOINLINE void tribox_impl_fill_batch(tribox_impl_fill *fill, size_t t, int count)
 {
     const int thin = fill->quick.thin;
     tribox_impl_batch batch;
     int i;
-    if (fill->mesh->indices != NULL) {
-        tribox_impl_batch_set(&batch, fill, t, 1);
+    if (count < TRIBOX_IMPL_BATCH) {
+        size_t list[TRIBOX_IMPL_BATCH];
+        for (i = 0; i < TRIBOX_IMPL_BATCH; i++) {
+            list[i] = t + (size_t)(i < count ? i : 0);
+        }
+        tribox_impl_batch_set(&batch, fill, fill->mesh->indices != NULL, list, 0);
+    } else if (fill->mesh->indices != NULL) {
+        tribox_impl_batch_set(&batch, fill, 1, NULL, t);
     } else {
-        tribox_impl_batch_set(&batch, fill, t, 0);
+        tribox_impl_batch_set(&batch, fill, 0, NULL, t);
     }
-    for (i = 0; i < TRIBOX_IMPL_BATCH; i++, t++) {
+    for (i = 0; i < count; i++, t++) {
         const tribox_impl_i4 box = batch.box[i];
         const int more = box[3] & ~TRIBOX_IMPL_ON_LATTICE;      /* fits 2^3, 3^3, 4^3 voxels? */
         if ((more & ~0x010101) == 0 && tribox_impl_fill_short(fill, box, batch.word[i])) {
             continue;
         }
         if (thin || (more & ~0x030303) != 0 || (more != box[3] && !fill->quick.closed)) {
-            if (box[3] != TRIBOX_IMPL_OFF) {
-                tribox_impl_fill_one(fill, box, t);
-            }
+            tribox_impl_fill_any(fill, box, batch.word[i], t);
         } else if ((more & ~0x010101) == 0) {
-            if (tribox_impl_group_add(&groups[0], box, batch.word[i], t)) {
-                tribox_impl_group_flush2(fill, &groups[0]);
+            if (tribox_impl_group_add(&fill->few[0], box, batch.word[i], t)) {
+                tribox_impl_group_flush2(fill, &fill->few[0]);
             }
         } else if (((more + 0x010101) & ~0x030303) == 0) {
-            if (tribox_impl_group_add(&groups[1], box, batch.word[i], t)) {
-                tribox_impl_group_flush3(fill, &groups[1]);
+            if (tribox_impl_group_add(&fill->few[1], box, batch.word[i], t)) {
+                tribox_impl_group_flush3(fill, &fill->few[1]);
             }
-        } else if (tribox_impl_group_add(&groups[2], box, batch.word[i], t)) {
-            tribox_impl_group_flush4(fill, &groups[2]);
+        } else if (tribox_impl_group_add(&fill->few[2], box, batch.word[i], t)) {
+            tribox_impl_group_flush4(fill, &fill->few[2]);
         }
     }
 }
 
 /* What the other ways have left. */
-TRIBOX_IMPL_FN void tribox_impl_fill_left(tribox_impl_fill *fill, const tribox_grid *grid)
+TRIBOX_IMPL_FN void tribox_impl_fill_doubts(tribox_impl_fill *fill, const tribox_grid *grid)
 {
     int i;
-    for (i = 0; i < fill->left; i++) {
-        tribox_impl_fill_exact(grid, fill->mesh, fill->for_walk[i], fill->target);
+    int k;
+    for (i = 0; i < fill->doubts; i++) {
+        const tribox_impl_doubt *d = &fill->doubt[i];
+        tribox_grid part = *grid;
+        for (k = 0; k < 2; k++) {
+            part.lo[k + 1] = grid->lo[k + 1] + (int)d->first[k];
+            part.hi[k + 1] = grid->lo[k + 1] + (int)d->last[k] + 1;
+        }
+        tribox_impl_fill_exact(&part, fill->mesh, d->triangle, fill->target);
     }
-    fill->left = 0;
+    fill->doubts = 0;
 }
 
 /* All triangles. Returns how many are done: 0 if the grid's numbers are out of range. */
@@ -4854,37 +5166,34 @@ TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const trib
                                              const tribox_impl_target *target)
 {
     tribox_impl_fill fill;
-    tribox_impl_group groups[3];
     size_t t = 0;
     int i;
     fill.mesh = mesh;
     fill.target = target;
-    fill.left = 0;
+    fill.doubts = 0;
     for (i = 0; i < 3; i++) {
-        groups[i].n = 0;
-        groups[i].lattice = 0;
+        fill.few[i].n = 0;
+        fill.few[i].lattice = 0;
     }
+    fill.rows[0].n = fill.rows[1].n = 0;
+    fill.rows[0].lattice = fill.rows[1].lattice = 0;
     tribox_impl_quick_init(&fill.quick, grid, target);
     if (!fill.quick.on) {
         return 0;
     }
-    for (; mesh->triangles - t >= TRIBOX_IMPL_BATCH; t += TRIBOX_IMPL_BATCH) {
-        tribox_impl_fill_batch(&fill, t, groups);
-        tribox_impl_fill_left(&fill, grid);
+    while (t < mesh->triangles) {
+        const size_t rest = mesh->triangles - t;
+        const int count = rest < TRIBOX_IMPL_BATCH ? (int)rest : TRIBOX_IMPL_BATCH;
+        tribox_impl_fill_batch(&fill, t, count);
+        tribox_impl_fill_doubts(&fill, grid);
+        t += (size_t)count;
     }
-    for (; t < mesh->triangles; t++) {
-        tribox_impl_i4 box[TRIBOX_IMPL_WIDE];
-        size_t list[TRIBOX_IMPL_WIDE];
-        for (i = 0; i < TRIBOX_IMPL_WIDE; i++) {
-            list[i] = t;
-        }
-        tribox_impl_boxes_set(box, &fill, mesh->indices != NULL, list, 0);
-        tribox_impl_fill_one(&fill, box[0], t);
-    }
-    tribox_impl_group_flush2(&fill, &groups[0]);
-    tribox_impl_group_flush3(&fill, &groups[1]);
-    tribox_impl_group_flush4(&fill, &groups[2]);
-    tribox_impl_fill_left(&fill, grid);
+    tribox_impl_group_flush2(&fill, &fill.few[0]);
+    tribox_impl_group_flush3(&fill, &fill.few[1]);
+    tribox_impl_group_flush4(&fill, &fill.few[2]);
+    tribox_impl_rows_flush_few(&fill, &fill.rows[0]);
+    tribox_impl_rows_flush(&fill, &fill.rows[1]);
+    tribox_impl_fill_doubts(&fill, grid);
     return t;
 }
 #endif
