@@ -4238,13 +4238,13 @@ typedef struct tribox_impl_row_parts {
     tribox_impl_fw     inverse;     /* 1 / n_x */
     tribox_impl_fw     reach;       /* m */
     tribox_impl_fw     tau;
-    tribox_impl_points touch;       /* in planes yz, zx, xy: how near a line touches, times d_r, */
-    tribox_impl_points level;       /* one along its rows, */
-    tribox_impl_fw     touch_plane; /* and the plane, times n_x */
+    tribox_impl_points step;        /* of the lattice in planes yz, zx, xy, if both axes are on it, */
+    tribox_impl_points step_b;      /* or the bounded one, */
+    tribox_impl_fw     step_plane;  /* or all, times that of n */
     tribox_impl_iw     flat_x;      /* n is exactly 0 on this axis */
     tribox_impl_iw     flat_y;
     tribox_impl_iw     flat_z;
-    int                on_lattice;  /* 0: all of touch, level and flat are 0 */
+    int                on_lattice;  /* 0: all of step and flat are 0 */
 } tribox_impl_row_parts;
 
 /* A line for each edge in the plane of axes b and r: its bounds in row r are those in row 0 plus slope * r;
@@ -4333,6 +4333,17 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_normals(tribox_impl_row_parts *p, const 
     p->slope_z = __builtin_convertvector(-n_z * inverse, tribox_impl_fw);
 }
 
+/* The greatest power of two of which a, b and c are multiples; they are of 1 / parts. */
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_step_of(tribox_impl_fw a, tribox_impl_fw b, tribox_impl_fw c,
+                                                      int parts)
+{
+    const tribox_impl_fw in_all = tribox_impl_wide_all((float)parts);
+    const tribox_impl_iw bits = __builtin_convertvector(a * in_all, tribox_impl_iw) |
+                                __builtin_convertvector(b * in_all, tribox_impl_iw) |
+                                __builtin_convertvector(c * in_all, tribox_impl_iw);
+    return __builtin_convertvector(bits & -bits, tribox_impl_fw) * tribox_impl_wide_all(1.0f / (float)parts);
+}
+
 /* Edges of one axis that are on the lattice, and the bits of their places. */
 TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_row_snap(tribox_impl_iw on, tribox_impl_fw v0, tribox_impl_fw v1,
                                                        tribox_impl_fw v2, tribox_impl_fw *e0,
@@ -4353,7 +4364,6 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_row_parts_snap(tribox_impl_row_parts *p, c
                                                      const tribox_impl_points *first)
 {
     const tribox_impl_fw zero = tribox_impl_wide_all(0.0f);
-    const tribox_impl_fw half = tribox_impl_wide_all(0.5f);
     tribox_impl_iw level_x;
     tribox_impl_iw level_y;
     tribox_impl_iw level_z;
@@ -4370,19 +4380,20 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_row_parts_snap(tribox_impl_row_parts *p, c
         tribox_impl_wide_int(TRIBOX_IMPL_PARTS / 2);
     const tribox_impl_fw step = __builtin_convertvector(places & -places, tribox_impl_fw) *
                                 tribox_impl_wide_all(1.0f / TRIBOX_IMPL_PARTS);     /* the coarsest */
-    const tribox_impl_iw square = (tribox_impl_iw)(half * step * step);
     p->n.x = tribox_impl_wide_choose(on_y & on_z, p->e[0].y * p->e[1].z - p->e[0].z * p->e[1].y, p->n.x);
     p->n.y = tribox_impl_wide_choose(on_z & on_x, p->e[0].z * p->e[1].x - p->e[0].x * p->e[1].z, p->n.y);
     p->n.z = tribox_impl_wide_choose(on_x & on_y, p->e[0].x * p->e[1].y - p->e[0].y * p->e[1].x, p->n.z);
     p->flat_x = level_y | level_z | (on_y & on_z & (p->n.x == zero));
     p->flat_y = level_z | level_x | (on_z & on_x & (p->n.y == zero));
     p->flat_z = level_x | level_y | (on_x & on_y & (p->n.z == zero));
-    p->touch.x = (tribox_impl_fw)(square & on_y & on_z);
-    p->touch.y = (tribox_impl_fw)(square & on_z & on_x);
-    p->touch.z = (tribox_impl_fw)(square & on_x & on_y);
-    p->level.x = (tribox_impl_fw)((tribox_impl_iw)(half * step) & on_y);
-    p->level.y = p->level.z = (tribox_impl_fw)((tribox_impl_iw)(half * step) & on_x);
-    p->touch_plane = (tribox_impl_fw)((tribox_impl_iw)(half * step * step * step) & on_x & on_y & on_z);
+    p->step.x = (tribox_impl_fw)((tribox_impl_iw)step & on_y & on_z);
+    p->step.y = (tribox_impl_fw)((tribox_impl_iw)step & on_z & on_x);
+    p->step.z = (tribox_impl_fw)((tribox_impl_iw)step & on_x & on_y);
+    p->step_b.x = (tribox_impl_fw)((tribox_impl_iw)step & on_y);
+    p->step_b.y = p->step_b.z = (tribox_impl_fw)((tribox_impl_iw)step & on_x);
+    p->step_plane = (tribox_impl_fw)((tribox_impl_iw)(step * tribox_impl_step_of(p->n.x, p->n.y, p->n.z,
+                                                                                 TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS)) &
+                                     on_x & on_y & on_z);
     p->on_lattice = 1;
 }
 
@@ -4392,7 +4403,7 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_line(tribox_impl_row_lines *out, const t
                                              const tribox_impl_quick *q, int i, tribox_impl_fw v_b,
                                              tribox_impl_fw v_r, tribox_impl_fw e_b, tribox_impl_fw e_r,
                                              tribox_impl_fw area, tribox_impl_iw two, tribox_impl_fw off,
-                                             tribox_impl_fw touch, tribox_impl_fw level)
+                                             tribox_impl_fw step, tribox_impl_fw step_b)
 {
     const tribox_impl_fw zero = tribox_impl_wide_all(0.0f);
     const tribox_impl_fw half = tribox_impl_wide_all(0.5f);
@@ -4415,14 +4426,15 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_line(tribox_impl_row_lines *out, const t
     tribox_impl_fw lo = middle - spread;
     tribox_impl_fw hi = middle + spread;
     if (p->on_lattice) {
-        const tribox_impl_fw any = tribox_impl_wide_choose(e_b == zero, level,
-                                                           touch * tribox_impl_wide_abs(inverse));
+        const tribox_impl_fw both = step * tribox_impl_step_of(e_b, e_r, zero, TRIBOX_IMPL_PARTS) *
+                                    tribox_impl_wide_abs(inverse);
+        const tribox_impl_fw touch = half * tribox_impl_wide_choose(e_b == zero, step_b, both);
         const tribox_impl_iw sign = tribox_impl_wide_int(TRIBOX_IMPL_SIGN_BIT);
         const tribox_impl_iw low_misses = tribox_impl_wide_int(q->closed ? 0 : -1);
         const tribox_impl_iw high_misses = tribox_impl_wide_int(q->high_miss ? -1 : 0) |
                                            ((slope > zero) & low_misses);
-        lo -= tribox_impl_wide_flip(any, low_misses & sign);
-        hi += tribox_impl_wide_flip(any, high_misses & sign);
+        lo -= tribox_impl_wide_flip(touch, low_misses & sign);
+        hi += tribox_impl_wide_flip(touch, high_misses & sign);
     }
     lo = tribox_impl_wide_choose(is_lo, lo, -nowhere);
     hi = tribox_impl_wide_choose(is_hi, hi, nowhere);
@@ -4455,7 +4467,7 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_plane(tribox_impl_rows *out, const tribo
     tribox_impl_fw lo = spread;
     tribox_impl_fw hi = spread;
     if (p->on_lattice) {
-        const tribox_impl_fw touch = p->touch_plane * size;
+        const tribox_impl_fw touch = half * p->step_plane * size;
         const tribox_impl_iw sign = tribox_impl_wide_int(TRIBOX_IMPL_SIGN_BIT);
         const tribox_impl_iw low_misses = tribox_impl_wide_int(q->closed ? 0 : -1);
         const tribox_impl_iw high_misses = tribox_impl_wide_int(q->high_miss ? -1 : 0) |
@@ -4508,9 +4520,9 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_rows_set(tribox_impl_rows *out, const trib
     tribox_impl_group_place(q, 2, (tribox_impl_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
     tribox_impl_row_normals(&p, q, v);
     off.x = off.y = off.z = tribox_impl_wide_all(0.0f);
-    p.touch = p.level = off;
+    p.step = p.step_b = off;
     p.flat_x = p.flat_y = p.flat_z = tribox_impl_wide_int(0);
-    p.touch_plane = off.x;
+    p.step_plane = off.x;
     if (q->lattice) {
         tribox_impl_row_parts_snap(&p, q, v, &first);
     }
@@ -4534,12 +4546,12 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_rows_set(tribox_impl_rows *out, const trib
     for (i = 0; i < 3; i++) {
         const tribox_impl_points *a = &p.v[i];
         const tribox_impl_points *e = &p.e[i];
-        tribox_impl_row_line(&out->x_of_y, &p, q, i, a->x, a->y, e->x, e->y, p.n.z, two_z, off.z, p.touch.z,
-                             p.level.z);
-        tribox_impl_row_line(&out->x_of_z, &p, q, i, a->x, a->z, e->x, e->z, -p.n.y, two_y, off.y, p.touch.y,
-                             p.level.y);
-        tribox_impl_row_line(&out->y_of_z, &p, q, i, a->y, a->z, e->y, e->z, p.n.x, two_x, off.x, p.touch.x,
-                             p.level.x);
+        tribox_impl_row_line(&out->x_of_y, &p, q, i, a->x, a->y, e->x, e->y, p.n.z, two_z, off.z, p.step.z,
+                             p.step_b.z);
+        tribox_impl_row_line(&out->x_of_z, &p, q, i, a->x, a->z, e->x, e->z, -p.n.y, two_y, off.y, p.step.y,
+                             p.step_b.y);
+        tribox_impl_row_line(&out->y_of_z, &p, q, i, a->y, a->z, e->y, e->z, p.n.x, two_x, off.x, p.step.x,
+                             p.step_b.x);
     }
 }
 
