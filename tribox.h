@@ -3311,17 +3311,6 @@ TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_abs(tribox_impl_fw a)
     return (tribox_impl_fw)((tribox_impl_iw)a & tribox_impl_wide_int(0x7fffffff));
 }
 
-TRIBOX_IMPL_FORCED int tribox_impl_wide_any(tribox_impl_iw mask)
-{
-#if TRIBOX_IMPL_WIDE > 4
-    tribox_impl_i4 half[2];
-    TRIBOX_IMPL_COPY(half, &mask, sizeof mask);
-    return tribox_impl_any(half[0] | half[1]);
-#else
-    return tribox_impl_any((tribox_impl_i4)mask);
-#endif
-}
-
 /* All bits of a lane: its sign. */
 TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_sign(tribox_impl_fw a)
 {
@@ -3345,25 +3334,71 @@ typedef struct tribox_impl_points {
     tribox_impl_fw z;
 } tribox_impl_points;
 
-/* Lanes 0..2 of v as points, and points as lanes 0..2 with `last` in lane 3. */
-TRIBOX_IMPL_FORCED void tribox_impl_points_from(tribox_impl_points *out, const tribox_impl_f4 *v)
+/* A wide vector of parts of four lanes, and its part i: through memory gcc would write twice and read once,
+ * which stalls. */
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_of(const tribox_impl_f4 part[TRIBOX_IMPL_WIDE / 4])
+{
+#if TRIBOX_IMPL_WIDE == 4
+    return (tribox_impl_fw)part[0];
+#elif defined(__clang__)
+    return __builtin_shufflevector(part[0], part[1], 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+    return __builtin_ia32_vinsertf128_ps256(__builtin_ia32_ps256_ps(part[0]), part[1], 1);
+#endif
+}
+
+TRIBOX_IMPL_FORCED void tribox_impl_wide_parts(tribox_impl_f4 out_part[TRIBOX_IMPL_WIDE / 4],
+                                               tribox_impl_fw a)
+{
+#if TRIBOX_IMPL_WIDE == 4
+    out_part[0] = (tribox_impl_f4)a;
+#elif defined(__clang__)
+    out_part[0] = __builtin_shufflevector(a, a, 0, 1, 2, 3);
+    out_part[1] = __builtin_shufflevector(a, a, 4, 5, 6, 7);
+#else
+    out_part[0] = __builtin_ia32_vextractf128_ps256(a, 0);
+    out_part[1] = __builtin_ia32_vextractf128_ps256(a, 1);
+#endif
+}
+
+TRIBOX_IMPL_FORCED int tribox_impl_wide_any(tribox_impl_iw mask)
+{
+    tribox_impl_f4 part[TRIBOX_IMPL_WIDE / 4];
+    tribox_impl_wide_parts(part, (tribox_impl_fw)mask);
+#if TRIBOX_IMPL_WIDE == 4
+    return tribox_impl_any((tribox_impl_i4)part[0]);
+#else
+    return tribox_impl_any((tribox_impl_i4)part[0] | (tribox_impl_i4)part[1]);
+#endif
+}
+
+/* Lanes 0..2 of v as points, lane 3 as `last`, and back. */
+TRIBOX_IMPL_FORCED void tribox_impl_points_from(tribox_impl_points *out, tribox_impl_iw *out_last,
+                                                const tribox_impl_i4 *v)
 {
     tribox_impl_f4 x[TRIBOX_IMPL_WIDE / 4];
     tribox_impl_f4 y[TRIBOX_IMPL_WIDE / 4];
     tribox_impl_f4 z[TRIBOX_IMPL_WIDE / 4];
+    tribox_impl_f4 w[TRIBOX_IMPL_WIDE / 4];
     int i;
     for (i = 0; i < TRIBOX_IMPL_WIDE / 4; i++, v += 4) {
-        const tribox_impl_f4 a = TRIBOX_IMPL_LANES(v[0], v[1], 0, 4, 1, 5);
-        const tribox_impl_f4 b = TRIBOX_IMPL_LANES(v[2], v[3], 0, 4, 1, 5);
-        const tribox_impl_f4 c = TRIBOX_IMPL_LANES(v[0], v[1], 2, 6, 3, 7);
-        const tribox_impl_f4 d = TRIBOX_IMPL_LANES(v[2], v[3], 2, 6, 3, 7);
+        const tribox_impl_f4 v0 = (tribox_impl_f4)v[0];
+        const tribox_impl_f4 v1 = (tribox_impl_f4)v[1];
+        const tribox_impl_f4 v2 = (tribox_impl_f4)v[2];
+        const tribox_impl_f4 v3 = (tribox_impl_f4)v[3];
+        const tribox_impl_f4 a = TRIBOX_IMPL_LANES(v0, v1, 0, 4, 1, 5);
+        const tribox_impl_f4 b = TRIBOX_IMPL_LANES(v2, v3, 0, 4, 1, 5);
+        const tribox_impl_f4 c = TRIBOX_IMPL_LANES(v0, v1, 2, 6, 3, 7);
+        const tribox_impl_f4 d = TRIBOX_IMPL_LANES(v2, v3, 2, 6, 3, 7);
         x[i] = TRIBOX_IMPL_LANES(a, b, 0, 1, 4, 5);
         y[i] = TRIBOX_IMPL_LANES(a, b, 2, 3, 6, 7);
         z[i] = TRIBOX_IMPL_LANES(c, d, 0, 1, 4, 5);
+        w[i] = TRIBOX_IMPL_LANES(c, d, 2, 3, 6, 7);
     }
-    TRIBOX_IMPL_COPY(&out->x, x, sizeof out->x);
-    TRIBOX_IMPL_COPY(&out->y, y, sizeof out->y);
-    TRIBOX_IMPL_COPY(&out->z, z, sizeof out->z);
+    out->x = tribox_impl_wide_of(x);
+    out->y = tribox_impl_wide_of(y);
+    out->z = tribox_impl_wide_of(z);
+    *out_last = (tribox_impl_iw)tribox_impl_wide_of(w);
 }
 
 TRIBOX_IMPL_FORCED void tribox_impl_points_to(tribox_impl_i4 *out, tribox_impl_iw first,
@@ -3375,10 +3410,10 @@ TRIBOX_IMPL_FORCED void tribox_impl_points_to(tribox_impl_i4 *out, tribox_impl_i
     tribox_impl_f4 z[TRIBOX_IMPL_WIDE / 4];
     tribox_impl_f4 w[TRIBOX_IMPL_WIDE / 4];
     int i;
-    TRIBOX_IMPL_COPY(x, &first, sizeof first);
-    TRIBOX_IMPL_COPY(y, &second, sizeof second);
-    TRIBOX_IMPL_COPY(z, &third, sizeof third);
-    TRIBOX_IMPL_COPY(w, &last, sizeof last);
+    tribox_impl_wide_parts(x, (tribox_impl_fw)first);
+    tribox_impl_wide_parts(y, (tribox_impl_fw)second);
+    tribox_impl_wide_parts(z, (tribox_impl_fw)third);
+    tribox_impl_wide_parts(w, (tribox_impl_fw)last);
     for (i = 0; i < TRIBOX_IMPL_WIDE / 4; i++, out += 4) {
         const tribox_impl_f4 a = TRIBOX_IMPL_LANES(x[i], y[i], 0, 4, 1, 5);
         const tribox_impl_f4 b = TRIBOX_IMPL_LANES(z[i], w[i], 0, 4, 1, 5);
@@ -3441,9 +3476,9 @@ TRIBOX_IMPL_FORCED void tribox_impl_load_corner(tribox_impl_points *out, const t
 #endif
 #undef TRIBOX_IMPL_POINT
 #undef TRIBOX_IMPL_AT
-    TRIBOX_IMPL_COPY(&out->x, x, sizeof out->x);
-    TRIBOX_IMPL_COPY(&out->y, y, sizeof out->y);
-    TRIBOX_IMPL_COPY(&out->z, z, sizeof out->z);
+    out->x = tribox_impl_wide_of(x);
+    out->y = tribox_impl_wide_of(y);
+    out->z = tribox_impl_wide_of(z);
 }
 
 TRIBOX_IMPL_FORCED void tribox_impl_load_corners(tribox_impl_points out[3], const tribox_mesh *mesh, int indexed,
@@ -4020,20 +4055,12 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_corners(tribox_impl_points out_v[3], t
                                                   tribox_impl_iw *out_extents, const tribox_impl_group *g,
                                                   const tribox_mesh *mesh)
 {
-    tribox_impl_f4 box[TRIBOX_IMPL_WIDE];
-    int32_t extents[TRIBOX_IMPL_WIDE];
-    int i;
     if (mesh->indices != NULL) {
         tribox_impl_load_corners(out_v, mesh, 1, g->triangle, 0);
     } else {
         tribox_impl_load_corners(out_v, mesh, 0, g->triangle, 0);
     }
-    TRIBOX_IMPL_COPY(box, g->box, sizeof box);
-    tribox_impl_points_from(out_first, box);
-    for (i = 0; i < TRIBOX_IMPL_WIDE; i++) {
-        extents[i] = g->box[i][3];
-    }
-    TRIBOX_IMPL_COPY(out_extents, extents, sizeof extents);
+    tribox_impl_points_from(out_first, out_extents, g->box);
 }
 
 /* Coordinates of one axis that are on the lattice, exactly. Returns their lanes, in out_level those that are
@@ -4271,6 +4298,7 @@ typedef struct tribox_impl_rows {
     tribox_impl_fw        lo_most;
     tribox_impl_fw        hi_least;
     tribox_impl_fw        hi_most;
+    tribox_impl_iw        extents;
     tribox_impl_iw        unsure;
 } tribox_impl_rows;
 
@@ -4505,6 +4533,7 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_rows_set(tribox_impl_rows *out, const trib
     tribox_impl_iw extents;
     int i;
     tribox_impl_group_corners(v, &first, &extents, g, mesh);
+    out->extents = extents;
     p.reach = tribox_impl_wide_max(
         tribox_impl_wide_max(__builtin_convertvector(extents & byte, tribox_impl_fw),
                              __builtin_convertvector(extents >> tribox_impl_wide_int(8) & byte, tribox_impl_fw)),
@@ -4626,12 +4655,12 @@ typedef struct tribox_impl_few {
 } tribox_impl_few;
 
 TRIBOX_IMPL_FORCED void tribox_impl_few_set(tribox_impl_few *out, const tribox_impl_rows *r,
-                                            tribox_impl_iw extents, int rows, int layers)
+                                            int rows, int layers)
 {
     const tribox_impl_iw byte = tribox_impl_wide_int(255);
-    const tribox_impl_iw extent_x = extents & byte;
-    const tribox_impl_iw extent_y = extents >> tribox_impl_wide_int(8) & byte;
-    const tribox_impl_iw extent_z = extents >> tribox_impl_wide_int(16) & byte;
+    const tribox_impl_iw extent_x = r->extents & byte;
+    const tribox_impl_iw extent_y = r->extents >> tribox_impl_wide_int(8) & byte;
+    const tribox_impl_iw extent_z = r->extents >> tribox_impl_wide_int(16) & byte;
     tribox_impl_row_bounds x_of_y[TRIBOX_IMPL_FEW];
     tribox_impl_row_bounds x_of_z[TRIBOX_IMPL_FEW];
     tribox_impl_row_bounds y_of_z[TRIBOX_IMPL_FEW];
@@ -4921,8 +4950,6 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_rows_flush_few(tribox_impl_fill *fill, tri
 {
     tribox_impl_rows rows;
     tribox_impl_few few;
-    int32_t extents[TRIBOX_IMPL_WIDE];
-    tribox_impl_iw lanes;
     int rows_y = 0;
     int layers = 0;
     int i;
@@ -4934,13 +4961,11 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_rows_flush_few(tribox_impl_fill *fill, tri
         const int more = g->box[i][3];
         const int y = (more >> 8 & 255) + 1;
         const int z = (more >> 16 & 255) + 1;
-        extents[i] = more;
         rows_y = y > rows_y ? y : rows_y;
         layers = z > layers ? z : layers;
     }
-    TRIBOX_IMPL_COPY(&lanes, extents, sizeof lanes);
     tribox_impl_rows_set(&rows, &fill->quick, g, fill->mesh);
-    tribox_impl_few_set(&few, &rows, lanes, rows_y, layers);
+    tribox_impl_few_set(&few, &rows, rows_y, layers);
     for (i = 0; i < g->n; i++) {
         if (few.unsure[i] != 0) {
             tribox_impl_fill_later(fill, g->triangle[i]);
