@@ -3327,6 +3327,24 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_up(tribox_impl_iw a, int bits
     return bits == 0 ? a : a << tribox_impl_wide_int(bits);
 }
 
+/* Lanes of a where mask, of b elsewhere; lanes of a where mask, 0 elsewhere. */
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_select(tribox_impl_iw mask, tribox_impl_iw a,
+                                                          tribox_impl_iw b)
+{
+    return (mask & a) | (~mask & b);
+}
+
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_choose(tribox_impl_iw mask, tribox_impl_fw a,
+                                                          tribox_impl_fw b)
+{
+    return (tribox_impl_fw)tribox_impl_wide_select(mask, (tribox_impl_iw)a, (tribox_impl_iw)b);
+}
+
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_where(tribox_impl_iw mask, tribox_impl_fw a)
+{
+    return (tribox_impl_fw)(mask & (tribox_impl_iw)a);
+}
+
 /* One vector x, y, z for each of WIDE points. */
 typedef struct tribox_impl_points {
     tribox_impl_fw x;
@@ -3501,7 +3519,17 @@ TRIBOX_IMPL_FORCED void tribox_impl_load_corners(tribox_impl_points out[3], cons
  * `spacing`, and with them every high is, below 2^24 of it. low = base_low + i * size_low, at most
  * rho = spacing * (n + 34) / size. (v - high - low) * inverse, v within m voxels, is then off by at most
  *   (m + rho) + 3 rho (low itself) + m + 2 m (the inverse, the product) = 4 (m + rho)
- * in units of u, and what doubles add: delta(m) = 4.1 u m + delta_low. */
+ * in units of u, and what doubles add: delta(m) = 4.1 u m + delta_low.
+ *
+ * Meshes on grid planes touch voxels exactly, which no bound decides. But where all planes are whole numbers
+ * of `spacing`, and the places between them that cut a voxel into PARTS, too, all these are floats, exactly;
+ * so a corner is compared with the place next to it, and known exactly if it is there: on the lattice. What
+ * decides about a voxel is then 0 or at least some step away from it, and half that step, added or taken off
+ * as touching counts under the rule, leaves nothing near 0 and no sign wrong.
+ *   closed, thin   Touching counts.
+ *   HALF_OPEN      Closed boxes [i, i + 1 - e], e > 0 as small as you like: touching does not count where it
+ *                  takes an upper face.
+ *   OPEN           [i + e, i + 1 - e]: it never counts. */
 typedef struct tribox_impl_quick {
     float          inverse[3];
     float          shift_down[3];   /* MARGIN - origin, less and plus the bound */
@@ -3510,29 +3538,25 @@ typedef struct tribox_impl_quick {
     float          base_low[3];
     float          size_high[3];
     float          size_low[3];
-    float          step[3];         /* of the lattice: a voxel's PARTs; 0: its planes are no floats */
+    float          step[3];         /* of the lattice; 0: there is none on this axis */
     int32_t        end[3];          /* the region's last voxel, MARGIN added */
     int            n[3];
     float          delta_low;
-    double         origin_f64[3];
-    double         size_f64[3];
     double         inverse_f64[3];
-    double         delta_f64;       /* of a coordinate from its box's corner, in double */
     size_t         layer_words;
     int            on;              /* 0: this grid's numbers are out of range */
     int            thin;
-    int            closed;          /* thin, too */
     int            lattice;         /* some step is not 0 */
-    int32_t        low_touch;       /* 1: a corner on a voxel's upper face touches it */
-    int32_t        high_miss;       /* 1: a corner on a voxel's lower face does not touch it */
+    int            upper_open;      /* touching a voxel's upper faces does not count */
+    int            lower_open;
 } tribox_impl_quick;
 
 #define TRIBOX_IMPL_MARGIN 16       /* voxels beyond the region in which X is still used */
 #define TRIBOX_IMPL_PARTS_LOG2 4
 #define TRIBOX_IMPL_PARTS (1 << TRIBOX_IMPL_PARTS_LOG2)     /* of a voxel, in the lattice */
 
-/* The step of the lattice on axis k; 0 where not all its planes are whole numbers of `spacing`, or where these
- * need more than 50 bits. */
+/* The step of the lattice on axis k, or 0 if there is none. Origins are compared by their bits, subnormals
+ * being no 0. */
 TRIBOX_IMPL_FN float tribox_impl_lattice_step(const tribox_grid *grid, int k, double spacing)
 {
     const double step = grid->size[k] * (1.0 / TRIBOX_IMPL_PARTS);
@@ -3553,12 +3577,10 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
     int k;
     q->on = 0;
     q->thin = (grid->flags & TRIBOX_THIN) != 0;
-    q->closed = q->thin || (grid->flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN)) == 0;
-    q->low_touch = q->closed;
-    q->high_miss = !q->closed && (grid->flags & TRIBOX_OPEN) != 0;
+    q->upper_open = !q->thin && (grid->flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN)) != 0;
+    q->lower_open = !q->thin && (grid->flags & TRIBOX_OPEN) != 0;
     q->layer_words = t->ny * t->row_words;
     q->delta_low = 0.0f;
-    q->delta_f64 = 0.0;
     for (k = 0; k < 3; k++) {
         const double size = grid->size[k];
         const double offset = (double)grid->lo[k] * size;
@@ -3595,9 +3617,6 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         q->size_low[k] = (float)(size - size_high);
         q->step[k] = tribox_impl_lattice_step(grid, k, spacing);
         q->delta_low = (float)delta_low > q->delta_low ? (float)delta_low : q->delta_low;
-        q->delta_f64 = delta > q->delta_f64 ? delta : q->delta_f64;
-        q->origin_f64[k] = origin;
-        q->size_f64[k] = size;
         q->inverse_f64[k] = 1.0 / size;
         q->n[k] = (int)n;
         q->end[k] = TRIBOX_IMPL_MARGIN + (int)n - 1;
@@ -3605,6 +3624,13 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
     q->lattice = q->step[0] + q->step[1] + q->step[2] > 0.0f;
     q->on = 1;
 }
+
+/* Index boxes as the ways of a fill take them. In the last lane a byte for each extent, that is the voxels
+ * less 1, and these: */
+#define TRIBOX_IMPL_ON_LATTICE (1 << 24)
+#define TRIBOX_IMPL_IS_CUT (1 << 25)        /* not all of it is in the region */
+#define TRIBOX_IMPL_OFF (-2)                /* none of it is */
+#define TRIBOX_IMPL_NOT_KNOWN (-1)          /* or it is too large, or too far off the region */
 
 /* Boxes of WIDE triangles. */
 typedef struct tribox_impl_group {
@@ -3614,6 +3640,29 @@ typedef struct tribox_impl_group {
     int            n;
     int32_t        lattice;                     /* not 0: some are on the lattice */
 } tribox_impl_group;
+
+/* Returns 1 when the group is full. */
+TRIBOX_IMPL_FORCED int tribox_impl_group_add(tribox_impl_group *g, tribox_impl_i4 box, size_t word,
+                                             size_t triangle)
+{
+    const int n = g->n;
+    g->box[n] = box;
+    g->word[n] = word;
+    g->triangle[n] = triangle;
+    g->lattice |= box[3] & TRIBOX_IMPL_ON_LATTICE;
+    g->n = n + 1;
+    return n + 1 == TRIBOX_IMPL_WIDE;
+}
+
+/* Fills the lanes that are left with the first one's triangle. */
+TRIBOX_IMPL_FN void tribox_impl_group_pad(tribox_impl_group *g)
+{
+    int i;
+    for (i = g->n; i < TRIBOX_IMPL_WIDE; i++) {
+        g->triangle[i] = g->triangle[0];
+        g->box[i] = g->box[0];
+    }
+}
 
 /* Rows y and layers z of the region, first to last, that a triangle leaves for the row walk. */
 typedef struct tribox_impl_doubt {
@@ -3629,8 +3678,8 @@ typedef struct tribox_impl_fill {
     const tribox_mesh        *mesh;
     const tribox_impl_target *target;
     tribox_impl_quick         quick;
-    tribox_impl_group         few[3];   /* boxes of up to 2^3, 3^3, 4^3 voxels */
-    tribox_impl_group         rows[2];  /* of up to FEW^3, ROWS^3 */
+    tribox_impl_group         group[3];     /* boxes of up to 2^3, 3^3, 4^3 voxels */
+    tribox_impl_group         rows[2];      /* of up to FEW^3, ROWS^3 */
     int                       doubts;   /* a batch's, and of what waited in groups, at most */
     tribox_impl_doubt         doubt[TRIBOX_IMPL_BATCH + 5 * TRIBOX_IMPL_WIDE];
 } tribox_impl_fill;
@@ -3656,12 +3705,6 @@ typedef struct tribox_impl_boxes {
     tribox_impl_iw lattice;     /* not 0: on some axis all corners are on the lattice */
 } tribox_impl_boxes;
 
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_select(tribox_impl_iw mask, tribox_impl_iw a,
-                                                          tribox_impl_iw b)
-{
-    return (mask & a) | (~mask & b);
-}
-
 TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_box_round(tribox_impl_fw x)
 {
     const tribox_impl_fw most = tribox_impl_wide_all(TRIBOX_IMPL_MOST_INDEX);
@@ -3669,8 +3712,8 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_box_round(tribox_impl_fw x)
     return __builtin_convertvector(clamped, tribox_impl_iw);
 }
 
-/* The place of x on axis k's lattice, in PARTs from MARGIN voxels before the region. Clears lanes of `on`
- * where x is not there. */
+/* The place next to x on axis k's lattice, in PARTS of a voxel from MARGIN voxels before the region. Clears
+ * lanes of `on` where x is not there; its bits tell, but for the sign of 0. */
 TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_lattice_place(const tribox_impl_quick *q, int k,
                                                             tribox_impl_fw x, tribox_impl_iw *on)
 {
@@ -3679,15 +3722,17 @@ TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_lattice_place(const tribox_impl_qu
                                  tribox_impl_wide_all(q->shift_down[k]);
     const tribox_impl_fw place = __builtin_convertvector(
         tribox_impl_box_round(guess * parts + tribox_impl_wide_all(0.5f)), tribox_impl_fw);
-    const tribox_impl_fw from_base = (place - parts) * tribox_impl_wide_all(q->step[k]);
-    tribox_impl_fw there = tribox_impl_wide_all(q->base_high[k]) + from_base;
+    tribox_impl_fw there = tribox_impl_wide_all(q->base_high[k]) +
+                           (place - parts) * tribox_impl_wide_all(q->step[k]);
+    tribox_impl_iw is_zero;
     TRIBOX_IMPL_KEEP4(there);
-    *on &= ((tribox_impl_iw)there == (tribox_impl_iw)x) |
-           (((((tribox_impl_iw)there | (tribox_impl_iw)x) << tribox_impl_wide_int(1)) == tribox_impl_wide_int(0)));
+    is_zero = (((tribox_impl_iw)there | (tribox_impl_iw)x) & tribox_impl_wide_int(0x7fffffff)) ==
+              tribox_impl_wide_int(0);
+    *on &= ((tribox_impl_iw)there == (tribox_impl_iw)x) | is_zero;
     return place;
 }
 
-/* Index boxes on axis k. Where the corners are on its lattice, which `on_lattice` asks for, they are exact. */
+/* Index boxes on axis k; if asked, exactly where all corners are on the lattice. */
 TRIBOX_IMPL_FORCED void tribox_impl_box_axis(const tribox_impl_quick *q, int k, tribox_impl_fw x0,
                                              tribox_impl_fw x1, tribox_impl_fw x2, int on_lattice,
                                              tribox_impl_boxes *out)
@@ -3704,7 +3749,7 @@ TRIBOX_IMPL_FORCED void tribox_impl_box_axis(const tribox_impl_quick *q, int k, 
     tribox_impl_iw unsure = (first ^ tribox_impl_box_round(low + up)) |
                             (last ^ tribox_impl_box_round(high + down));
     if (on_lattice && q->step[k] > 0.0f) {
-        const tribox_impl_iw parts_log2 = tribox_impl_wide_int(TRIBOX_IMPL_PARTS_LOG2);
+        const tribox_impl_iw to_voxels = tribox_impl_wide_int(TRIBOX_IMPL_PARTS_LOG2);
         tribox_impl_iw on = tribox_impl_wide_int(-1);
         const tribox_impl_fw p0 = tribox_impl_lattice_place(q, k, x0, &on);
         const tribox_impl_fw p1 = tribox_impl_lattice_place(q, k, x1, &on);
@@ -3713,8 +3758,8 @@ TRIBOX_IMPL_FORCED void tribox_impl_box_axis(const tribox_impl_quick *q, int k, 
             tribox_impl_wide_min(tribox_impl_wide_min(p0, p1), p2), tribox_impl_iw);
         const tribox_impl_iw most = __builtin_convertvector(
             tribox_impl_wide_max(tribox_impl_wide_max(p0, p1), p2), tribox_impl_iw);
-        first = tribox_impl_wide_select(on, (least - tribox_impl_wide_int(q->low_touch)) >> parts_log2, first);
-        last = tribox_impl_wide_select(on, (most - tribox_impl_wide_int(q->high_miss)) >> parts_log2, last);
+        first = tribox_impl_wide_select(on, (least - tribox_impl_wide_int(!q->upper_open)) >> to_voxels, first);
+        last = tribox_impl_wide_select(on, (most - tribox_impl_wide_int(q->lower_open)) >> to_voxels, last);
         unsure &= ~on;
         out->lattice |= on;
     }
@@ -3737,13 +3782,6 @@ TRIBOX_IMPL_FORCED void tribox_impl_boxes_of(const tribox_impl_quick *q, const t
     tribox_impl_box_axis(q, 1, v[0].y, v[1].y, v[2].y, on_lattice, out);
     tribox_impl_box_axis(q, 2, v[0].z, v[1].z, v[2].z, on_lattice, out);
 }
-
-/* Index boxes as the ways of a fill take them. In the last lane a byte for each extent, that is the voxels
- * less 1, and these: */
-#define TRIBOX_IMPL_ON_LATTICE (1 << 24)
-#define TRIBOX_IMPL_IS_CUT (1 << 25)        /* not all of it is in the region */
-#define TRIBOX_IMPL_OFF (-2)                /* none of it is */
-#define TRIBOX_IMPL_NOT_KNOWN (-1)          /* or it is too large, or too far off the region */
 
 #define TRIBOX_IMPL_ROWS 64
 
@@ -3835,7 +3873,15 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_boxes_special(const tribox_impl_quick *q, 
  *   area  The sum of three E at the first point: 4 n delta and 20 (n - 1)^2 u, less than that.
  *   D     The normal's 7 n delta times n, three times; its n^2 times delta, three times; rounding
  *         (8 + 9 (n - 2)) n^3 u: less than 32 n^2 delta. The signs of n are those of the areas, and sure.
- * What is left covers second-order terms. No value is NaN: a sure box has finite corners within it. */
+ * What is left covers second-order terms. No value is NaN: a sure box has finite corners within it.
+ *
+ * On the lattice, closed boxes only: a triangle lies strictly inside its box here, too, and at a point of E = 0
+ * or D = 0 nothing is missed. With a step of q = 1 / PARTS, E is a multiple of q^2; E + q^2 / 2 is outside
+ * where E < 0, and never within the bound, the lines of E = 0 that might be missed being those of a smaller
+ * box. An area of 0 may have any sign: its edges run to and fro, and bound the segment from both sides. The
+ * plane then says what they say. All of it is exact in floats: corners are up to 3 PARTS, areas up to 2^14
+ * q^2, D up to 2^21 q^3. Where a triangle is level on an axis on the lattice, E is 0 at the inner points of
+ * its box in the planes of that axis, whatever the other one is. */
 
 /* Voxels missed: bit x + n y + n^2 z. Of 4^3 the lower half, the upper half, and what both miss. */
 typedef struct tribox_impl_missed {
@@ -4041,13 +4087,13 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_place(const tribox_impl_quick *q, int 
     TRIBOX_IMPL_KEEP4(*x2);
 }
 
-/* Corners of a group from the first inner grid point, and what touches on the lattice: E in the planes xy, yz,
- * zx; lanes `planar` are sure of D, which touches up to `plane`. */
+/* Corners of a group from the first inner grid point, and up to where |E| (in the planes xy, yz, zx) and |D|
+ * touch; lanes `plane_sure` are sure of D. */
 typedef struct tribox_impl_group_placed {
     tribox_impl_points v[3];
     tribox_impl_fw     touch[3];
     tribox_impl_fw     touch_plane;
-    tribox_impl_iw     planar;
+    tribox_impl_iw     plane_sure;
 } tribox_impl_group_placed;
 
 /* Corners of a group's triangles, and their boxes. */
@@ -4063,8 +4109,8 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_corners(tribox_impl_points out_v[3], t
     tribox_impl_points_from(out_first, out_extents, g->box);
 }
 
-/* Coordinates of one axis that are on the lattice, exactly. Returns their lanes, in out_level those that are
- * all the same. */
+/* Coordinates on axis k from the first inner grid plane, exactly where they are on the lattice. Returns these
+ * lanes, in out_level those in which all three are the same. */
 TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_snap(const tribox_impl_quick *q, int k,
                                                          tribox_impl_iw first, tribox_impl_fw x0,
                                                          tribox_impl_fw x1, tribox_impl_fw x2,
@@ -4077,15 +4123,15 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_snap(const tribox_impl_quick
     const tribox_impl_fw p0 = tribox_impl_lattice_place(q, k, x0, &on) * part - at;
     const tribox_impl_fw p1 = tribox_impl_lattice_place(q, k, x1, &on) * part - at;
     const tribox_impl_fw p2 = tribox_impl_lattice_place(q, k, x2, &on) * part - at;
-    *out0 = (tribox_impl_fw)tribox_impl_wide_select(on, (tribox_impl_iw)p0, (tribox_impl_iw)*out0);
-    *out1 = (tribox_impl_fw)tribox_impl_wide_select(on, (tribox_impl_iw)p1, (tribox_impl_iw)*out1);
-    *out2 = (tribox_impl_fw)tribox_impl_wide_select(on, (tribox_impl_iw)p2, (tribox_impl_iw)*out2);
+    *out0 = tribox_impl_wide_choose(on, p0, *out0);
+    *out1 = tribox_impl_wide_choose(on, p1, *out1);
+    *out2 = tribox_impl_wide_choose(on, p2, *out2);
     *out_level = (p0 == p1) & (p1 == p2) & on;
     return on;
 }
 
-/* Lanes in which the triangle is a segment in a plane on whose axes it is on the lattice and level; and those
- * in which E is on the lattice there. */
+/* The lanes in which a triangle is a segment in a plane, of those on the lattice on both axes, and of those
+ * level on one. */
 TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_flat(tribox_impl_fw b0, tribox_impl_fw b1,
                                                          tribox_impl_fw b2, tribox_impl_fw c0,
                                                          tribox_impl_fw c1, tribox_impl_fw c2,
@@ -4094,18 +4140,22 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_flat(tribox_impl_fw b0, trib
 {
     const tribox_impl_fw area = (b1 - b0) * (c2 - c0) - (c1 - c0) * (b2 - b0);
     const tribox_impl_fw half = tribox_impl_wide_all(0.5f / (TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS));
-    *out_touch = (tribox_impl_fw)((on | level) & (tribox_impl_iw)half);
+    *out_touch = tribox_impl_wide_where(on | level, half);
     return ((area == tribox_impl_wide_all(0.0f)) & on) | level;
 }
 
 TRIBOX_IMPL_NOINLINE void tribox_impl_group_on_lattice(const tribox_impl_quick *q, const tribox_impl_group *g,
                                                        const tribox_mesh *mesh, tribox_impl_group_placed *p)
 {
+    const tribox_impl_fw none_touches = tribox_impl_wide_all(TRIBOX_IMPL_MOST_INDEX);
+    const tribox_impl_fw half = tribox_impl_wide_all(
+        0.5f / (TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS));
+    tribox_impl_points *const a = &p->v[0];
+    tribox_impl_points *const b = &p->v[1];
+    tribox_impl_points *const c = &p->v[2];
     tribox_impl_points v[3];
     tribox_impl_points first;
-    tribox_impl_points *const p0 = &p->v[0];
-    tribox_impl_points *const p1 = &p->v[1];
-    tribox_impl_points *const p2 = &p->v[2];
+    tribox_impl_iw extents;
     tribox_impl_iw level_x;
     tribox_impl_iw level_y;
     tribox_impl_iw level_z;
@@ -4113,27 +4163,22 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_group_on_lattice(const tribox_impl_quick *
     tribox_impl_iw on_y;
     tribox_impl_iw on_z;
     tribox_impl_iw flat;
-    tribox_impl_iw on;
-    tribox_impl_iw extents;
     tribox_impl_group_corners(v, &first, &extents, g, mesh);
-    on_x = tribox_impl_group_snap(q, 0, (tribox_impl_iw)first.x, v[0].x, v[1].x, v[2].x, &p0->x, &p1->x, &p2->x,
+    on_x = tribox_impl_group_snap(q, 0, (tribox_impl_iw)first.x, v[0].x, v[1].x, v[2].x, &a->x, &b->x, &c->x,
                                   &level_x);
-    on_y = tribox_impl_group_snap(q, 1, (tribox_impl_iw)first.y, v[0].y, v[1].y, v[2].y, &p0->y, &p1->y, &p2->y,
+    on_y = tribox_impl_group_snap(q, 1, (tribox_impl_iw)first.y, v[0].y, v[1].y, v[2].y, &a->y, &b->y, &c->y,
                                   &level_y);
-    on_z = tribox_impl_group_snap(q, 2, (tribox_impl_iw)first.z, v[0].z, v[1].z, v[2].z, &p0->z, &p1->z, &p2->z,
+    on_z = tribox_impl_group_snap(q, 2, (tribox_impl_iw)first.z, v[0].z, v[1].z, v[2].z, &a->z, &b->z, &c->z,
                                   &level_z);
-    flat = tribox_impl_group_flat(p0->x, p1->x, p2->x, p0->y, p1->y, p2->y, on_x & on_y, level_x | level_y,
+    flat = tribox_impl_group_flat(a->x, b->x, c->x, a->y, b->y, c->y, on_x & on_y, level_x | level_y,
                                   &p->touch[0]) |
-           tribox_impl_group_flat(p0->y, p1->y, p2->y, p0->z, p1->z, p2->z, on_y & on_z, level_y | level_z,
+           tribox_impl_group_flat(a->y, b->y, c->y, a->z, b->z, c->z, on_y & on_z, level_y | level_z,
                                   &p->touch[1]) |
-           tribox_impl_group_flat(p0->z, p1->z, p2->z, p0->x, p1->x, p2->x, on_z & on_x, level_z | level_x,
+           tribox_impl_group_flat(a->z, b->z, c->z, a->x, b->x, c->x, on_z & on_x, level_z | level_x,
                                   &p->touch[2]);
-    on = on_x & on_y & on_z;
-    p->planar = flat | on;
-    p->touch_plane = (tribox_impl_fw)tribox_impl_wide_select(
-        flat, (tribox_impl_iw)tribox_impl_wide_all(TRIBOX_IMPL_MOST_INDEX),
-        (tribox_impl_iw)tribox_impl_wide_all(
-            0.5f / (TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS)) & on);
+    p->plane_sure = flat | (on_x & on_y & on_z);
+    p->touch_plane = tribox_impl_wide_choose(flat, none_touches,
+                                             tribox_impl_wide_where(on_x & on_y & on_z, half));
 }
 
 /* The voxels that each triangle of a group misses. Returns the lanes that are unsure. */
@@ -4155,7 +4200,7 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_decide(const tribox_impl_qui
     tribox_impl_group_place(q, 1, (tribox_impl_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
     tribox_impl_group_place(q, 2, (tribox_impl_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
     p.touch[0] = p.touch[1] = p.touch[2] = p.touch_plane = tribox_impl_wide_all(0.0f);
-    p.planar = none;
+    p.plane_sure = none;
     if (TRIBOX_IMPL_RARELY(g->lattice != 0)) {
         tribox_impl_group_placed on_lattice = p;
         tribox_impl_group_on_lattice(q, g, mesh, &on_lattice);
@@ -4177,7 +4222,7 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_decide(const tribox_impl_qui
     m->low |= m->both;
     m->high |= m->both;
     return (m->least <= tribox_impl_wide_all(12.0f * (float)n * delta)) |
-           ((m->least_plane <= tribox_impl_wide_all(32.0f * (float)(n * n) * delta)) & ~p.planar);
+           ((m->least_plane <= tribox_impl_wide_all(32.0f * (float)(n * n) * delta)) & ~p.plane_sure);
 }
 
 /* Sets voxels of triangle i's box, all in the region. */
@@ -4235,22 +4280,26 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_set(const tribox_impl_fill *fill, cons
  *
  * h = |g| / 2, and in the thin test max(|g| - 1, 0) / 2. The plane does both: M(y, z) = x of the plane over
  * the middle of the row, h = (|n_y| + |n_z|) / (2 |n_x|), thin: max(|n_y| - |n_x|, |n_z| - |n_x|, 0) / (2
- * |n_x|). Each bound is computed twice, less and plus its error; where the floors differ the triangle is
- * unsure.
+ * |n_x|). Each bound is computed twice, less and plus its error; a row in which the floors differ is in doubt.
+ * Edges with |d_r| < 1e-18 bound nothing: such an edge crosses its row of cells from end to end, or it is a
+ * point, and its other corner's edges are those of a segment.
  *
- * Error. Corners are in double from the box's corner, off by delta_f64 = d; edges and areas too, before they
- * are rounded to float; m: the box's longest side. M, h and the sums, in units of u: at most 6 (m + 1), and
- * for g 15 |g| (m + 1): the slope's three roundings times a distance of m, and those of products and sums; so
- * 16 u (1 + |g|) (m + 2). An edge off by 2 d on each axis adds 4 d (m + 2) (1 + |g|) / |d_r|, which is more
- * than the box where |d_r| is below 4 d: such an edge bounds nothing. Nor does one with |d_r| < 1e-18: it
- * crosses its row of cells from end to end, or it is a point, and its other corner's edges are those of a
- * segment.
+ * Error, in units of u; m: the box's longest side. Corners are off by delta(m), 4.1 m; edges, normals and the
+ * plane's slopes are doubles, rounded to float; 1 / d_r is taken for off by 4, as fast-math divides.
+ *   edge    Corner and sums 4 m + 6 (m + 2); for each |g| the slope's roundings, 7 m, the corner, 4 m, products
+ *           and sums 8 m + 12: less than 24 (1 + |g|) (m + 2), and 2 delta_low for each 1 + |g|.
+ *   plane   10 (m + 2), and for |g_y| + |g_z| 18 (m + 2): the same.
+ *   area    Products of differences, which are exact in double: off by 16 m^2 2^-52, sure above four times
+ *           that, tau. Below it the triangle is a segment in that plane up to tau / |d_r|, and each of its
+ *           edges bounds from both sides. If that plane is yz, the plane's condition follows from theirs: a
+ *           cell that passes them does so by their error, 8192 tau m^2 / |d_r|, while n_x moves the plane by
+ *           at most tau m, and n_y, n_z, of which |n_y| + |n_z| > 1e-3, by as much. Else n_x and its bound
+ *           move it by 4 tau / |n_x| (1 + |g_y| + |g_z|) (m + 2).
  *
- * Areas are sure above tau = 64 d m (true: 10 d m). Below it the triangle is a segment in that plane up to
- * tau / |d_r|, and each of its edges bounds from both sides. If that plane is yz, the plane's condition
- * follows from theirs: a cell that passes them does so by their error, 8192 tau m^2 / |d_r|, while n_x moves
- * the plane by at most tau m, and n_y, n_z, of which |n_y| + |n_z| > 1e-3, by as much.
- * The plane: in units of u, 12 (1 + |g_y| + |g_z|) (m + 2), and 4 tau / |n_x| times the same. */
+ * On the lattice, with q the coarsest step of the corners' places, 1/2 at most, and s that of an edge's d_b
+ * and d_r, a bound times d_r is a multiple of q s; where d_b is 0 it is one of q, whatever the rows' axis; the
+ * plane's, times n_x, is one of q times the step of the normal. An area may be 0 exactly, or known to be where
+ * all corners are level; again edges then bound from both sides, and the plane says what they say. */
 #define TRIBOX_IMPL_NOWHERE 65536.0f
 
 typedef double tribox_impl_dw __attribute__((vector_size(8 * TRIBOX_IMPL_WIDE)));
@@ -4264,6 +4313,7 @@ typedef struct tribox_impl_row_parts {
     tribox_impl_fw     slope_z;
     tribox_impl_fw     inverse;     /* 1 / n_x */
     tribox_impl_fw     reach;       /* m */
+    tribox_impl_fw     rounding;    /* 24 u (m + 2) + 2 delta_low */
     tribox_impl_fw     tau;
     tribox_impl_points step;        /* of the lattice in planes yz, zx, xy, if both axes are on it, */
     tribox_impl_points step_b;      /* or the bounded one, */
@@ -4301,12 +4351,6 @@ typedef struct tribox_impl_rows {
     tribox_impl_iw        extents;
     tribox_impl_iw        unsure;
 } tribox_impl_rows;
-
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_choose(tribox_impl_iw mask, tribox_impl_fw a,
-                                                          tribox_impl_fw b)
-{
-    return (tribox_impl_fw)tribox_impl_wide_select(mask, (tribox_impl_iw)a, (tribox_impl_iw)b);
-}
 
 /* The first two edges on one axis, and all three in floats. */
 TRIBOX_IMPL_FORCED void tribox_impl_row_axis(tribox_impl_dw out[2], tribox_impl_fw *e0, tribox_impl_fw *e1,
@@ -4353,8 +4397,7 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_normals(tribox_impl_row_parts *p, const 
     p->n.y = __builtin_convertvector(n_y, tribox_impl_fw);
     p->n.z = __builtin_convertvector(n_z, tribox_impl_fw);
     /* where n_x is too small to divide by, nobody asks for the slopes */
-    one = (tribox_impl_fw)((tribox_impl_wide_abs(p->n.x) <= p->tau) &
-                           (tribox_impl_iw)tribox_impl_wide_all(1.0f));
+    one = tribox_impl_wide_where(tribox_impl_wide_abs(p->n.x) <= p->tau, tribox_impl_wide_all(1.0f));
     inverse /= n_x + __builtin_convertvector(one, tribox_impl_dw);
     p->inverse = __builtin_convertvector(inverse, tribox_impl_fw);
     p->slope_y = __builtin_convertvector(-n_y * inverse, tribox_impl_fw);
@@ -4414,19 +4457,32 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_row_parts_snap(tribox_impl_row_parts *p, c
     p->flat_x = level_y | level_z | (on_y & on_z & (p->n.x == zero));
     p->flat_y = level_z | level_x | (on_z & on_x & (p->n.y == zero));
     p->flat_z = level_x | level_y | (on_x & on_y & (p->n.z == zero));
-    p->step.x = (tribox_impl_fw)((tribox_impl_iw)step & on_y & on_z);
-    p->step.y = (tribox_impl_fw)((tribox_impl_iw)step & on_z & on_x);
-    p->step.z = (tribox_impl_fw)((tribox_impl_iw)step & on_x & on_y);
-    p->step_b.x = (tribox_impl_fw)((tribox_impl_iw)step & on_y);
-    p->step_b.y = p->step_b.z = (tribox_impl_fw)((tribox_impl_iw)step & on_x);
-    p->step_plane = (tribox_impl_fw)((tribox_impl_iw)(step * tribox_impl_step_of(p->n.x, p->n.y, p->n.z,
-                                                                                 TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS)) &
-                                     on_x & on_y & on_z);
+    p->step.x = tribox_impl_wide_where(on_y & on_z, step);
+    p->step.y = tribox_impl_wide_where(on_z & on_x, step);
+    p->step.z = tribox_impl_wide_where(on_x & on_y, step);
+    p->step_b.x = tribox_impl_wide_where(on_y, step);
+    p->step_b.y = p->step_b.z = tribox_impl_wide_where(on_x, step);
+    p->step_plane = tribox_impl_wide_where(
+        on_x & on_y & on_z,
+        step * tribox_impl_step_of(p->n.x, p->n.y, p->n.z, TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS));
     p->on_lattice = 1;
 }
 
-/* Edge i's line in a plane; `two` has lanes in which edges bound from both sides, `off` how far these may be
- * off, times d_r. */
+/* Widens bounds, or narrows them, so that what lies on them counts as the rule says; uphill where the upper
+ * one is attained on an upper face of its row. */
+TRIBOX_IMPL_FORCED void tribox_impl_row_touch(tribox_impl_fw *lo_spread, tribox_impl_fw *hi_spread,
+                                              const tribox_impl_quick *q, tribox_impl_fw touch,
+                                              tribox_impl_iw uphill)
+{
+    const tribox_impl_iw sign = tribox_impl_wide_int(TRIBOX_IMPL_SIGN_BIT);
+    const tribox_impl_iw upper_open = tribox_impl_wide_int(-q->upper_open);
+    const tribox_impl_iw lower_open = tribox_impl_wide_int(-q->lower_open);
+    *lo_spread += tribox_impl_wide_flip(touch, sign & upper_open);
+    *hi_spread += tribox_impl_wide_flip(touch, sign & (lower_open | (upper_open & uphill)));
+}
+
+/* Edge i's line in a plane. Edges bound from both sides in lanes `two`; `off` is how far they may be off, times
+ * d_r. */
 TRIBOX_IMPL_FORCED void tribox_impl_row_line(tribox_impl_row_lines *out, const tribox_impl_row_parts *p,
                                              const tribox_impl_quick *q, int i, tribox_impl_fw v_b,
                                              tribox_impl_fw v_r, tribox_impl_fw e_b, tribox_impl_fw e_r,
@@ -4439,108 +4495,99 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_line(tribox_impl_row_lines *out, const t
     const tribox_impl_fw nowhere = tribox_impl_wide_all(TRIBOX_IMPL_NOWHERE);
     const tribox_impl_iw has = tribox_impl_wide_abs(e_r) > tribox_impl_wide_all(1e-18f);
     const tribox_impl_fw inverse = one / tribox_impl_wide_choose(has, e_r, one);
-    const tribox_impl_fw slope = (tribox_impl_fw)((tribox_impl_iw)(e_b * inverse) & has);
+    const tribox_impl_fw slope = tribox_impl_wide_where(has, e_b * inverse);
     const tribox_impl_fw steep = tribox_impl_wide_abs(slope);
     const tribox_impl_fw middle = (v_b + tribox_impl_wide_all(2.0f)) - slope * (v_r + half);
-    const tribox_impl_fw spread = half * (q->thin ? tribox_impl_wide_max(steep - one, zero) : steep);
-    const tribox_impl_fw rounding = tribox_impl_wide_all(24.0f * TRIBOX_IMPL_U32) *
-                                    (p->reach + tribox_impl_wide_all(2.0f)) +
-                                    tribox_impl_wide_all(2.0f * q->delta_low);
-    const tribox_impl_fw error = (steep + one) * (rounding + off * tribox_impl_wide_abs(inverse));
-    const tribox_impl_iw below = tribox_impl_wide_sign((tribox_impl_fw)((tribox_impl_iw)area ^
-                                                                        (tribox_impl_iw)e_r));
+    const tribox_impl_fw error = (steep + one) * (p->rounding + off * tribox_impl_wide_abs(inverse));
+    const tribox_impl_iw below = ((tribox_impl_iw)area ^ (tribox_impl_iw)e_r) < tribox_impl_wide_int(0);
     const tribox_impl_iw is_lo = (below | two) & has;
     const tribox_impl_iw is_hi = (~below | two) & has;
-    tribox_impl_fw lo = middle - spread;
-    tribox_impl_fw hi = middle + spread;
+    tribox_impl_fw lo_spread = half * (q->thin ? tribox_impl_wide_max(steep - one, zero) : steep);
+    tribox_impl_fw hi_spread = lo_spread;
+    tribox_impl_fw lo;
+    tribox_impl_fw hi;
     if (p->on_lattice) {
-        const tribox_impl_fw both = step * tribox_impl_step_of(e_b, e_r, zero, TRIBOX_IMPL_PARTS) *
-                                    tribox_impl_wide_abs(inverse);
-        const tribox_impl_fw touch = half * tribox_impl_wide_choose(e_b == zero, step_b, both);
-        const tribox_impl_iw sign = tribox_impl_wide_int(TRIBOX_IMPL_SIGN_BIT);
-        const tribox_impl_iw low_misses = tribox_impl_wide_int(q->closed ? 0 : -1);
-        const tribox_impl_iw high_misses = tribox_impl_wide_int(q->high_miss ? -1 : 0) |
-                                           ((slope > zero) & low_misses);
-        lo -= tribox_impl_wide_flip(touch, low_misses & sign);
-        hi += tribox_impl_wide_flip(touch, high_misses & sign);
+        const tribox_impl_fw times_d_r = step * tribox_impl_step_of(e_b, e_r, zero, TRIBOX_IMPL_PARTS);
+        tribox_impl_row_touch(&lo_spread, &hi_spread, q,
+                              half * tribox_impl_wide_choose(e_b == zero, step_b,
+                                                             times_d_r * tribox_impl_wide_abs(inverse)),
+                              slope > zero);
     }
-    lo = tribox_impl_wide_choose(is_lo, lo, -nowhere);
-    hi = tribox_impl_wide_choose(is_hi, hi, nowhere);
+    lo = tribox_impl_wide_choose(is_lo, middle - lo_spread, -nowhere);
+    hi = tribox_impl_wide_choose(is_hi, middle + hi_spread, nowhere);
     out->lo_least[i] = lo - error;
     out->lo_most[i] = lo + error;
-    out->lo_slope[i] = (tribox_impl_fw)((tribox_impl_iw)slope & is_lo);
+    out->lo_slope[i] = tribox_impl_wide_where(is_lo, slope);
     out->hi_least[i] = hi - error;
     out->hi_most[i] = hi + error;
-    out->hi_slope[i] = (tribox_impl_fw)((tribox_impl_iw)slope & is_hi);
+    out->hi_slope[i] = tribox_impl_wide_where(is_hi, slope);
 }
 
-/* The plane's bounds; `vacuous` has lanes in which its condition follows from the edges'. */
+/* The plane's bounds; in lanes `vacuous` its condition follows from the edges'. */
 TRIBOX_IMPL_FORCED void tribox_impl_row_plane(tribox_impl_rows *out, const tribox_impl_row_parts *p,
                                               const tribox_impl_quick *q, tribox_impl_iw vacuous)
 {
     const tribox_impl_fw zero = tribox_impl_wide_all(0.0f);
     const tribox_impl_fw half = tribox_impl_wide_all(0.5f);
     const tribox_impl_fw one = tribox_impl_wide_all(1.0f);
-    const tribox_impl_fw nowhere = tribox_impl_wide_all(TRIBOX_IMPL_NOWHERE);
     const tribox_impl_fw two = tribox_impl_wide_all(2.0f);
-    const tribox_impl_fw steep_y = tribox_impl_wide_abs(p->slope_y);
-    const tribox_impl_fw steep_z = tribox_impl_wide_abs(p->slope_z);
-    const tribox_impl_fw size = tribox_impl_wide_abs(p->inverse);
+    const tribox_impl_fw nowhere = tribox_impl_wide_all(TRIBOX_IMPL_NOWHERE);
+    const tribox_impl_fw slope_y = tribox_impl_wide_where(~vacuous, p->slope_y);
+    const tribox_impl_fw slope_z = tribox_impl_wide_where(~vacuous, p->slope_z);
+    const tribox_impl_fw steep_y = tribox_impl_wide_abs(slope_y);
+    const tribox_impl_fw steep_z = tribox_impl_wide_abs(slope_z);
+    const tribox_impl_fw inverse = tribox_impl_wide_abs(p->inverse);
+    const tribox_impl_fw by_n_x = tribox_impl_wide_all(4.0f) * p->tau * inverse * (p->reach + two);
+    const tribox_impl_fw error = tribox_impl_wide_where(~vacuous,
+                                                        (one + steep_y + steep_z) * (p->rounding + by_n_x));
     const tribox_impl_fw thin = tribox_impl_wide_max(tribox_impl_wide_max(steep_y, steep_z) - one, zero);
-    const tribox_impl_fw spread = half * (q->thin ? thin : steep_y + steep_z);
-    const tribox_impl_fw rounding = (tribox_impl_wide_all(24.0f * TRIBOX_IMPL_U32) +
-                                     tribox_impl_wide_all(4.0f) * p->tau * size) * (p->reach + two) +
-                                    tribox_impl_wide_all(2.0f * q->delta_low);
-    tribox_impl_fw error = (one + steep_y + steep_z) * rounding;
-    tribox_impl_fw lo = spread;
-    tribox_impl_fw hi = spread;
+    tribox_impl_fw lo_spread = half * (q->thin ? thin : steep_y + steep_z);
+    tribox_impl_fw hi_spread = lo_spread;
     if (p->on_lattice) {
-        const tribox_impl_fw touch = half * p->step_plane * size;
-        const tribox_impl_iw sign = tribox_impl_wide_int(TRIBOX_IMPL_SIGN_BIT);
-        const tribox_impl_iw low_misses = tribox_impl_wide_int(q->closed ? 0 : -1);
-        const tribox_impl_iw high_misses = tribox_impl_wide_int(q->high_miss ? -1 : 0) |
-            (((p->slope_y > zero) | (p->slope_z > zero)) & low_misses);
-        lo += tribox_impl_wide_flip(touch, low_misses & sign);
-        hi += tribox_impl_wide_flip(touch, high_misses & sign);
+        tribox_impl_row_touch(&lo_spread, &hi_spread, q, half * p->step_plane * inverse,
+                              (slope_y > zero) | (slope_z > zero));
     }
-    lo = tribox_impl_wide_choose(vacuous, nowhere, lo);
-    hi = tribox_impl_wide_choose(vacuous, nowhere, hi);
-    error = (tribox_impl_fw)((tribox_impl_iw)error & ~vacuous);
-    out->slope_y = (tribox_impl_fw)((tribox_impl_iw)p->slope_y & ~vacuous);
-    out->slope_z = (tribox_impl_fw)((tribox_impl_iw)p->slope_z & ~vacuous);
-    out->at = (p->v[0].x + two) - out->slope_y * (p->v[0].y + half) - out->slope_z * (p->v[0].z + half);
-    out->lo_least = -lo - error;
-    out->lo_most = error - lo;
-    out->hi_least = hi - error;
-    out->hi_most = hi + error;
-    out->unsure |= ~(error < tribox_impl_wide_all(0.125f));
+    lo_spread = tribox_impl_wide_choose(vacuous, nowhere, lo_spread);
+    hi_spread = tribox_impl_wide_choose(vacuous, nowhere, hi_spread);
+    out->at = (p->v[0].x + two) - slope_y * (p->v[0].y + half) - slope_z * (p->v[0].z + half);
+    out->slope_y = slope_y;
+    out->slope_z = slope_z;
+    out->lo_least = -lo_spread - error;
+    out->lo_most = error - lo_spread;
+    out->hi_least = hi_spread - error;
+    out->hi_most = hi_spread + error;
+    out->unsure = ~(error < tribox_impl_wide_all(0.125f));
+}
+
+/* Extents along axis k. */
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_extent(tribox_impl_iw extents, int k)
+{
+    return (extents >> tribox_impl_wide_int(8 * k)) & tribox_impl_wide_int(255);
 }
 
 /* The lines and planes of a group. */
 TRIBOX_IMPL_NOINLINE void tribox_impl_rows_set(tribox_impl_rows *out, const tribox_impl_quick *q,
                                                const tribox_impl_group *g, const tribox_mesh *mesh)
 {
-    const tribox_impl_iw byte = tribox_impl_wide_int(255);
-    const tribox_impl_fw u = tribox_impl_wide_all(64.0f * 2.2204460492503131e-16f);
+    const tribox_impl_fw one = tribox_impl_wide_all(1.0f);
+    const tribox_impl_fw zero = tribox_impl_wide_all(0.0f);
+    tribox_impl_row_parts p;
     tribox_impl_points v[3];
     tribox_impl_points first;
-    tribox_impl_row_parts p;
-    tribox_impl_points off;
-    tribox_impl_iw two_x;
-    tribox_impl_iw two_y;
-    tribox_impl_iw two_z;
-    tribox_impl_iw vacuous;
-    tribox_impl_iw extents;
+    tribox_impl_fw off;
+    tribox_impl_iw near_x;      /* n might be 0 on this axis, */
+    tribox_impl_iw near_y;
+    tribox_impl_iw near_z;
+    tribox_impl_iw flat;        /* or is on some */
     int i;
-    tribox_impl_group_corners(v, &first, &extents, g, mesh);
-    out->extents = extents;
-    p.reach = tribox_impl_wide_max(
-        tribox_impl_wide_max(__builtin_convertvector(extents & byte, tribox_impl_fw),
-                             __builtin_convertvector(extents >> tribox_impl_wide_int(8) & byte, tribox_impl_fw)),
-        __builtin_convertvector(extents >> tribox_impl_wide_int(16) & byte, tribox_impl_fw)) +
-        tribox_impl_wide_all(1.0f);
-    p.tau = u * p.reach * p.reach;
-    p.on_lattice = 0;
+    tribox_impl_group_corners(v, &first, &out->extents, g, mesh);
+    p.reach = one + tribox_impl_wide_max(
+        tribox_impl_wide_max(__builtin_convertvector(tribox_impl_extent(out->extents, 0), tribox_impl_fw),
+                             __builtin_convertvector(tribox_impl_extent(out->extents, 1), tribox_impl_fw)),
+        __builtin_convertvector(tribox_impl_extent(out->extents, 2), tribox_impl_fw));
+    p.rounding = tribox_impl_wide_all(24.0f * TRIBOX_IMPL_U32) * (p.reach + one + one) +
+                 tribox_impl_wide_all(2.0f * q->delta_low);
+    p.tau = tribox_impl_wide_all((float)(64.0 * TRIBOX_IMPL_U64)) * p.reach * p.reach;
     p.v[0] = v[0];
     p.v[1] = v[1];
     p.v[2] = v[2];
@@ -4548,39 +4595,34 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_rows_set(tribox_impl_rows *out, const trib
     tribox_impl_group_place(q, 1, (tribox_impl_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
     tribox_impl_group_place(q, 2, (tribox_impl_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
     tribox_impl_row_normals(&p, q, v);
-    off.x = off.y = off.z = tribox_impl_wide_all(0.0f);
-    p.step = p.step_b = off;
+    p.on_lattice = 0;
+    p.step.x = p.step.y = p.step.z = zero;
+    p.step_b = p.step;
+    p.step_plane = zero;
     p.flat_x = p.flat_y = p.flat_z = tribox_impl_wide_int(0);
-    p.step_plane = off.x;
     if (q->lattice) {
         tribox_impl_row_parts_snap(&p, q, v, &first);
     }
-    two_x = p.flat_x | (tribox_impl_wide_abs(p.n.x) <= p.tau);
-    two_y = p.flat_y | (tribox_impl_wide_abs(p.n.y) <= p.tau);
-    two_z = p.flat_z | (tribox_impl_wide_abs(p.n.z) <= p.tau);
-    vacuous = p.flat_x | p.flat_y | p.flat_z;
-    out->unsure = two_x & ~vacuous & (tribox_impl_wide_abs(p.n.y) + tribox_impl_wide_abs(p.n.z) <=
-                                      tribox_impl_wide_all(1e-3f));
-    if (TRIBOX_IMPL_RARELY(tribox_impl_wide_any((two_x & ~p.flat_x) | (two_y & ~p.flat_y) |
-                                                (two_z & ~p.flat_z)))) {
-        const tribox_impl_iw wide = (tribox_impl_iw)(tribox_impl_wide_all(8192.0f) * p.tau * p.reach * p.reach);
-        off.x = (tribox_impl_fw)(wide & two_x & ~p.flat_x);
-        off.y = (tribox_impl_fw)(wide & two_y & ~p.flat_y);
-        off.z = (tribox_impl_fw)(wide & two_z & ~p.flat_z);
-        if (q->thin) {
-            out->unsure |= (two_x & ~p.flat_x) | (two_y & ~p.flat_y) | (two_z & ~p.flat_z);
-        }
+    flat = p.flat_x | p.flat_y | p.flat_z;
+    near_x = (tribox_impl_wide_abs(p.n.x) <= p.tau) & ~p.flat_x;
+    near_y = (tribox_impl_wide_abs(p.n.y) <= p.tau) & ~p.flat_y;
+    near_z = (tribox_impl_wide_abs(p.n.z) <= p.tau) & ~p.flat_z;
+    tribox_impl_row_plane(out, &p, q, flat | near_x);
+    out->unsure |= near_x & ~flat & (tribox_impl_wide_abs(p.n.y) + tribox_impl_wide_abs(p.n.z) <=
+                                     tribox_impl_wide_all(1e-3f));
+    if (q->thin) {      /* it has to know */
+        out->unsure |= near_x | near_y | near_z;
     }
-    tribox_impl_row_plane(out, &p, q, vacuous | two_x);
+    off = tribox_impl_wide_all(8192.0f) * p.tau * p.reach * p.reach;
     for (i = 0; i < 3; i++) {
         const tribox_impl_points *a = &p.v[i];
         const tribox_impl_points *e = &p.e[i];
-        tribox_impl_row_line(&out->x_of_y, &p, q, i, a->x, a->y, e->x, e->y, p.n.z, two_z, off.z, p.step.z,
-                             p.step_b.z);
-        tribox_impl_row_line(&out->x_of_z, &p, q, i, a->x, a->z, e->x, e->z, -p.n.y, two_y, off.y, p.step.y,
-                             p.step_b.y);
-        tribox_impl_row_line(&out->y_of_z, &p, q, i, a->y, a->z, e->y, e->z, p.n.x, two_x, off.x, p.step.x,
-                             p.step_b.x);
+        tribox_impl_row_line(&out->x_of_y, &p, q, i, a->x, a->y, e->x, e->y, p.n.z, p.flat_z | near_z,
+                             tribox_impl_wide_where(near_z, off), p.step.z, p.step_b.z);
+        tribox_impl_row_line(&out->x_of_z, &p, q, i, a->x, a->z, e->x, e->z, -p.n.y, p.flat_y | near_y,
+                             tribox_impl_wide_where(near_y, off), p.step.y, p.step_b.y);
+        tribox_impl_row_line(&out->y_of_z, &p, q, i, a->y, a->z, e->y, e->z, p.n.x, p.flat_x | near_x,
+                             tribox_impl_wide_where(near_x, off), p.step.x, p.step_b.x);
     }
 }
 
@@ -4604,6 +4646,13 @@ TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_row_least(const tribox_impl_fw at[
     return tribox_impl_wide_min(tribox_impl_wide_min(at[0] + step[0], at[1] + step[1]), at[2] + step[2]);
 }
 
+/* Within lo..hi. */
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_row_within(tribox_impl_fw bound, tribox_impl_fw lo,
+                                                         tribox_impl_fw hi)
+{
+    return tribox_impl_wide_min(tribox_impl_wide_max(bound, lo), hi);
+}
+
 /* Bounds of so many rows, within voxels 1..extent + 1; half a voxel off what might be unsure. */
 TRIBOX_IMPL_FORCED void tribox_impl_row_bounds_set(tribox_impl_row_bounds *out, const tribox_impl_row_lines *l,
                                                    int rows, tribox_impl_iw extent)
@@ -4623,10 +4672,10 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_bounds_set(tribox_impl_row_bounds *out, 
         hi[0] = l->hi_slope[0] * row;
         hi[1] = l->hi_slope[1] * row;
         hi[2] = l->hi_slope[2] * row;
-        out->lo_least = tribox_impl_wide_min(tribox_impl_wide_max(tribox_impl_row_most(l->lo_least, lo), first), after);
-        out->lo_most = tribox_impl_wide_min(tribox_impl_wide_max(tribox_impl_row_most(l->lo_most, lo), first), after);
-        out->hi_least = tribox_impl_wide_min(tribox_impl_wide_max(tribox_impl_row_least(l->hi_least, hi), before), last);
-        out->hi_most = tribox_impl_wide_min(tribox_impl_wide_max(tribox_impl_row_least(l->hi_most, hi), before), last);
+        out->lo_least = tribox_impl_row_within(tribox_impl_row_most(l->lo_least, lo), first, after);
+        out->lo_most = tribox_impl_row_within(tribox_impl_row_most(l->lo_most, lo), first, after);
+        out->hi_least = tribox_impl_row_within(tribox_impl_row_least(l->hi_least, hi), before, last);
+        out->hi_most = tribox_impl_row_within(tribox_impl_row_least(l->hi_most, hi), before, last);
     }
 }
 
@@ -4641,8 +4690,8 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_bit(tribox_impl_iw i)
 #if defined(__AVX2__)
     return tribox_impl_wide_int(1) << i;
 #else
-    return __builtin_convertvector((tribox_impl_fw)((i + tribox_impl_wide_int(127)) << tribox_impl_wide_int(23)),
-                                   tribox_impl_iw);
+    const tribox_impl_iw exponent = (i + tribox_impl_wide_int(127)) << tribox_impl_wide_int(23);
+    return __builtin_convertvector((tribox_impl_fw)exponent, tribox_impl_iw);
 #endif
 }
 
@@ -4657,10 +4706,9 @@ typedef struct tribox_impl_few {
 TRIBOX_IMPL_FORCED void tribox_impl_few_set(tribox_impl_few *out, const tribox_impl_rows *r,
                                             int rows, int layers)
 {
-    const tribox_impl_iw byte = tribox_impl_wide_int(255);
-    const tribox_impl_iw extent_x = r->extents & byte;
-    const tribox_impl_iw extent_y = r->extents >> tribox_impl_wide_int(8) & byte;
-    const tribox_impl_iw extent_z = r->extents >> tribox_impl_wide_int(16) & byte;
+    const tribox_impl_iw extent_x = tribox_impl_extent(r->extents, 0);
+    const tribox_impl_iw extent_y = tribox_impl_extent(r->extents, 1);
+    const tribox_impl_iw extent_z = tribox_impl_extent(r->extents, 2);
     tribox_impl_row_bounds x_of_y[TRIBOX_IMPL_FEW];
     tribox_impl_row_bounds x_of_z[TRIBOX_IMPL_FEW];
     tribox_impl_row_bounds y_of_z[TRIBOX_IMPL_FEW];
@@ -4697,7 +4745,8 @@ TRIBOX_IMPL_FORCED void tribox_impl_few_set(tribox_impl_few *out, const tribox_i
             const tribox_impl_iw row = tribox_impl_wide_int(y + 1);
             const tribox_impl_iw none = (first > last) | (first_y > row) | (row > last_y);
             out->unsure |= ((first != first_most) | (last != last_least)) & ~none;
-            out->x[z][y] = (tribox_impl_wide_bit(last) - (tribox_impl_wide_bit(first) >> tribox_impl_wide_int(1))) & ~none;
+            out->x[z][y] = (tribox_impl_wide_bit(last) - tribox_impl_wide_bit(first - tribox_impl_wide_int(1))) &
+                           ~none;
         }
     }
 }
@@ -4714,10 +4763,10 @@ TRIBOX_IMPL_FN void tribox_impl_few_store(const tribox_impl_few *few, const trib
     int z;
     for (z = 0; z < layers; z++, layer += layer_words) {
         const int last_y = few->last_y[z][i];
-        int y = few->first_y[z][i];
-        uint64_t *row = layer + (size_t)(y - 1) * row_words;
-        for (; y <= last_y; y++, row += row_words) {
+        int y;
+        for (y = few->first_y[z][i]; y <= last_y; y++) {
             const uint64_t voxels = (uint64_t)(uint32_t)few->x[z][y - 1][i];
+            uint64_t *row = layer + (size_t)(y - 1) * row_words;
             TRIBOX_IMPL_PREFETCH((uintptr_t)row + sizeof *row * layer_words);
             if (voxels != 0) {
                 row[0] |= voxels << x;
@@ -4937,15 +4986,6 @@ TRIBOX_IMPL_FN void tribox_impl_lane_fill(tribox_impl_fill *fill, const tribox_i
     }
 }
 
-TRIBOX_IMPL_FN void tribox_impl_group_pad(tribox_impl_group *g)
-{
-    int i;
-    for (i = g->n; i < TRIBOX_IMPL_WIDE; i++) {
-        g->triangle[i] = g->triangle[0];
-        g->box[i] = g->box[0];
-    }
-}
-
 TRIBOX_IMPL_NOINLINE void tribox_impl_rows_flush_few(tribox_impl_fill *fill, tribox_impl_group *g)
 {
     tribox_impl_rows rows;
@@ -4997,24 +5037,11 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_rows_flush(tribox_impl_fill *fill, tribox_
 
 /* ---- All ways together */
 
-/* Returns 1 when the group is full. */
-TRIBOX_IMPL_FORCED int tribox_impl_group_add(tribox_impl_group *g, tribox_impl_i4 box, size_t word,
-                                             size_t triangle)
-{
-    const int n = g->n;
-    g->box[n] = box;
-    g->word[n] = word;
-    g->triangle[n] = triangle;
-    g->lattice |= box[3] & TRIBOX_IMPL_ON_LATTICE;
-    g->n = n + 1;
-    return n + 1 == TRIBOX_IMPL_WIDE;
-}
-
 /* A box of any kind, by rows or exactly. */
 TRIBOX_IMPL_FN void tribox_impl_fill_any(tribox_impl_fill *fill, tribox_impl_i4 box, size_t word,
                                          size_t triangle)
 {
-    if ((box[3] & ~(TRIBOX_IMPL_ON_LATTICE | 0x070707)) == 0) {
+    if ((box[3] & ~(TRIBOX_IMPL_ON_LATTICE | 0x010101 * (TRIBOX_IMPL_FEW - 1))) == 0) {
         if (tribox_impl_group_add(&fill->rows[0], box, word, triangle)) {
             tribox_impl_rows_flush_few(fill, &fill->rows[0]);
         }
@@ -5094,18 +5121,19 @@ TRIBOX_IMPL_FORCED void tribox_impl_boxes_set(tribox_impl_i4 out[TRIBOX_IMPL_WID
     }
 }
 
-/* The boxes of a batch; asks for the memory of their voxels. */
-TRIBOX_IMPL_FORCED void tribox_impl_batch_set(tribox_impl_batch *b, const tribox_impl_fill *fill, int indexed,
-                                              const size_t *list, size_t first)
+/* The boxes of so many triangles; asks for the memory of their voxels. */
+TRIBOX_IMPL_FORCED void tribox_impl_batch_set(tribox_impl_batch *b, const tribox_impl_fill *fill, int count,
+                                              int indexed, const size_t *list, size_t first)
 {
     const tribox_impl_target *target = fill->target;
     const size_t layer_words = fill->quick.layer_words;
     int i;
-    for (i = 0; i < TRIBOX_IMPL_BATCH; i += TRIBOX_IMPL_WIDE) {
+    for (i = 0; i < count; i += TRIBOX_IMPL_WIDE) {
         tribox_impl_boxes_set(b->box + i, fill, indexed, list != NULL ? list + i : NULL, first + (size_t)i);
     }
-    for (i = 0; i < TRIBOX_IMPL_BATCH; i++) {
+    for (i = 0; i < count; i++) {
         const tribox_impl_i4 box = b->box[i];
+        b->word[i] = 0;
         if (box[3] >= 0 && box[3] < TRIBOX_IMPL_IS_CUT) {
             const size_t word = (size_t)(box[2] - TRIBOX_IMPL_MARGIN) * layer_words +
                                 (size_t)(box[1] - TRIBOX_IMPL_MARGIN) * target->row_words +
@@ -5153,11 +5181,11 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_fill_batch(tribox_impl_fill *fill, size_t 
         for (i = 0; i < TRIBOX_IMPL_BATCH; i++) {
             list[i] = t + (size_t)(i < count ? i : 0);
         }
-        tribox_impl_batch_set(&batch, fill, fill->mesh->indices != NULL, list, 0);
+        tribox_impl_batch_set(&batch, fill, count, fill->mesh->indices != NULL, list, 0);
     } else if (fill->mesh->indices != NULL) {
-        tribox_impl_batch_set(&batch, fill, 1, NULL, t);
+        tribox_impl_batch_set(&batch, fill, TRIBOX_IMPL_BATCH, 1, NULL, t);
     } else {
-        tribox_impl_batch_set(&batch, fill, 0, NULL, t);
+        tribox_impl_batch_set(&batch, fill, TRIBOX_IMPL_BATCH, 0, NULL, t);
     }
     for (i = 0; i < count; i++, t++) {
         const tribox_impl_i4 box = batch.box[i];
@@ -5165,18 +5193,18 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_fill_batch(tribox_impl_fill *fill, size_t 
         if ((more & ~0x010101) == 0 && tribox_impl_fill_short(fill, box, batch.word[i])) {
             continue;
         }
-        if (thin || (more & ~0x030303) != 0 || (more != box[3] && !fill->quick.closed)) {
+        if (thin || (more & ~0x030303) != 0 || (more != box[3] && fill->quick.upper_open)) {
             tribox_impl_fill_any(fill, box, batch.word[i], t);
         } else if ((more & ~0x010101) == 0) {
-            if (tribox_impl_group_add(&fill->few[0], box, batch.word[i], t)) {
-                tribox_impl_group_flush2(fill, &fill->few[0]);
+            if (tribox_impl_group_add(&fill->group[0], box, batch.word[i], t)) {
+                tribox_impl_group_flush2(fill, &fill->group[0]);
             }
         } else if (((more + 0x010101) & ~0x030303) == 0) {
-            if (tribox_impl_group_add(&fill->few[1], box, batch.word[i], t)) {
-                tribox_impl_group_flush3(fill, &fill->few[1]);
+            if (tribox_impl_group_add(&fill->group[1], box, batch.word[i], t)) {
+                tribox_impl_group_flush3(fill, &fill->group[1]);
             }
-        } else if (tribox_impl_group_add(&fill->few[2], box, batch.word[i], t)) {
-            tribox_impl_group_flush4(fill, &fill->few[2]);
+        } else if (tribox_impl_group_add(&fill->group[2], box, batch.word[i], t)) {
+            tribox_impl_group_flush4(fill, &fill->group[2]);
         }
     }
 }
@@ -5209,8 +5237,8 @@ TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const trib
     fill.target = target;
     fill.doubts = 0;
     for (i = 0; i < 3; i++) {
-        fill.few[i].n = 0;
-        fill.few[i].lattice = 0;
+        fill.group[i].n = 0;
+        fill.group[i].lattice = 0;
     }
     fill.rows[0].n = fill.rows[1].n = 0;
     fill.rows[0].lattice = fill.rows[1].lattice = 0;
@@ -5225,9 +5253,9 @@ TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const trib
         tribox_impl_fill_doubts(&fill, grid);
         t += (size_t)count;
     }
-    tribox_impl_group_flush2(&fill, &fill.few[0]);
-    tribox_impl_group_flush3(&fill, &fill.few[1]);
-    tribox_impl_group_flush4(&fill, &fill.few[2]);
+    tribox_impl_group_flush2(&fill, &fill.group[0]);
+    tribox_impl_group_flush3(&fill, &fill.group[1]);
+    tribox_impl_group_flush4(&fill, &fill.group[2]);
     tribox_impl_rows_flush_few(&fill, &fill.rows[0]);
     tribox_impl_rows_flush(&fill, &fill.rows[1]);
     tribox_impl_fill_doubts(&fill, grid);
