@@ -163,11 +163,10 @@ typedef struct filled {
     int    rows[3];             /* up to the region's end */
     int    start[3];
     int    row[3][ROWS_ASKED];  /* in the planes xy, xz, yz */
-    int    flat[3];
-    float  area[3];
-    tribox_impl_row_edge edge[3];
-    float  bound[3][3][ROWS_ASKED][2][2];   /* edge, plane, row, lo and hi, least and most; row: as above */
-    tribox_impl_row_bounds bounds[3];
+    int    flat[3];             /* edges bound from both sides */
+    int    bounds_side[3][3][2];            /* edge, plane, lo and hi */
+    float  bound[3][3][ROWS_ASKED][2][2];   /* and row, least and most; row: as above */
+    tribox_impl_lane_bounds bounds[3];
     int    has_plane;
     float  plane[ROWS_ASKED][2][2];         /* in row y = row[0], z = row[1] */
     float  plane_error;
@@ -207,7 +206,9 @@ __attribute__((noinline)) static void fill_boxes(filled *r, tribox_impl_quick *q
         v[c].y = tribox_impl_wide_all((float)q->x[3 * c + 1]);
         v[c].z = tribox_impl_wide_all((float)q->x[3 * c + 2]);
     }
-    tribox_impl_boxes_of(quick, v, &box);
+    quick->step[0] = quick->step[1] = quick->step[2] = 0.0f;    /* bounds of rounding alone */
+    quick->lattice = 0;
+    tribox_impl_boxes_of(quick, v, 0, &box);
     r->boxed = 1;
     r->unsure = box.unsure[0] != 0;
     for (k = 0; k < 3; k++) {
@@ -230,13 +231,14 @@ __attribute__((noinline)) static void fill_boxes(filled *r, tribox_impl_quick *q
     }
 }
 
-/* As tribox_impl_fill_one and tribox_impl_fill_rows do it. */
+/* As the rows of a group do it, its lanes being copies of one triangle. */
 __attribute__((noinline)) static void fill_rows(filled *r, const tribox_impl_quick *quick, const numbers *q)
 {
-    tribox_impl_placed p;
-    tribox_impl_row_plane plane;
-    float x[3][3];
-    const void *corner[3];
+    tribox_impl_rows rows;
+    const tribox_impl_row_lines *lines[3];
+    tribox_impl_group g;
+    tribox_mesh mesh;
+    float x[9];
     int count[3];
     int i;
     int j;
@@ -254,55 +256,60 @@ __attribute__((noinline)) static void fill_rows(filled *r, const tribox_impl_qui
         }
         r->start[k] = r->at[k] < 0 ? -r->at[k] : 0;
         r->rows[k] = count[k] < q->n[k] - r->at[k] ? count[k] : q->n[k] - r->at[k];
-        for (i = 0; i < 3; i++) {
-            x[i][k] = (float)q->x[3 * i + k];
-        }
-        corner[k] = x[k];
     }
-    tribox_impl_place(&p, quick, corner, r->at, count);
-    tribox_impl_row_plane_set(&plane, &p, quick->thin);
-    {
-        const tribox_impl_f4 area = { (float)p.n[2], -(float)p.n[1], (float)p.n[0], (float)p.n[0] };
-        const tribox_impl_i4 flat = tribox_impl_abs4(area) <= tribox_impl_splat((float)p.tau);
-        tribox_impl_f4 off = tribox_impl_splat((float)(4.0 * quick->delta_f64 * (p.reach + 2.0)));
-        if (tribox_impl_any(flat)) {
-            const tribox_impl_f4 wide = tribox_impl_splat((float)(8192.0 * p.tau * p.reach * p.reach));
-            if (quick->thin) {
-                return;
-            }
-            off = tribox_impl_select(flat, wide, off);
-        }
-        for (i = 0; i < 3; i++) {
-            tribox_impl_row_edge_set(&r->edge[i], &p, i, area, flat, off, quick->thin);
-            r->area[i] = area[i];
-            r->flat[i] = flat[i] != 0;
-        }
+    for (i = 0; i < 9; i++) {
+        x[i] = (float)q->x[i];
     }
+    mesh.positions = x;
+    mesh.stride = 0;
+    mesh.indices = NULL;
+    mesh.triangles = 1;
+    memset(&g, 0, sizeof g);
+    for (k = 0; k < 3; k++) {
+        g.box[0][k] = r->first[k];
+    }
+    g.box[0][3] = (count[0] - 1) | (count[1] - 1) << 8 | (count[2] - 1) << 16;
+    g.n = 1;
+    tribox_impl_group_pad(&g);
+    tribox_impl_rows_set(&rows, quick, &g, &mesh);
+    if (rows.unsure[0] != 0) {
+        return;
+    }
+    lines[0] = &rows.x_of_y;
+    lines[1] = &rows.x_of_z;
+    lines[2] = &rows.y_of_z;
     r->placed = 1;
     for (k = 0; k < 3; k++) {
+        const tribox_impl_row_lines *l = lines[k];
         const int b = bounded_axis[k];
-        tribox_impl_row_bounds_set(&r->bounds[k], r->edge, k, r->rows[row_axis[k]], r->start[b], r->rows[b]);
+        tribox_impl_lane_bounds_set(&r->bounds[k], l, 0, r->rows[row_axis[k]], r->start[b], r->rows[b]);
+        for (i = 0; i < 3; i++) {
+            /* NOWHERE is further away than any bound, and than its error */
+            r->bounds_side[i][k][0] = l->lo_least[i][0] > -0.5f * TRIBOX_IMPL_NOWHERE || l->lo_slope[i][0] != 0.0f;
+            r->bounds_side[i][k][1] = l->hi_most[i][0] < 0.5f * TRIBOX_IMPL_NOWHERE || l->hi_slope[i][0] != 0.0f;
+            r->flat[k] |= r->bounds_side[i][k][0] && r->bounds_side[i][k][1];
+        }
         for (j = 0; j < ROWS_ASKED; j++) {
             const int row = (q->index[j] + k * q->index[2]) % r->rows[row_axis[k]];
             r->row[k][j] = row;
             for (i = 0; i < 3; i++) {
-                const float lo = r->edge[i].lo_slope[k] * (float)row;
-                const float hi = r->edge[i].hi_slope[k] * (float)row;
-                r->bound[i][k][j][0][0] = r->edge[i].lo_least[k] + lo;
-                r->bound[i][k][j][0][1] = r->edge[i].lo_most[k] + lo;
-                r->bound[i][k][j][1][0] = r->edge[i].hi_least[k] + hi;
-                r->bound[i][k][j][1][1] = r->edge[i].hi_most[k] + hi;
+                const float lo = l->lo_slope[i][0] * (float)row;
+                const float hi = l->hi_slope[i][0] * (float)row;
+                r->bound[i][k][j][0][0] = l->lo_least[i][0] + lo;
+                r->bound[i][k][j][0][1] = l->lo_most[i][0] + lo;
+                r->bound[i][k][j][1][0] = l->hi_least[i][0] + hi;
+                r->bound[i][k][j][1][1] = l->hi_most[i][0] + hi;
             }
         }
     }
-    r->has_plane = tribox_impl_abs(p.n[0]) > p.tau && plane.error < 0.125;
+    r->has_plane = rows.hi_least[0] < TRIBOX_IMPL_NOWHERE;
     for (j = 0; j < ROWS_ASKED && r->has_plane; j++) {
-        const double middle = plane.at + plane.slope_z * (double)r->row[1][j];
-        const float step = (float)r->row[0][j] * (float)plane.slope_y;
-        r->plane[j][0][0] = (float)(middle - plane.half - plane.error) + step;
-        r->plane[j][0][1] = (float)(middle - plane.half + plane.error) + step;
-        r->plane[j][1][0] = (float)(middle + plane.half - plane.error) + step;
-        r->plane[j][1][1] = (float)(middle + plane.half + plane.error) + step;
+        const float middle = rows.at[0] + (float)r->row[1][j] * rows.slope_z[0];
+        const float step = (float)r->row[0][j] * rows.slope_y[0];
+        r->plane[j][0][0] = middle + rows.lo_least[0] + step;
+        r->plane[j][0][1] = middle + rows.lo_most[0] + step;
+        r->plane[j][1][0] = middle + rows.hi_least[0] + step;
+        r->plane[j][1][1] = middle + rows.hi_most[0] + step;
     }
 }
 #endif
@@ -700,9 +707,6 @@ static double edges_part(const filled *r, const numbers *q)
     exact_normal();
     for (plane = 0; plane < 3; plane++) {
         const int area = plane == 1 ? -mpq_sgn(n[1]) : mpq_sgn(n[plane == 0 ? 2 : 0]);
-        if (!r->flat[plane] && area != (r->area[plane] > 0.0f) - (r->area[plane] < 0.0f)) {
-            return wrong;
-        }
         for (j = 0; j < ROWS_ASKED; j++) {
             if (r->flat[plane] && !flat_row_holds(r, plane, j, area, q->thin)) {
                 return wrong;
@@ -712,8 +716,7 @@ static double edges_part(const filled *r, const numbers *q)
                     const float *bound = r->bound[i][plane][j][side];
                     double part;
                     int sign;
-                    if (side == 0 ? r->edge[i].lo_least[plane] == -TRIBOX_IMPL_NOWHERE
-                                  : r->edge[i].hi_most[plane] == TRIBOX_IMPL_NOWHERE) {
+                    if (!r->bounds_side[i][plane][side]) {
                         continue;
                     }
                     sign = exact_row_edge(i, plane, r->row[plane][j], q->thin);
