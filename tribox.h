@@ -4087,8 +4087,8 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_place(const tribox_impl_quick *q, int 
     TRIBOX_IMPL_KEEP4(*x2);
 }
 
-/* Corners of a group from the first inner grid point, and up to where |E| (in the planes xy, yz, zx) and |D|
- * touch; lanes `plane_sure` are sure of D. */
+/* Corners of a group from the first inner grid point, and |E| (in the planes xy, yz, zx) and |D| up to which
+ * an edge and the plane touch; lanes `plane_sure` are sure of D. */
 typedef struct tribox_impl_group_placed {
     tribox_impl_points v[3];
     tribox_impl_fw     touch[3];
@@ -4147,9 +4147,6 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_flat(tribox_impl_fw b0, trib
 TRIBOX_IMPL_NOINLINE void tribox_impl_group_on_lattice(const tribox_impl_quick *q, const tribox_impl_group *g,
                                                        const tribox_mesh *mesh, tribox_impl_group_placed *p)
 {
-    const tribox_impl_fw none_touches = tribox_impl_wide_all(TRIBOX_IMPL_MOST_INDEX);
-    const tribox_impl_fw half = tribox_impl_wide_all(
-        0.5f / (TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS));
     tribox_impl_points *const a = &p->v[0];
     tribox_impl_points *const b = &p->v[1];
     tribox_impl_points *const c = &p->v[2];
@@ -4177,8 +4174,7 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_group_on_lattice(const tribox_impl_quick *
            tribox_impl_group_flat(a->z, b->z, c->z, a->x, b->x, c->x, on_z & on_x, level_z | level_x,
                                   &p->touch[2]);
     p->plane_sure = flat | (on_x & on_y & on_z);
-    p->touch_plane = tribox_impl_wide_choose(flat, none_touches,
-                                             tribox_impl_wide_where(on_x & on_y & on_z, half));
+    p->touch_plane = tribox_impl_wide_where(flat, tribox_impl_wide_all(TRIBOX_IMPL_MOST_INDEX));
 }
 
 /* The voxels that each triangle of a group misses. Returns the lanes that are unsure. */

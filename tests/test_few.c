@@ -4,6 +4,7 @@
 #include "tribox.h"
 
 #include <fenv.h>
+#include <math.h>
 
 #include "voxels.h"
 
@@ -56,6 +57,15 @@ static void few_grid(few_case *c, int n)
     c->words = (size_t)((c->n[0] + 63) / 64 * c->n[1] * c->n[2]);
 }
 
+static void few_copy(few_case *c)
+{
+    int i;
+
+    for (i = 9; i < 9 * FEW_COPIES; i++) {
+        c->copies[i] = c->copies[i - 9];
+    }
+}
+
 /* Corners within a box of up to n voxels, at simple places of the grid up to rounding: edges and planes pass
  * corners of voxels by a hair. */
 static void few_corners(few_case *c, int n)
@@ -83,9 +93,7 @@ static void few_corners(few_case *c, int n)
         const uint32_t bits = random_below(2) ? 0x7fc00000u : 0x7f800000u;      /* NaN, infinity */
         memcpy(c->copies + random_below(9), &bits, sizeof bits);
     }
-    for (i = 9; i < 9 * FEW_COPIES; i++) {
-        c->copies[i] = c->copies[i - 9];
-    }
+    few_copy(c);
 }
 
 /* Corners within a box of up to n voxels, none of them at a simple place: but an edge passes by a grid line, or
@@ -114,9 +122,43 @@ static void few_near_miss(few_case *c, int n)
             c->copies[3 * i + a] = (float)(c->grid.origin[a] + (plane + at[i][a]) * c->grid.size[a]);
         }
     }
-    for (i = 9; i < 9 * FEW_COPIES; i++) {
-        c->copies[i] = c->copies[i - 9];
+    few_copy(c);
+}
+
+/* Corners within a box of up to n voxels, on grid planes and simple parts of a voxel, which floats hold exactly
+ * here: level on an axis, in a plane through grid points, a hair off now and then. */
+static void few_on_lattice(few_case *c, int n)
+{
+    static const double sizes[4] = {1, 0.25, 0.375, 5};
+    static const int    steps[7] = {1, 2, 4, 8, 16, 16, 16};
+    const int           one_step = random_below(2) ? steps[random_below(7)] : 0;
+    int                 at[3][3];
+    int                 i;
+    int                 a;
+
+    for (a = 0; a < 3; a++) {
+        int step = one_step ? one_step : steps[random_below(7)];
+        int cells = 1 + random_below(n);
+        int level = random_below(6) == 0;
+        int first = c->grid.lo[a] + random_below(c->n[a] + 2) - 1;
+        c->grid.size[a] = sizes[random_below(4)];
+        c->grid.origin[a] = random_below(2) ? 0 : (random_below(400) - 200) * 0.125 * c->grid.size[a];
+        for (i = 0; i < 3; i++) {
+            at[i][a] = random_below(cells * step + 1);
+            if (level && i > 0) {
+                at[i][a] = at[0][a];
+            }
+            if (a == 2 && one_step && random_below(8) > 0) {    /* x + y + z, or x - y + z */
+                at[i][2] = (random_below(8) ? cells * step : 0) - at[i][0] + (first & 1 ? at[i][1] : -at[i][1]);
+            }
+            c->copies[3 * i + a] =
+                (float)(c->grid.origin[a] + (first + (double)at[i][a] / step) * c->grid.size[a]);
+            if (random_below(100) == 0) {
+                c->copies[3 * i + a] = nextafterf(c->copies[3 * i + a], random_below(2) ? 1e9f : -1e9f);
+            }
+        }
     }
+    few_copy(c);
 }
 
 static int few_fill_is_expected(few_case *c, int copies)
@@ -139,7 +181,9 @@ static int few_fill_is_expected(few_case *c, int copies)
     return same;
 }
 
-static void few_ask(int edge, int n, int count)
+typedef void few_make(few_case *c, int n);
+
+static void few_ask(int edge, int n, int count, few_make *one, few_make *other)
 {
     static const int roundings[] = {
         FE_TONEAREST,
@@ -156,11 +200,7 @@ static void few_ask(int edge, int n, int count)
     for (i = 0; i < TEST_LOOPS(count); i++) {
         few_grid(&few, edge);
         few.rounding = roundings[(size_t)i % (sizeof roundings / sizeof *roundings)];
-        if (random_below(2)) {
-            few_corners(&few, n);
-        } else {
-            few_near_miss(&few, n);
-        }
+        (random_below(2) ? one : other)(&few, n);
         for (k = 0; k < 4; k++) {
             few.grid.flags = every_rule[k];
             memset(few.expected, 0, few.words * sizeof *few.expected);
@@ -175,24 +215,35 @@ static void few_ask(int edge, int n, int count)
 static void two_voxels_an_axis_are_exact(void)
 {
     random_seed(201);
-    few_ask(6, 2, 12000);
+    few_ask(6, 2, 12000, few_corners, few_near_miss);
 }
 
 /* Boxes of up to 3^3 and 4^3 voxels: the other groups. */
 static void three_and_four_voxels_an_axis_are_exact(void)
 {
     random_seed(202);
-    few_ask(6, 3, 12000);
-    few_ask(7, 4, 12000);
+    few_ask(6, 3, 12000, few_corners, few_near_miss);
+    few_ask(7, 4, 12000, few_corners, few_near_miss);
 }
 
 /* Boxes up to what goes by rows, and beyond. */
 static void up_to_eighty_voxels_an_axis_are_exact(void)
 {
     random_seed(203);
-    few_ask(12, 9, 4000);
-    few_ask(30, 24, 300);
-    few_ask(80, 80, 40);
+    few_ask(12, 9, 4000, few_corners, few_near_miss);
+    few_ask(30, 24, 300, few_corners, few_near_miss);
+    few_ask(80, 80, 40, few_corners, few_near_miss);
+}
+
+/* Exact touching, which no bound decides: all ways know corners on grid planes and between for what they are. */
+static void corners_on_the_lattice_are_exact(void)
+{
+    random_seed(204);
+    few_ask(6, 2, 20000, few_on_lattice, few_on_lattice);
+    few_ask(6, 3, 20000, few_on_lattice, few_on_lattice);
+    few_ask(7, 4, 10000, few_on_lattice, few_on_lattice);
+    few_ask(12, 9, 3000, few_on_lattice, few_on_lattice);
+    few_ask(80, 60, 60, few_on_lattice, few_on_lattice);
 }
 
 int main(void)
@@ -200,5 +251,6 @@ int main(void)
     RUN(two_voxels_an_axis_are_exact);
     RUN(three_and_four_voxels_an_axis_are_exact);
     RUN(up_to_eighty_voxels_an_axis_are_exact);
+    RUN(corners_on_the_lattice_are_exact);
     return test_report("test_few");
 }
