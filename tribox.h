@@ -334,9 +334,11 @@ TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid);
  * Guarantees  The voxels of tribox_grid_spans for every triangle. A z-slab of the region, given
  *             bits + (slab.lo[2] - whole.lo[2])*ny*row_words, writes exactly its part of the whole, so slabs
  *             can be filled by any number of threads. Where tribox_grid_words is 0, nothing is written.
- * Cost        About 15 ns for a triangle whose voxels are all set, 20 to 75 ns for one of up to 4 voxels on
- *             each axis, 0.2 us for 8, then about 7 ns a row; 1 us where a corner is within rounding of a grid
- *             plane, or an edge of a voxel's (gcc 12 -O2, a Xeon). Less than 16 KiB of stack.
+ * Cost        About 8 ns for a triangle off the region, 15 ns for one whose voxels are all set, 20 to 70 ns
+ *             for one of up to 4 voxels on each axis, 0.16 us for 8, then about 5 ns a row. It costs no more
+ *             to touch exactly where grid planes and corners are floats, as 1/16 of a voxel of size 1 or 0.25
+ *             is; else 1 us where a corner is within rounding of a grid plane, or an edge of a voxel's (gcc 12
+ *             -O2, a Xeon). Less than 16 KiB of stack.
  */
 TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits);
 
@@ -3251,10 +3253,10 @@ TRIBOX_IMPL_FN double tribox_impl_floor_to(double x, double q)
  *
  * Most triangles of a mesh touch few voxels. Their index boxes are found several at a time. A box whose
  * voxels are all set is done; one that is longer than one voxel on one axis at most is set whole; boxes of up
- * to 2^3, 3^3 and 4^3 voxels wait in groups and are decided together, all others of up to 64^3 row by row.
- * Each way computes in float or double with proven bounds; a triangle that comes within them goes to the next
- * way, the last being the row walk. Where all values are beyond their bounds nothing touches by a hair, so
- * that every rule gives the same voxels.
+ * to 2^3, 3^3 and 4^3 voxels wait in groups and are decided together, all others of up to 64^3 in groups, too,
+ * row by row. Each way computes in float or double with proven bounds; a triangle that comes within them, or
+ * some of its rows, goes to the next way, the last being the row walk. Where all values are beyond their
+ * bounds nothing touches by a hair, so that every rule gives the same voxels.
  *
  * u = 2^-23 bounds a relative rounding error in every mode. Coordinates below are voxels. */
 #if defined(__AVX2__)
@@ -3499,8 +3501,8 @@ TRIBOX_IMPL_FORCED void tribox_impl_load_corner(tribox_impl_points *out, const t
     out->z = tribox_impl_wide_of(z);
 }
 
-TRIBOX_IMPL_FORCED void tribox_impl_load_corners(tribox_impl_points out[3], const tribox_mesh *mesh, int indexed,
-                                                 const size_t *list, size_t first)
+TRIBOX_IMPL_FORCED void tribox_impl_load_corners(tribox_impl_points out[3], const tribox_mesh *mesh,
+                                                 int indexed, const size_t *list, size_t first)
 {
     tribox_impl_load_corner(&out[0], mesh, indexed, list, first, 0);
     tribox_impl_load_corner(&out[1], mesh, indexed, list, first, 1);
@@ -3758,7 +3760,8 @@ TRIBOX_IMPL_FORCED void tribox_impl_box_axis(const tribox_impl_quick *q, int k, 
             tribox_impl_wide_min(tribox_impl_wide_min(p0, p1), p2), tribox_impl_iw);
         const tribox_impl_iw most = __builtin_convertvector(
             tribox_impl_wide_max(tribox_impl_wide_max(p0, p1), p2), tribox_impl_iw);
-        first = tribox_impl_wide_select(on, (least - tribox_impl_wide_int(!q->upper_open)) >> to_voxels, first);
+        first = tribox_impl_wide_select(on, (least - tribox_impl_wide_int(!q->upper_open)) >> to_voxels,
+                                        first);
         last = tribox_impl_wide_select(on, (most - tribox_impl_wide_int(q->lower_open)) >> to_voxels, last);
         unsure &= ~on;
         out->lattice |= on;
@@ -3875,13 +3878,12 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_boxes_special(const tribox_impl_quick *q, 
  *         (8 + 9 (n - 2)) n^3 u: less than 32 n^2 delta. The signs of n are those of the areas, and sure.
  * What is left covers second-order terms. No value is NaN: a sure box has finite corners within it.
  *
- * On the lattice, closed boxes only: a triangle lies strictly inside its box here, too, and at a point of E = 0
- * or D = 0 nothing is missed. With a step of q = 1 / PARTS, E is a multiple of q^2; E + q^2 / 2 is outside
- * where E < 0, and never within the bound, the lines of E = 0 that might be missed being those of a smaller
- * box. An area of 0 may have any sign: its edges run to and fro, and bound the segment from both sides. The
- * plane then says what they say. All of it is exact in floats: corners are up to 3 PARTS, areas up to 2^14
- * q^2, D up to 2^21 q^3. Where a triangle is level on an axis on the lattice, E is 0 at the inner points of
- * its box in the planes of that axis, whatever the other one is. */
+ * On the lattice, closed boxes only: a triangle lies strictly inside its box here, too, and at a point of
+ * E = 0 or D = 0 nothing is missed. With a step of q = 1 / PARTS, E is a multiple of q^2; E + q^2 / 2 is
+ * outside where E < 0, and beyond the bound. An area of 0 may have any sign: its edges run to and fro, and
+ * bound the segment from both sides; the plane then says what they say. All of it is exact in floats: corners
+ * are up to 3 voxels off, areas up to 2^14 q^2, D up to 2^21 q^3. Where a triangle is level on an axis on the
+ * lattice, E is 0 at the inner points of its box in the planes of that axis, whatever the other one is. */
 
 /* Voxels missed: bit x + n y + n^2 z. Of 4^3 the lower half, the upper half, and what both miss. */
 typedef struct tribox_impl_missed {
@@ -4276,14 +4278,14 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_set(const tribox_impl_fill *fill, cons
  *
  * h = |g| / 2, and in the thin test max(|g| - 1, 0) / 2. The plane does both: M(y, z) = x of the plane over
  * the middle of the row, h = (|n_y| + |n_z|) / (2 |n_x|), thin: max(|n_y| - |n_x|, |n_z| - |n_x|, 0) / (2
- * |n_x|). Each bound is computed twice, less and plus its error; a row in which the floors differ is in doubt.
+ * |n_x|). Each bound is computed twice, less and plus its error; a row where the floors differ is in doubt.
  * Edges with |d_r| < 1e-18 bound nothing: such an edge crosses its row of cells from end to end, or it is a
  * point, and its other corner's edges are those of a segment.
  *
  * Error, in units of u; m: the box's longest side. Corners are off by delta(m), 4.1 m; edges, normals and the
  * plane's slopes are doubles, rounded to float; 1 / d_r is taken for off by 4, as fast-math divides.
- *   edge    Corner and sums 4 m + 6 (m + 2); for each |g| the slope's roundings, 7 m, the corner, 4 m, products
- *           and sums 8 m + 12: less than 24 (1 + |g|) (m + 2), and 2 delta_low for each 1 + |g|.
+ *   edge    Corner and sums 4 m + 6 (m + 2); for each |g| the slope's roundings, 7 m, the corner, 4 m,
+ *           products and sums 8 m + 12: less than 24 (1 + |g|) (m + 2), and 2 delta_low for each 1 + |g|.
  *   plane   10 (m + 2), and for |g_y| + |g_z| 18 (m + 2): the same.
  *   area    Products of differences, which are exact in double: off by 16 m^2 2^-52, sure above four times
  *           that, tau. Below it the triangle is a segment in that plane up to tau / |d_r|, and each of its
@@ -4293,9 +4295,9 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_set(const tribox_impl_fill *fill, cons
  *           move it by 4 tau / |n_x| (1 + |g_y| + |g_z|) (m + 2).
  *
  * On the lattice, with q the coarsest step of the corners' places, 1/2 at most, and s that of an edge's d_b
- * and d_r, a bound times d_r is a multiple of q s; where d_b is 0 it is one of q, whatever the rows' axis; the
- * plane's, times n_x, is one of q times the step of the normal. An area may be 0 exactly, or known to be where
- * all corners are level; again edges then bound from both sides, and the plane says what they say. */
+ * and d_r, a bound times d_r is a multiple of q s; where d_b is 0 it is one of q, whatever the rows' axis;
+ * the plane's, times n_x, is one of q times the step of the normal. An area may be 0 exactly, or known to be
+ * where all corners are level; again edges then bound from both sides, and the plane says what they say. */
 #define TRIBOX_IMPL_NOWHERE 65536.0f
 
 typedef double tribox_impl_dw __attribute__((vector_size(8 * TRIBOX_IMPL_WIDE)));
@@ -4412,9 +4414,10 @@ TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_step_of(tribox_impl_fw a, tribox_i
 }
 
 /* Edges of one axis that are on the lattice, and the bits of their places. */
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_row_snap(tribox_impl_iw on, tribox_impl_fw v0, tribox_impl_fw v1,
-                                                       tribox_impl_fw v2, tribox_impl_fw *e0,
-                                                       tribox_impl_fw *e1, tribox_impl_fw *e2)
+TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_row_snap(tribox_impl_iw on, tribox_impl_fw v0,
+                                                       tribox_impl_fw v1, tribox_impl_fw v2,
+                                                       tribox_impl_fw *e0, tribox_impl_fw *e1,
+                                                       tribox_impl_fw *e2)
 {
     const tribox_impl_fw parts = tribox_impl_wide_all((float)TRIBOX_IMPL_PARTS);
     *e0 = tribox_impl_wide_choose(on, v1 - v0, *e0);
@@ -4477,8 +4480,8 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_touch(tribox_impl_fw *lo_spread, tribox_
     *hi_spread += tribox_impl_wide_flip(touch, sign & (lower_open | (upper_open & uphill)));
 }
 
-/* Edge i's line in a plane. Edges bound from both sides in lanes `two`; `off` is how far they may be off, times
- * d_r. */
+/* Edge i's line in a plane. Edges bound from both sides in lanes `two`; `off` is how far they may be off,
+ * times d_r. */
 TRIBOX_IMPL_FORCED void tribox_impl_row_line(tribox_impl_row_lines *out, const tribox_impl_row_parts *p,
                                              const tribox_impl_quick *q, int i, tribox_impl_fw v_b,
                                              tribox_impl_fw v_r, tribox_impl_fw e_b, tribox_impl_fw e_r,
@@ -4632,12 +4635,14 @@ typedef struct tribox_impl_row_bounds {
     tribox_impl_fw hi_most;
 } tribox_impl_row_bounds;
 
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_row_most(const tribox_impl_fw at[3], const tribox_impl_fw step[3])
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_row_most(const tribox_impl_fw at[3],
+                                                       const tribox_impl_fw step[3])
 {
     return tribox_impl_wide_max(tribox_impl_wide_max(at[0] + step[0], at[1] + step[1]), at[2] + step[2]);
 }
 
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_row_least(const tribox_impl_fw at[3], const tribox_impl_fw step[3])
+TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_row_least(const tribox_impl_fw at[3],
+                                                        const tribox_impl_fw step[3])
 {
     return tribox_impl_wide_min(tribox_impl_wide_min(at[0] + step[0], at[1] + step[1]), at[2] + step[2]);
 }
@@ -4650,8 +4655,9 @@ TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_row_within(tribox_impl_fw bound, t
 }
 
 /* Bounds of so many rows, within voxels 1..extent + 1; half a voxel off what might be unsure. */
-TRIBOX_IMPL_FORCED void tribox_impl_row_bounds_set(tribox_impl_row_bounds *out, const tribox_impl_row_lines *l,
-                                                   int rows, tribox_impl_iw extent)
+TRIBOX_IMPL_FORCED void tribox_impl_row_bounds_set(tribox_impl_row_bounds *out,
+                                                   const tribox_impl_row_lines *l, int rows,
+                                                   tribox_impl_iw extent)
 {
     const tribox_impl_fw first = tribox_impl_wide_all(1.5f);
     const tribox_impl_fw before = tribox_impl_wide_all(0.5f);
@@ -4740,9 +4746,10 @@ TRIBOX_IMPL_FORCED void tribox_impl_few_set(tribox_impl_few *out, const tribox_i
                 tribox_impl_wide_min(x_of_y[y].hi_most, x_of_z[z].hi_most), hi_most + step));
             const tribox_impl_iw row = tribox_impl_wide_int(y + 1);
             const tribox_impl_iw none = (first > last) | (first_y > row) | (row > last_y);
+            const tribox_impl_iw voxels = tribox_impl_wide_bit(last) -
+                                          tribox_impl_wide_bit(first - tribox_impl_wide_int(1));
             out->unsure |= ((first != first_most) | (last != last_least)) & ~none;
-            out->x[z][y] = (tribox_impl_wide_bit(last) - tribox_impl_wide_bit(first - tribox_impl_wide_int(1))) &
-                           ~none;
+            out->x[z][y] = voxels & ~none;
         }
     }
 }
@@ -4830,8 +4837,10 @@ TRIBOX_IMPL_FN void tribox_impl_lane_bounds_set(tribox_impl_lane_bounds *out, co
                                last + 1.0f);
         tribox_impl_lane_store(out->lo_most + i, tribox_impl_lane_most(l->lo_most, lane, lo_step), first,
                                last + 1.0f);
-        tribox_impl_lane_store(out->hi_least + i, tribox_impl_lane_least(l->hi_least, lane, hi_step), 0.5f, last);
-        tribox_impl_lane_store(out->hi_most + i, tribox_impl_lane_least(l->hi_most, lane, hi_step), 0.5f, last);
+        tribox_impl_lane_store(out->hi_least + i, tribox_impl_lane_least(l->hi_least, lane, hi_step), 0.5f,
+                               last);
+        tribox_impl_lane_store(out->hi_most + i, tribox_impl_lane_least(l->hi_most, lane, hi_step), 0.5f,
+                               last);
     }
 }
 
@@ -5101,8 +5110,9 @@ typedef struct tribox_impl_batch {
 } tribox_impl_batch;
 
 /* Boxes of WIDE triangles: those listed, or from the first on if there is no list. */
-TRIBOX_IMPL_FORCED void tribox_impl_boxes_set(tribox_impl_i4 out[TRIBOX_IMPL_WIDE], const tribox_impl_fill *fill,
-                                              int indexed, const size_t *list, size_t first)
+TRIBOX_IMPL_FORCED void tribox_impl_boxes_set(tribox_impl_i4 out[TRIBOX_IMPL_WIDE],
+                                              const tribox_impl_fill *fill, int indexed, const size_t *list,
+                                              size_t first)
 {
     tribox_impl_points v[3];
     tribox_impl_boxes box;
