@@ -1224,33 +1224,37 @@ TRIBOX_IMPL_FN void tribox_impl_exact_corners(tribox_impl_exact *f, const double
 /* ---- 10. Implementation: one box -----------------------------------------------------------------------
  *
  * The filter. T meets B iff T meets B clipped to T's bounding box, so every difference of two coordinates of
- * axis k is at most X_k, the triangle's extent. Let m be the clipped box's centre and h its half size, w_i =
- * v_i - m, and c_i = w_i x w_i+1, whose component a is the value of edge i's line of plane a at m. Then
+ * axis k is at most X_k, the triangle's extent. Twice the clipped box's centre and half size keep halves out:
+ * with a_1, a_2 the corners from v_0, h the box's size and m = 2 (lo - v_0) + h,
  *
- *   n = c_0 + c_1 + c_2. Across edge i the triangle covers [0, n],
- *   the box c_i -+ r_i, r_i = |e_b| h_c + |e_c| h_b.
- *   They meet iff      r_i + |n/2| - |n/2 - c_i| >= 0          (two-sided, so no sign of n is needed)
- *   and the plane iff  |n|.h - |c_1.w_0| >= 0                  (n.(m - v0) = -c_1.w_0)
+ *   n = a_1 x a_2,  c_0 = a_1 x m,  c_2 = m x a_2,  c_1 = 2n - c_0 - c_2.
+ *
+ * Component a of c_i is twice the value of edge i's line of plane a at the centre. Across edge i the triangle
+ * covers [0, 2n], the box c_i -+ r_i, r_i = |e_b| h_c + |e_c| h_b.
+ *   They meet iff      r_i + |n| - |s_i| >= 0, s_i = n - c_i       (two-sided, so no sign of n is needed)
+ *   and the plane iff  |n|.h - |n.m| >= 0.
+ * s_1 = c_0 - s_2, so c_1 is never computed.
  *
  * Bound. u bounds the relative error of +, -, x and FMA in every rounding mode: 2^-23 for float, 2^-52 for
- * double. Errors in units of u X_k: differences at v0: 1; m: (1 + 1 + 2)/2 = 2; h: (1 + 1 + 1)/2 = 1.5;
- * w_0: 2, w_1 and w_2: 1 + 2 + 1 = 4; e: 3. In units of u X_b X_c, with |w| <= X, |c_i| <= 2 X X, |h| <= X/2:
- *   c_i: two products of 4 + 4 + 1, and 2 for their difference: 20
- *   n/2: (20 + 20 + 20 + 4 + 1)/2 = 33, |n/2| <= 1/2
- *   r_i: two products of 3/2 + 1.5 + 1/2, and 1: 8
- *   sum: 8 + 33 + (33 + 20 + 2.5), and 3.5 + 1 for the last two additions: 101
+ * double. Errors in units of u X_k: a_1, a_2, lo - v_0, h: 1; m: 2 + 1 + 2 = 5; e_1: 3. A triangle covers at
+ * most half of a rectangle around it, so in units of u X_b X_c, with |n| <= 1, |c_i| <= 2, |s_i| <= 3:
+ *   n: two products of 1 + 1 + 1, and 1 for their difference: 7
+ *   c_i: two products of 5 + 2 + 2, and 2: 20
+ *   s_0, s_2: 7 + 20 + 3 = 30; s_1: 20 + 30 + 3 = 53
+ *   r_i: two products of 3 + 1 + 1: 10; the sum: 10 + 53 + 7, and 3 + 3 + 3 for three additions: 79
  * In units of u X_x X_y X_z:
- *   c_1.w_0: three products of 20 + 2*2 + 2, and 12 for the two sums: 90
- *   |n|.h: twice three products of 33/2 + 1.5/2 + 1/4, and 2: 107; their difference 4: 201
- * ULPS = 256 serves both; the rest covers second-order terms, the rounding of the bound and reassociation.
+ *   |n|.h: three products of 7 + 1 + 1, and 2 + 3 for the sums: 32
+ *   n.m: three products of 2*7 + 5 + 2, and 4 + 6: 73; their difference 6: 111
+ * ULPS = 128 serves both; the rest covers second-order terms, the rounding of the bound and reassociation.
+ * The bound may take any x >= X for X.
  *
- * Underflow, and subnormals read as zero, change a number by at most 2^-126 (2^-1022). Extents are 0 or
- * within [2^-30, 2^40] ([2^-300, 2^301)), so a bound of degree d is at least 2^-15 * 2^-30d
- * (2^-44 * 2^-300d), to which such errors, times the other extents, add less than 2^-19 of it; and nothing
+ * Underflow, and subnormals read as zero, change a number by at most 2^-126 (2^-1022). What stands for an
+ * extent is 0 or within [2^-30, 2^40] ([2^-300, 2^301)), so a bound of degree d is at least 2^-16 * 2^-30d
+ * (2^-45 * 2^-300d), to which such errors, times the other extents, add less than 2^-18 of it; and nothing
  * overflows. Where X_k = 0, every value with a factor of axis k is exactly 0, and so is its bound:
  * "value >= bound" is right, since that axis then follows from the faces, which lie strictly outside or are
  * closed there under every rule. */
-#define TRIBOX_IMPL_ULPS 256
+#define TRIBOX_IMPL_ULPS 128
 #define TRIBOX_IMPL_U32 1.1920928955078125e-07f             /* 2^-23 */
 #define TRIBOX_IMPL_U64 2.220446049250313080847263336e-16   /* 2^-52 */
 
@@ -1363,26 +1367,21 @@ TRIBOX_IMPL_FN void tribox_impl_filter(tribox_impl_values *out, const double v0[
 {
     const double ulps = TRIBOX_IMPL_ULPS * TRIBOX_IMPL_U64;
     const double *x = clip->extent;
-    double d[4][3];         /* from v0: v1, v2, and the clipped box's corners */
-    double w[3][3];
-    double h[3];
+    double d[4][3];         /* a_1, a_2, lo - v_0, h */
+    double m[3];
     double e[3][3];         /* absolute edges */
-    double half_n[3];
-    double c_1[3];
+    double support = 0.0;
+    double at = 0.0;
     int k;
     for (k = 0; k < 3; k++) {
         d[0][k] = v1[k] - v0[k];
         d[1][k] = v2[k] - v0[k];
         d[2][k] = clip->lo[k] - v0[k];
-        d[3][k] = clip->hi[k] - v0[k];
+        d[3][k] = clip->hi[k] - clip->lo[k];
     }
     TRIBOX_IMPL_KEEP(d);
     for (k = 0; k < 3; k++) {
-        const double m = (d[2][k] + d[3][k]) * 0.5;
-        h[k] = (d[3][k] - d[2][k]) * 0.5;
-        w[0][k] = -m;
-        w[1][k] = d[0][k] - m;
-        w[2][k] = d[1][k] - m;
+        m[k] = 2.0 * d[2][k] + d[3][k];
         e[0][k] = tribox_impl_abs(d[0][k]);
         e[1][k] = tribox_impl_abs(d[1][k] - d[0][k]);
         e[2][k] = tribox_impl_abs(d[1][k]);
@@ -1390,29 +1389,28 @@ TRIBOX_IMPL_FN void tribox_impl_filter(tribox_impl_values *out, const double v0[
     for (k = 0; k < 3; k++) {
         const int b = k < 2 ? k + 1 : 0;
         const int c = k > 0 ? k - 1 : 2;
-        const double c0 = w[0][b] * w[1][c] - w[0][c] * w[1][b];
-        const double c1 = w[1][b] * w[2][c] - w[1][c] * w[2][b];
-        const double c2 = w[2][b] * w[0][c] - w[2][c] * w[0][b];
-        const double n = (c0 + c1 + c2) * 0.5;
-        const double g0 = e[0][b] * h[c] + e[0][c] * h[b] - tribox_impl_abs(n - c0);
-        const double g1 = e[1][b] * h[c] + e[1][c] * h[b] - tribox_impl_abs(n - c1);
-        const double g2 = e[2][b] * h[c] + e[2][c] * h[b] - tribox_impl_abs(n - c2);
+        const double n = d[0][b] * d[1][c] - d[0][c] * d[1][b];
+        const double c0 = d[0][b] * m[c] - d[0][c] * m[b];
+        const double s0 = n - c0;
+        const double s2 = n - (m[b] * d[1][c] - m[c] * d[1][b]);
+        const double s1 = c0 - s2;
+        const double g0 = e[0][b] * d[3][c] + (e[0][c] * d[3][b] - tribox_impl_abs(s0));
+        const double g1 = e[1][b] * d[3][c] + (e[1][c] * d[3][b] - tribox_impl_abs(s1));
+        const double g2 = e[2][b] * d[3][c] + (e[2][c] * d[3][b] - tribox_impl_abs(s2));
         const double g = g0 < g1 ? g0 : g1;
-        c_1[k] = c1;
-        half_n[k] = tribox_impl_abs(n);
-        out->value[k] = (g < g2 ? g : g2) + half_n[k];
+        out->value[k] = (g < g2 ? g : g2) + tribox_impl_abs(n);
         out->bound[k] = ulps * x[b] * x[c];
+        support += tribox_impl_abs(n) * d[3][k];
+        at += n * m[k];
     }
-    out->value[3] = (half_n[0] * h[0] + half_n[1] * h[1] + half_n[2] * h[2]) * 2.0 -
-                    tribox_impl_abs(c_1[0] * w[0][0] + c_1[1] * w[0][1] + c_1[2] * w[0][2]);
+    out->value[3] = support - tribox_impl_abs(at);
     out->bound[3] = ulps * x[0] * x[1] * x[2];
     out->in_range = tribox_impl_extent_in_range(x[0]) & tribox_impl_extent_in_range(x[1]) &
                     tribox_impl_extent_in_range(x[2]);
 }
 
 /* Are all values of the filter exact? Coordinates that are multiples of some unit, and differ by less
- * than 2^15 of it, make them so: the largest, c_1.w_0, is below 3 * 2^33 * 2^16 < 2^53 in units of
- * half that unit, cubed. */
+ * than 2^15 of it, make them so: the largest, n.m, is below 3 * 2^31 * 2^17 < 2^53 in that unit, cubed. */
 TRIBOX_IMPL_FN int tribox_impl_clip_on_lattice(const double v0[3], const double v1[3], const double v2[3],
                                                const tribox_impl_clip *clip)
 {
@@ -1471,7 +1469,7 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_overlap(const double v0[3], const double v1
         }
     }
     if (unsure != 0 && (clip.open_lo | clip.open_hi) == 0 && tribox_impl_clip_on_lattice(v0, v1, v2, &clip)) {
-        /* an edge is a multiple of 1/8 of the unit squared, its bound below 2^-14 of it: unsure is zero */
+        /* an edge is a multiple of the unit squared, its bound below 2^-15 of it: unsure is zero */
         return filter.value[3] >= 0.0;
     }
     return unsure == 0 || tribox_impl_clipped_exact(v0, v1, v2, &clip, unsure);
@@ -1514,6 +1512,14 @@ TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_order(int32_t i, int32_t j, int32_t k,
     return r;
 }
 #define TRIBOX_IMPL_LANES(a, b, i, j, k, l) __builtin_shuffle(a, b, tribox_impl_order(i, j, k, l))
+#endif
+
+/* Lanes 0, 1, 2 of a, and lane i of b: one instruction, or two, which gcc has to be told. */
+#if defined(__SSE2__) && !defined(__SSE4_1__)
+#define TRIBOX_IMPL_JOIN(a, b, i) \
+    TRIBOX_IMPL_LANES(a, TRIBOX_IMPL_LANES(a, b, 2, 2, 4 + (i), 4 + (i)), 0, 1, 4, 6)
+#else
+#define TRIBOX_IMPL_JOIN(a, b, i) TRIBOX_IMPL_LANES(a, b, 0, 1, 2, 4 + (i))
 #endif
 
 TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_load3(const void *v)
@@ -1649,7 +1655,7 @@ TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_above(tribox_impl_f4 magnitude, int32_
 /* Sign bits: lanes that are not 0 and whose magnitude is below the float with bits `least`. */
 TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_below(tribox_impl_f4 magnitude, int32_t least)
 {
-    const tribox_impl_i4 bits = (tribox_impl_i4)tribox_impl_abs4(magnitude);
+    const tribox_impl_i4 bits = (tribox_impl_i4)magnitude;
     return (bits - tribox_impl_splat_int(least)) & -bits;
 }
 
@@ -1660,12 +1666,20 @@ TRIBOX_IMPL_FN int tribox_impl_may_flush(const float v[3])
     return tribox_impl_any(tribox_impl_below(tribox_impl_abs4(tribox_impl_load3(v)), 0x0d800000));
 }
 
+/* An edge's value less |n|, as z, x, y: |e_b| h_c + |e_c| h_b - |s|. e: absolute. */
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_edge4(tribox_impl_f4 e, tribox_impl_f4 e_yzx, tribox_impl_f4 h,
+                                                tribox_impl_f4 h_yzx, tribox_impl_f4 s)
+{
+    return e * h_yzx + (e_yzx * h - tribox_impl_abs4(s));
+}
+
 /* The verdict of the float filter. rule: the box is not closed, so equality at a face is unsure. */
 TRIBOX_IMPL_FN int tribox_impl_filter4(const float v0[3], const float v1[3], const float v2[3],
                                        const float box_min[3], const float box_max[3], int rule)
 {
-    const tribox_impl_f4 half = tribox_impl_splat(0.5f);
     const tribox_impl_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f };       /* 2^-149 */
+    const tribox_impl_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
+    const tribox_impl_f4 ulps = tribox_impl_splat(TRIBOX_IMPL_ULPS * TRIBOX_IMPL_U32);
     const tribox_impl_f4 p0 = tribox_impl_load3(v0);
     const tribox_impl_f4 p1 = tribox_impl_load3(v1);
     const tribox_impl_f4 p2 = tribox_impl_load3(v2);
@@ -1675,55 +1689,54 @@ TRIBOX_IMPL_FN int tribox_impl_filter4(const float v0[3], const float v1[3], con
     const tribox_impl_f4 t_max = tribox_impl_max4(tribox_impl_max4(p0, p1), p2);
     const tribox_impl_f4 lower = tribox_impl_max4(lo, t_min);
     const tribox_impl_f4 upper = tribox_impl_min4(hi, t_max);
-    const tribox_impl_i4 faces = lower > upper;     /* a face parts them, or min > max */
-    const tribox_impl_f4 x = t_max - t_min;
     tribox_impl_f4 a1 = p1 - p0;
     tribox_impl_f4 a2 = p2 - p0;
     tribox_impl_f4 l = lower - p0;
-    tribox_impl_f4 u = upper - p0;
+    tribox_impl_f4 h = upper - lower;
+    tribox_impl_f4 span = hi - lo;
     TRIBOX_IMPL_KEEP4(a1);
     TRIBOX_IMPL_KEEP4(a2);
     TRIBOX_IMPL_KEEP4(l);
-    TRIBOX_IMPL_KEEP4(u);
+    TRIBOX_IMPL_KEEP4(h);
+    TRIBOX_IMPL_KEEP4(span);
     {
-        const tribox_impl_f4 x_yzx = tribox_impl_yzx(x);
+        const tribox_impl_f4 m = l * tribox_impl_splat(2.0f) + h;
         const tribox_impl_f4 e0 = tribox_impl_abs4(a1);
         const tribox_impl_f4 e1 = tribox_impl_abs4(a2 - a1);
         const tribox_impl_f4 e2 = tribox_impl_abs4(a2);
-        const tribox_impl_f4 m = (l + u) * half;
-        const tribox_impl_f4 hh = u - l;
-        const tribox_impl_f4 h = hh * half;
-        const tribox_impl_f4 h_yzx = tribox_impl_yzx(h);
-        const tribox_impl_f4 w1 = m - a1;
-        const tribox_impl_f4 w2 = m - a2;
         const tribox_impl_f4 m_yzx = tribox_impl_yzx(m);
-        const tribox_impl_f4 w1_yzx = tribox_impl_yzx(w1);
-        const tribox_impl_f4 w2_yzx = tribox_impl_yzx(w2);
-        const tribox_impl_f4 c0 = m * w1_yzx - m_yzx * w1;
-        const tribox_impl_f4 c1 = w1 * w2_yzx - w1_yzx * w2;
-        const tribox_impl_f4 c2 = w2 * m_yzx - w2_yzx * m;
-        const tribox_impl_f4 n = (c0 + c1 + c2) * half;
-        const tribox_impl_f4 n_abs = tribox_impl_abs4(n);
-        const tribox_impl_f4 g0 = tribox_impl_radius4(e0, h, h_yzx) - tribox_impl_abs4(n - c0);
-        const tribox_impl_f4 g1 = tribox_impl_radius4(e1, h, h_yzx) - tribox_impl_abs4(n - c1);
-        const tribox_impl_f4 g2 = tribox_impl_radius4(e2, h, h_yzx) - tribox_impl_abs4(n - c2);
-        const tribox_impl_f4 edge = tribox_impl_min4(tribox_impl_min4(g0, g1), g2) + n_abs;
-        const tribox_impl_f4 edge_bound = tribox_impl_splat(TRIBOX_IMPL_ULPS * TRIBOX_IMPL_U32) * x * x_yzx;
-        const tribox_impl_f4 sums = tribox_impl_abs4(tribox_impl_sums3(tribox_impl_yzx(n_abs) * hh,
-                                                                       tribox_impl_yzx(c1) * m));
-        const tribox_impl_f4 plane = sums - TRIBOX_IMPL_LANES(sums, sums, 1, 1, 1, 1);
-        const tribox_impl_f4 plane_bound = edge_bound * tribox_impl_yzx(x_yzx);
-        const tribox_impl_f4 value = TRIBOX_IMPL_LANES(edge, plane, 0, 1, 2, 4);
-        const tribox_impl_f4 bound = TRIBOX_IMPL_LANES(edge_bound, plane_bound, 0, 1, 2, 4);
+        const tribox_impl_f4 h_yzx = tribox_impl_yzx(h);
+        const tribox_impl_f4 a1_yzx = tribox_impl_yzx(a1);
+        const tribox_impl_f4 a2_yzx = tribox_impl_yzx(a2);
+        const tribox_impl_f4 c0 = a1 * m_yzx - a1_yzx * m;
+        const tribox_impl_f4 c2 = m * a2_yzx - m_yzx * a2;
+        const tribox_impl_f4 n = a1 * a2_yzx - a1_yzx * a2;
+        const tribox_impl_f4 n_xyz = tribox_impl_yzx(n);
+        const tribox_impl_f4 sums = tribox_impl_sums3(n_xyz * m, tribox_impl_abs4(n_xyz) * h);
+        const tribox_impl_f4 s0 = n - c0;
+        const tribox_impl_f4 s2 = n - c2;
+        const tribox_impl_f4 s1 = c0 - s2;
+        /* lane 3: -|n.m| here, and |n|.h in place of |n| make it the plane */
+        const tribox_impl_f4 g0 = tribox_impl_edge4(e0, tribox_impl_abs4(a1_yzx), h, h_yzx,
+                                                    TRIBOX_IMPL_JOIN(s0, sums, 0));
+        const tribox_impl_f4 g1 = tribox_impl_edge4(e1, tribox_impl_yzx(e1), h, h_yzx, s1);
+        const tribox_impl_f4 g2 = tribox_impl_edge4(e2, tribox_impl_abs4(a2_yzx), h, h_yzx, s2);
+        const tribox_impl_f4 g = tribox_impl_min4(tribox_impl_min4(g1, g2), g0);
+        const tribox_impl_f4 value = g + TRIBOX_IMPL_JOIN(tribox_impl_abs4(n), sums, 1);
+        /* from X to 2X; NaN, or beyond the range, where a corner is */
+        const tribox_impl_f4 x = e0 + e2;
+        const tribox_impl_f4 x_yzx = tribox_impl_yzx(x);
+        const tribox_impl_f4 area = x * x_yzx;
+        const tribox_impl_f4 volume = area * tribox_impl_yzx(x_yzx);
+        const tribox_impl_f4 size = TRIBOX_IMPL_JOIN(area, volume, 0);
         /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as zero */
-        const int refused = tribox_impl_signs(tribox_impl_above(e0, 0x53000000) |
-                                              tribox_impl_above(e2, 0x53000000) |
-                                              tribox_impl_above(tribox_impl_abs4(lo), 0x7f800000) |
-                                              tribox_impl_above(tribox_impl_abs4(hi), 0x7f800000) |
+        const int refused = tribox_impl_signs(tribox_impl_above(x, 0x53000000) |
+                                              tribox_impl_above(tribox_impl_abs4(span), 0x7f800000) |
                                               tribox_impl_below(x + tiny, 0x30800000));
-        const int miss = tribox_impl_signs(faces | (value < -bound)) != 0;
+        /* h < 0: a face parts them, or min > max. Far apart, values overflow to NaN: never in a minimum with h */
+        const int miss = tribox_impl_signs((h < zero) | (value + ulps * size < zero)) != 0;
         const int at_face = rule ? tribox_impl_signs((lo >= t_max) | (t_min >= hi) | (lo >= hi)) & 7 : 0;
-        const int doubt = (tribox_impl_signs(value < bound) | at_face) != 0;
+        const int doubt = (tribox_impl_signs((tribox_impl_i4)(value - ulps * size)) | at_face) != 0;
         const int open = doubt & !miss;
         /* one branch, hardly ever taken: miss alone is a coin toss */
         if (TRIBOX_IMPL_RARELY((refused != 8) | open)) {

@@ -403,8 +403,8 @@ static void exact_condition(int id, int thin)
     mpq_add(sum, sum, largest);
 }
 
-/* sum = the filter's value k, of the box low, extent: the least of r_i + |n/2| - |n/2 - c_i| with c_i = w_i x
- * w_i+1 about the box's centre, r_i = |e_b| h_c + |e_c| h_b; or |n|.h - |n.(centre - v0)| */
+/* sum = half the filter's value k, of the box low, extent: the least of r_i + |n/2| - |n/2 - c_i| with
+ * c_i = w_i x w_i+1 about the box's centre, r_i = |e_b| h_c + |e_c| h_b; or |n|.h - |n.(centre - v0)| */
 static void exact_one_box(int k)
 {
     int i;
@@ -508,6 +508,7 @@ static double worst_part(const computed *r, const numbers *q, int kind)
         }
         if (kind == ONE_BOX) {
             exact_one_box(i);
+            mpq_mul_2exp(sum, sum, 1);
         } else {
             exact_condition(i, q->thin);
         }
