@@ -3519,13 +3519,6 @@ TRIBOX_IMPL_FN const void *tribox_impl_corner(const tribox_mesh *mesh, size_t t,
     return (const char *)mesh->positions + (mesh->indices != NULL ? (size_t)mesh->indices[at] : at) * stride;
 }
 
-TRIBOX_IMPL_FN void tribox_impl_corners(const tribox_mesh *mesh, size_t t, const void *out_corner[3])
-{
-    out_corner[0] = tribox_impl_corner(mesh, t, 0);
-    out_corner[1] = tribox_impl_corner(mesh, t, 1);
-    out_corner[2] = tribox_impl_corner(mesh, t, 2);
-}
-
 TRIBOX_IMPL_FN void tribox_impl_mesh_corner(const tribox_mesh *mesh, size_t t, int c, double out_v[3])
 {
     float x[3];
@@ -7596,6 +7589,17 @@ TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
 #undef TRIBOX_IMPL_FIRST
 #undef TRIBOX_IMPL_SECOND
 #undef TRIBOX_IMPL_MARGIN
+#undef TRIBOX_IMPL_PARTS
+#undef TRIBOX_IMPL_PARTS_LOG2
+#undef TRIBOX_IMPL_ON_LATTICE
+#undef TRIBOX_IMPL_IS_CUT
+#undef TRIBOX_IMPL_OFF
+#undef TRIBOX_IMPL_NOT_KNOWN
+#undef TRIBOX_IMPL_STRIDE
+#undef TRIBOX_IMPL_AT0
+#undef TRIBOX_IMPL_FEW
+#undef TRIBOX_IMPL_ALL
+#undef TRIBOX_IMPL_MOST_INDEX
 #undef TRIBOX_IMPL_BATCH
 #undef TRIBOX_IMPL_NUM_LIMBS
 #undef TRIBOX_IMPL_NUM_U
