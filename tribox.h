@@ -3882,9 +3882,9 @@ TRIBOX_IMPL_FN float tribox_impl_lattice_step(const tribox_grid *grid, int k, do
     const double origin = tribox_impl_abs(grid->origin[k]);
     const double origin_down = tribox_impl_floor_to(origin, spacing);
     const double most = spacing * 1125899906842624.0;       /* 2^50 */
-    const int exact = origin < most && tribox_impl_abs((double)grid->lo[k]) * step < most &&
-                      tribox_impl_bits64(&origin) == tribox_impl_bits64(&origin_down) &&
-                      !(tribox_impl_floor_to(step, spacing) < step);
+    const int exact = (origin < most) & (tribox_impl_abs((double)grid->lo[k]) * step < most) &
+                      (tribox_impl_bits64(&origin) == tribox_impl_bits64(&origin_down)) &
+                      (tribox_impl_floor_to(step, spacing) >= step);
     return exact ? (float)step : 0.0f;
 }
 
@@ -4971,31 +4971,28 @@ TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_row_within(tribox_impl_fw bound, t
     return tribox_impl_wide_min(tribox_impl_wide_max(bound, lo), hi);
 }
 
-/* Bounds of so many rows, within voxels 1..extent + 1; half a voxel off what might be unsure. */
+/* The bounds of a row, within voxels 1..extent + 1; half a voxel off what might be unsure. */
 TRIBOX_IMPL_FORCED void tribox_impl_row_bounds_set(tribox_impl_row_bounds *out,
-                                                   const tribox_impl_row_lines *l, int rows,
+                                                   const tribox_impl_row_lines *l, int row,
                                                    tribox_impl_iw extent)
 {
+    const tribox_impl_fw at = tribox_impl_wide_all((float)row);
     const tribox_impl_fw first = tribox_impl_wide_all(1.5f);
     const tribox_impl_fw before = tribox_impl_wide_all(0.5f);
     const tribox_impl_fw last = __builtin_convertvector(extent, tribox_impl_fw) + first;
     const tribox_impl_fw after = last + tribox_impl_wide_all(1.0f);
-    int i;
-    for (i = 0; i < rows; i++, out++) {
-        const tribox_impl_fw row = tribox_impl_wide_all((float)i);
-        tribox_impl_fw lo[3];
-        tribox_impl_fw hi[3];
-        lo[0] = l->lo_slope[0] * row;
-        lo[1] = l->lo_slope[1] * row;
-        lo[2] = l->lo_slope[2] * row;
-        hi[0] = l->hi_slope[0] * row;
-        hi[1] = l->hi_slope[1] * row;
-        hi[2] = l->hi_slope[2] * row;
-        out->lo_least = tribox_impl_row_within(tribox_impl_row_most(l->lo_least, lo), first, after);
-        out->lo_most = tribox_impl_row_within(tribox_impl_row_most(l->lo_most, lo), first, after);
-        out->hi_least = tribox_impl_row_within(tribox_impl_row_least(l->hi_least, hi), before, last);
-        out->hi_most = tribox_impl_row_within(tribox_impl_row_least(l->hi_most, hi), before, last);
-    }
+    tribox_impl_fw lo[3];
+    tribox_impl_fw hi[3];
+    lo[0] = l->lo_slope[0] * at;
+    lo[1] = l->lo_slope[1] * at;
+    lo[2] = l->lo_slope[2] * at;
+    hi[0] = l->hi_slope[0] * at;
+    hi[1] = l->hi_slope[1] * at;
+    hi[2] = l->hi_slope[2] * at;
+    out->lo_least = tribox_impl_row_within(tribox_impl_row_most(l->lo_least, lo), first, after);
+    out->lo_most = tribox_impl_row_within(tribox_impl_row_most(l->lo_most, lo), first, after);
+    out->hi_least = tribox_impl_row_within(tribox_impl_row_least(l->hi_least, hi), before, last);
+    out->hi_most = tribox_impl_row_within(tribox_impl_row_least(l->hi_most, hi), before, last);
 }
 
 TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_row_voxel(tribox_impl_fw x)
@@ -5029,38 +5026,40 @@ TRIBOX_IMPL_FORCED void tribox_impl_few_set(tribox_impl_few *out, const tribox_i
     const tribox_impl_iw extent_y = tribox_impl_extent(r->extents, 1);
     const tribox_impl_iw extent_z = tribox_impl_extent(r->extents, 2);
     tribox_impl_row_bounds x_of_y[TRIBOX_IMPL_FEW];
-    tribox_impl_row_bounds x_of_z[TRIBOX_IMPL_FEW];
-    tribox_impl_row_bounds y_of_z[TRIBOX_IMPL_FEW];
+    tribox_impl_iw first_y;
+    tribox_impl_iw last_y;
     int y;
     int z;
     out->unsure = r->unsure;
-    tribox_impl_row_bounds_set(x_of_y, &r->x_of_y, rows, extent_x);
-    tribox_impl_row_bounds_set(x_of_z, &r->x_of_z, layers, extent_x);
-    tribox_impl_row_bounds_set(y_of_z, &r->y_of_z, layers, extent_y);
+    for (y = 0; y < rows; y++) {
+        tribox_impl_row_bounds_set(&x_of_y[y], &r->x_of_y, y, extent_x);
+    }
     for (z = 0; z < layers; z++) {
-        const tribox_impl_iw first_y = tribox_impl_row_voxel(y_of_z[z].lo_least);
-        const tribox_impl_iw last_y = tribox_impl_row_voxel(y_of_z[z].hi_most) &
-                                      ~(tribox_impl_wide_int(z) > extent_z);
-        const tribox_impl_iw differ_y = (first_y != tribox_impl_row_voxel(y_of_z[z].lo_most)) |
-                                        (last_y != tribox_impl_row_voxel(y_of_z[z].hi_least));
+        tribox_impl_row_bounds x_of_z;
+        tribox_impl_row_bounds y_of_z;
         const tribox_impl_fw at = r->at + tribox_impl_wide_all((float)z) * r->slope_z;
         const tribox_impl_fw lo_least = at + r->lo_least;
         const tribox_impl_fw lo_most = at + r->lo_most;
         const tribox_impl_fw hi_least = at + r->hi_least;
         const tribox_impl_fw hi_most = at + r->hi_most;
-        out->unsure |= differ_y & ~(first_y > last_y);
+        tribox_impl_row_bounds_set(&x_of_z, &r->x_of_z, z, extent_x);
+        tribox_impl_row_bounds_set(&y_of_z, &r->y_of_z, z, extent_y);
+        first_y = tribox_impl_row_voxel(y_of_z.lo_least);
+        last_y = tribox_impl_row_voxel(y_of_z.hi_most) & ~(tribox_impl_wide_int(z) > extent_z);
+        out->unsure |= ((first_y != tribox_impl_row_voxel(y_of_z.lo_most)) |
+                        (last_y != tribox_impl_row_voxel(y_of_z.hi_least))) & ~(first_y > last_y);
         out->first_y[z] = first_y;
         out->last_y[z] = last_y;
         for (y = 0; y < rows; y++) {
             const tribox_impl_fw step = tribox_impl_wide_all((float)y) * r->slope_y;
             const tribox_impl_iw first = tribox_impl_row_voxel(tribox_impl_wide_max(
-                tribox_impl_wide_max(x_of_y[y].lo_least, x_of_z[z].lo_least), lo_least + step));
+                tribox_impl_wide_max(x_of_y[y].lo_least, x_of_z.lo_least), lo_least + step));
             const tribox_impl_iw first_most = tribox_impl_row_voxel(tribox_impl_wide_max(
-                tribox_impl_wide_max(x_of_y[y].lo_most, x_of_z[z].lo_most), lo_most + step));
+                tribox_impl_wide_max(x_of_y[y].lo_most, x_of_z.lo_most), lo_most + step));
             const tribox_impl_iw last_least = tribox_impl_row_voxel(tribox_impl_wide_min(
-                tribox_impl_wide_min(x_of_y[y].hi_least, x_of_z[z].hi_least), hi_least + step));
+                tribox_impl_wide_min(x_of_y[y].hi_least, x_of_z.hi_least), hi_least + step));
             const tribox_impl_iw last = tribox_impl_row_voxel(tribox_impl_wide_min(
-                tribox_impl_wide_min(x_of_y[y].hi_most, x_of_z[z].hi_most), hi_most + step));
+                tribox_impl_wide_min(x_of_y[y].hi_most, x_of_z.hi_most), hi_most + step));
             const tribox_impl_iw row = tribox_impl_wide_int(y + 1);
             const tribox_impl_iw none = (first > last) | (first_y > row) | (row > last_y);
             const tribox_impl_iw voxels = tribox_impl_wide_bit(last) -
@@ -5444,15 +5443,30 @@ TRIBOX_IMPL_FORCED void tribox_impl_boxes_set(tribox_impl_i4 out[TRIBOX_IMPL_WID
     }
 }
 
-/* The boxes of so many triangles; asks for the memory of their voxels. */
-TRIBOX_IMPL_FORCED void tribox_impl_batch_set(tribox_impl_batch *b, const tribox_impl_fill *fill, int count,
-                                              int indexed, const size_t *list, size_t first)
+/* The boxes of so many triangles from t, BATCH at most; asks for the memory of their voxels. */
+TRIBOX_IMPL_NOINLINE void tribox_impl_batch_set(tribox_impl_batch *b, const tribox_impl_fill *fill, size_t t,
+                                                int count)
 {
     const tribox_impl_target *target = fill->target;
     const size_t layer_words = fill->quick.layer_words;
+    const int indexed = fill->mesh->indices != NULL;
     int i;
-    for (i = 0; i < count; i += TRIBOX_IMPL_WIDE) {
-        tribox_impl_boxes_set(b->box + i, fill, indexed, list != NULL ? list + i : NULL, first + (size_t)i);
+    if (count == TRIBOX_IMPL_BATCH && indexed) {
+        for (i = 0; i < TRIBOX_IMPL_BATCH; i += TRIBOX_IMPL_WIDE) {
+            tribox_impl_boxes_set(b->box + i, fill, 1, NULL, t + (size_t)i);
+        }
+    } else if (count == TRIBOX_IMPL_BATCH) {
+        for (i = 0; i < TRIBOX_IMPL_BATCH; i += TRIBOX_IMPL_WIDE) {
+            tribox_impl_boxes_set(b->box + i, fill, 0, NULL, t + (size_t)i);
+        }
+    } else {
+        size_t list[TRIBOX_IMPL_BATCH];
+        for (i = 0; i < TRIBOX_IMPL_BATCH; i++) {
+            list[i] = t + (size_t)(i < count ? i : 0);
+        }
+        for (i = 0; i < count; i += TRIBOX_IMPL_WIDE) {
+            tribox_impl_boxes_set(b->box + i, fill, indexed, list + i, 0);
+        }
     }
     for (i = 0; i < count; i++) {
         const tribox_impl_i4 box = b->box[i];
@@ -5499,17 +5513,7 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_fill_batch(tribox_impl_fill *fill, size_t 
     const int thin = fill->quick.thin;
     tribox_impl_batch batch;
     int i;
-    if (count < TRIBOX_IMPL_BATCH) {
-        size_t list[TRIBOX_IMPL_BATCH];
-        for (i = 0; i < TRIBOX_IMPL_BATCH; i++) {
-            list[i] = t + (size_t)(i < count ? i : 0);
-        }
-        tribox_impl_batch_set(&batch, fill, count, fill->mesh->indices != NULL, list, 0);
-    } else if (fill->mesh->indices != NULL) {
-        tribox_impl_batch_set(&batch, fill, TRIBOX_IMPL_BATCH, 1, NULL, t);
-    } else {
-        tribox_impl_batch_set(&batch, fill, TRIBOX_IMPL_BATCH, 0, NULL, t);
-    }
+    tribox_impl_batch_set(&batch, fill, t, count);
     for (i = 0; i < count; i++, t++) {
         const tribox_impl_i4 box = batch.box[i];
         const int more = box[3] & ~TRIBOX_IMPL_ON_LATTICE;      /* fits 2^3, 3^3, 4^3 voxels? */
