@@ -3882,9 +3882,10 @@ TRIBOX_IMPL_FN float tribox_impl_lattice_step(const tribox_grid *grid, int k, do
     const double origin = tribox_impl_abs(grid->origin[k]);
     const double origin_down = tribox_impl_floor_to(origin, spacing);
     const double most = spacing * 1125899906842624.0;       /* 2^50 */
-    const int exact = (origin < most) & (tribox_impl_abs((double)grid->lo[k]) * step < most) &
-                      (tribox_impl_bits64(&origin) == tribox_impl_bits64(&origin_down)) &
-                      (tribox_impl_floor_to(step, spacing) >= step);
+    int exact = tribox_impl_bits64(&origin) == tribox_impl_bits64(&origin_down);
+    exact &= tribox_impl_floor_to(step, spacing) >= step;
+    exact &= origin < most;
+    exact &= tribox_impl_abs((double)grid->lo[k]) * step < most;
     return exact ? (float)step : 0.0f;
 }
 
