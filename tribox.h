@@ -337,8 +337,8 @@ TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid);
  * Cost        About 8 ns for a triangle off the region, 15 ns for one whose voxels are all set, 20 to 70 ns
  *             for one of up to 4 voxels on each axis, 0.16 us for 8, then about 5 ns a row. It costs no more
  *             to touch exactly where grid planes and corners are floats, as 1/16 of a voxel of size 1 or 0.25
- *             is; else 1 us where a corner is within rounding of a grid plane, or an edge of a voxel's (gcc 12
- *             -O2, a Xeon). Less than 16 KiB of stack.
+ *             is; else up to 1 us where a corner is within rounding of a grid plane, or an edge of a voxel's
+ *             (gcc 12 -O2, a Xeon). Without vectors two to five times that. Less than 16 KiB of stack.
  */
 TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits);
 
@@ -1808,7 +1808,7 @@ TRIBOX_IMPL_FN int tribox_impl_filter4(const float v0[3], const float v1[3], con
         const int refused = tribox_impl_signs(tribox_impl_above(x, 0x53000000) |
                                               tribox_impl_above(tribox_impl_abs4(span), 0x7f800000) |
                                               tribox_impl_below(x + tiny, 0x30800000));
-        /* h < 0: a face parts them, or min > max. Far apart, values overflow to NaN: never in a minimum with h */
+        /* h < 0: a face parts them, or min > max. Far apart, values overflow to NaN: never min them with h */
         const int miss = tribox_impl_signs((h < zero) | (value + ulps * size < zero)) != 0;
         const int at_face = rule ? tribox_impl_signs((lo >= t_max) | (t_min >= hi) | (lo >= hi)) & 7 : 0;
         const int doubt = (tribox_impl_signs((tribox_impl_i4)(value - ulps * size)) | at_face) != 0;
@@ -3529,21 +3529,297 @@ TRIBOX_IMPL_FN void tribox_impl_mesh_corner(const tribox_mesh *mesh, size_t t, i
     }
 }
 
-/* One triangle by the row walk. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_fill_exact(const tribox_grid *grid, const tribox_mesh *mesh,
-                                                 size_t triangle, const tribox_impl_target *target)
+/* ---- One triangle of few voxels, in double
+ *
+ * For triangles whose index box has up to FINE voxels on each axis: by rows, as the row walk, but bounds in
+ * double decide or nothing does. They are those of "Rows" below, and so are the names; u = 2^-52.
+ *
+ * Error. Corners, in voxels from the region's minimum corner, are off by D = 8 u (|origin| / size + n + 64),
+ * origin being the grid's plus that of the region; edges by 3 u of themselves, as differences are exact or
+ * rounded once, the slope g by 16 u, which a distance of m <= FINE + 1 multiplies; M and the sums by 4 u of
+ * the region: in all less than 8 D (1 + |g|). Normals are off by 16 u m^2, and sure above four times that;
+ * the plane's slopes add (1 + |g_y| + |g_z|) 64 u m^3 / |n_x|. A triangle is a segment in a plane if all its
+ * corners are level on an axis, or an edge is a point there. Its edges run to and fro then, and whatever sign
+ * the area has, bound it from both sides; the plane says what they say. */
+#define TRIBOX_IMPL_FINE 64
+
+/* A region, in double. */
+typedef struct tribox_impl_fine {
+    double origin[3];
+    double inverse[3];
+    double delta;       /* D */
+    int    n[3];
+    int    thin;
+    int    on;          /* 0: its numbers are out of range */
+} tribox_impl_fine;
+
+TRIBOX_IMPL_FN void tribox_impl_fine_init(tribox_impl_fine *f, const tribox_grid *grid)
 {
+    int k;
+    f->on = 1;
+    f->delta = 0.0;
+    f->thin = (grid->flags & TRIBOX_THIN) != 0;
+    for (k = 0; k < 3; k++) {
+        const double size = grid->size[k];
+        const double offset = (double)grid->lo[k] * size;
+        const double n = (double)grid->hi[k] - (double)grid->lo[k];
+        const double units = size > 1e-18 ? 1.0 / size : 0.0;
+        const double reach = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(offset)) * units + n + 64.0;
+        const double delta = 8.0 * TRIBOX_IMPL_U64 * reach;
+        f->on &= size > 1e-18 && size < 1e18 && n <= 65536.0 && delta < 1e-6;
+        f->origin[k] = grid->origin[k] + offset;
+        f->inverse[k] = units;
+        f->n[k] = n <= 65536.0 ? (int)n : 0;
+        f->delta = delta > f->delta ? delta : f->delta;
+    }
+}
+
+/* What bounds the voxels of row r: M = at + slope * r, floor(M - half) and floor(M + half). */
+typedef struct tribox_impl_fine_line {
+    double at;
+    double slope;
+    double half;
+    double error;
+    int    bounds_lo;
+    int    bounds_hi;
+} tribox_impl_fine_line;
+
+TRIBOX_IMPL_FN void tribox_impl_fine_line_set(tribox_impl_fine_line *l, const tribox_impl_fine *f, double v_b,
+                                              double v_r, double e_b, double e_r, double area)
+{
+    const int has = tribox_impl_abs(e_r) > 1e-18;
+    const double slope = has ? e_b / e_r : 0.0;
+    const double steep = tribox_impl_abs(slope);
+    const int below = (area < 0.0) != (e_r < 0.0);
+    l->at = v_b + slope * (0.5 - v_r);
+    l->slope = slope;
+    l->half = 0.5 * (!f->thin ? steep : steep > 1.0 ? steep - 1.0 : 0.0);
+    l->error = 8.0 * f->delta * (1.0 + steep);
+    l->bounds_lo = has && below;
+    l->bounds_hi = has && !below;
+}
+
+TRIBOX_IMPL_FN int tribox_impl_fine_floor(double x)
+{
+    const double most = 1073741824.0;       /* 2^30 */
+    const double clamped = x < -most ? -most : x > most ? most : x;
+    const int i = (int)clamped;
+    return (double)i > clamped ? i - 1 : i;
+}
+
+/* Cuts voxels first..last of row r to what is within bounds. Returns 0 if unsure. */
+TRIBOX_IMPL_FN int tribox_impl_fine_narrow(const tribox_impl_fine_line *l, int r, int *first, int *last)
+{
+    const double middle = l->at + l->slope * (double)r;
+    if (l->bounds_lo) {
+        const int least = tribox_impl_fine_floor(middle - l->half - l->error);
+        const int most = tribox_impl_fine_floor(middle - l->half + l->error);
+        if (least != most && most > *first && least <= *last) {
+            return 0;
+        }
+        *first = most > *first ? most : *first;
+    }
+    if (l->bounds_hi) {
+        const int least = tribox_impl_fine_floor(middle + l->half - l->error);
+        const int most = tribox_impl_fine_floor(middle + l->half + l->error);
+        if (least != most && least < *last && most >= *first) {
+            return 0;
+        }
+        *last = least < *last ? least : *last;
+    }
+    return 1;
+}
+
+/* The lines of a triangle: xy, xz, yz, three edges each, and the plane, whose line is that of layer 0. */
+typedef struct tribox_impl_fine_tri {
+    tribox_impl_fine_line edge[3][3];
+    tribox_impl_fine_line plane;
+    double                slope_z;
+} tribox_impl_fine_tri;
+
+/* x: corners in voxels from the region, e: edges, m: the longest. Returns 0 if unsure. */
+TRIBOX_IMPL_FN int tribox_impl_fine_tri_set(tribox_impl_fine_tri *t, const tribox_impl_fine *f,
+                                            double x[3][3], double e[3][3], double m)
+{
+    double n[3];
+    int is_flat = 0;
+    int i;
+    int k;
+    for (k = 0; k < 3; k++) {
+        const int b = k < 2 ? k + 1 : 0;
+        const int c = k > 0 ? k - 1 : 2;
+        int flat = (e[0][b] == 0.0 && e[1][b] == 0.0) || (e[0][c] == 0.0 && e[1][c] == 0.0);
+        for (i = 0; i < 3; i++) {
+            flat |= e[i][b] == 0.0 && e[i][c] == 0.0;
+        }
+        n[k] = e[0][b] * e[1][c] - e[0][c] * e[1][b];
+        if (!flat && !(tribox_impl_abs(n[k]) > 64.0 * TRIBOX_IMPL_U64 * m * m)) {
+            return 0;
+        }
+        is_flat |= flat;
+    }
+    for (i = 0; i < 3; i++) {
+        tribox_impl_fine_line_set(&t->edge[0][i], f, x[i][0], x[i][1], e[i][0], e[i][1], n[2]);
+        tribox_impl_fine_line_set(&t->edge[1][i], f, x[i][0], x[i][2], e[i][0], e[i][2], -n[1]);
+        tribox_impl_fine_line_set(&t->edge[2][i], f, x[i][1], x[i][2], e[i][1], e[i][2], n[0]);
+    }
+    t->plane.bounds_lo = t->plane.bounds_hi = !is_flat;
+    t->plane.at = t->plane.slope = t->plane.half = t->plane.error = t->slope_z = 0.0;
+    if (!is_flat) {
+        const double slope_y = -n[1] / n[0];
+        const double slope_z = -n[2] / n[0];
+        const double steep_y = tribox_impl_abs(slope_y);
+        const double steep_z = tribox_impl_abs(slope_z);
+        const double most = steep_y > steep_z ? steep_y : steep_z;
+        t->plane.at = x[0][0] + slope_y * (0.5 - x[0][1]) + slope_z * (0.5 - x[0][2]);
+        t->plane.slope = slope_y;
+        t->slope_z = slope_z;
+        t->plane.half = 0.5 * (!f->thin ? steep_y + steep_z : most > 1.0 ? most - 1.0 : 0.0);
+        t->plane.error = (1.0 + steep_y + steep_z) *
+                         (8.0 * f->delta + 64.0 * TRIBOX_IMPL_U64 * m * m * m / tribox_impl_abs(n[0]));
+    }
+    return 1;
+}
+
+/* Sets voxels first..last of a row, none if first > last. */
+TRIBOX_IMPL_FN void tribox_impl_fine_run(const tribox_impl_target *target, int first, int last, int y, int z)
+{
+    if (first <= last) {
+        tribox_impl_set_run(target, target->bits + ((size_t)z * target->ny + (size_t)y) * target->row_words,
+                            (size_t)first, (size_t)last);
+    }
+}
+
+/* Rows y and layers z of a region, first to last. */
+typedef struct tribox_impl_part {
+    int64_t first[2];
+    int64_t last[2];
+} tribox_impl_part;
+
+/* A part of a triangle. Returns 0 if unsure; voxels set by then are right. */
+TRIBOX_IMPL_NOINLINE int tribox_impl_fine_fill(const tribox_impl_fine *f, const tribox_impl_target *target,
+                                               double v[3][3], const tribox_impl_part *part)
+{
+    tribox_impl_fine_tri t;
+    double x[3][3];
+    double e[3][3];
+    double m = 1.0;
+    int first[3];
+    int last[3];
+    int longer = 0;     /* axes with more than one voxel */
+    int i;
+    int k;
+    int y;
+    int z;
+    if (!f->on) {
+        return 0;
+    }
+    if (!tribox_impl_corners_finite(v[0], v[1], v[2])) {
+        return 1;
+    }
+    for (i = 0; i < 3; i++) {
+        for (k = 0; k < 3; k++) {
+            x[i][k] = v[i][k] - f->origin[k];
+            e[i][k] = v[i < 2 ? i + 1 : 0][k] - v[i][k];
+        }
+    }
+    TRIBOX_IMPL_KEEP(x);
+    TRIBOX_IMPL_KEEP(e);
+    for (k = 0; k < 3; k++) {
+        double least;
+        double most;
+        for (i = 0; i < 3; i++) {
+            x[i][k] *= f->inverse[k];
+            e[i][k] *= f->inverse[k];
+        }
+        least = x[0][k] < x[1][k] ? x[0][k] : x[1][k];
+        least = least < x[2][k] ? least : x[2][k];
+        most = x[0][k] > x[1][k] ? x[0][k] : x[1][k];
+        most = most > x[2][k] ? most : x[2][k];
+        first[k] = tribox_impl_fine_floor(least - f->delta);
+        last[k] = tribox_impl_fine_floor(most + f->delta);
+        if (first[k] != tribox_impl_fine_floor(least + f->delta) ||
+            last[k] != tribox_impl_fine_floor(most - f->delta) || last[k] - first[k] >= TRIBOX_IMPL_FINE) {
+            return 0;
+        }
+        m = most - least > m ? most - least : m;
+        longer += first[k] < last[k];
+        first[k] = first[k] > 0 ? first[k] : 0;
+        last[k] = last[k] < f->n[k] - 1 ? last[k] : f->n[k] - 1;
+    }
+    for (k = 0; k < 2; k++) {
+        first[k + 1] = first[k + 1] > part->first[k] ? first[k + 1] : (int)part->first[k];
+        last[k + 1] = last[k + 1] < part->last[k] ? last[k + 1] : (int)part->last[k];
+    }
+    if (longer <= 1 && !f->thin) {
+        for (z = first[2]; z <= last[2]; z++) {
+            for (y = first[1]; y <= last[1]; y++) {
+                tribox_impl_fine_run(target, first[0], last[0], y, z);
+            }
+        }
+        return 1;
+    }
+    if (!tribox_impl_fine_tri_set(&t, f, x, e, m)) {
+        return 0;
+    }
+    for (z = first[2]; z <= last[2]; z++) {
+        tribox_impl_fine_line plane = t.plane;
+        int rows[2];
+        int layer[2];
+        plane.at += t.slope_z * (double)z;
+        rows[0] = first[1];
+        rows[1] = last[1];
+        layer[0] = first[0];
+        layer[1] = last[0];
+        for (i = 0; i < 3; i++) {
+            if (!tribox_impl_fine_narrow(&t.edge[2][i], z, &rows[0], &rows[1]) ||
+                !tribox_impl_fine_narrow(&t.edge[1][i], z, &layer[0], &layer[1])) {
+                return 0;
+            }
+        }
+        for (y = rows[0]; y <= rows[1]; y++) {
+            int row[2];
+            row[0] = layer[0];
+            row[1] = layer[1];
+            for (i = 0; i < 3; i++) {
+                if (!tribox_impl_fine_narrow(&t.edge[0][i], y, &row[0], &row[1])) {
+                    return 0;
+                }
+            }
+            if (!tribox_impl_fine_narrow(&plane, y, &row[0], &row[1])) {
+                return 0;
+            }
+            tribox_impl_fine_run(target, row[0], row[1], y, z);
+        }
+    }
+    return 1;
+}
+
+/* A part of one triangle, by the row walk where nothing else is sure. */
+TRIBOX_IMPL_NOINLINE void tribox_impl_fill_part(const tribox_grid *grid, const tribox_impl_fine *fine,
+                                                const tribox_mesh *mesh, size_t triangle,
+                                                const tribox_impl_part *part,
+                                                const tribox_impl_target *target)
+{
+    tribox_grid cut = *grid;
     tribox_impl_sink sink;
     double v[3][3];
-    int c;
-    for (c = 0; c < 3; c++) {
-        tribox_impl_mesh_corner(mesh, triangle, c, v[c]);
+    int k;
+    for (k = 0; k < 3; k++) {
+        tribox_impl_mesh_corner(mesh, triangle, k, v[k]);
+    }
+    if (tribox_impl_fine_fill(fine, target, v, part)) {
+        return;
+    }
+    for (k = 0; k < 2; k++) {
+        cut.lo[k + 1] = (int)(grid->lo[k + 1] + part->first[k]);
+        cut.hi[k + 1] = (int)(grid->lo[k + 1] + part->last[k] + 1);
     }
     sink.target = target;
     sink.emit = NULL;
     sink.user = NULL;
     sink.count = 0;
-    tribox_impl_spans(grid, v[0], v[1], v[2], &sink);
+    tribox_impl_spans(&cut, v[0], v[1], v[2], &sink);
 }
 
 /* The power of two at or below x, x positive and normal. */
@@ -3570,10 +3846,10 @@ TRIBOX_IMPL_FN double tribox_impl_floor_to(double x, double q)
  *
  * Most triangles of a mesh touch few voxels. Their index boxes are found several at a time. A box whose
  * voxels are all set is done; one that is longer than one voxel on one axis at most is set whole; boxes of up
- * to 2^3, 3^3 and 4^3 voxels wait in groups and are decided together, all others of up to 64^3 in groups, too,
- * row by row. Each way computes in float or double with proven bounds; a triangle that comes within them, or
- * some of its rows, goes to the next way, the last being the row walk. Where all values are beyond their
- * bounds nothing touches by a hair, so that every rule gives the same voxels.
+ * to 2^3, 3^3 and 4^3 voxels wait in groups and are decided together, all others of up to 64^3 in groups,
+ * too, row by row. Each way computes in float or double with proven bounds; a triangle that comes within
+ * them, or some of its rows, goes to the next way, the last two being double and the row walk. Where all
+ * values are beyond their bounds nothing touches by a hair, so that every rule gives the same voxels.
  *
  * u = 2^-23 bounds a relative rounding error in every mode. Coordinates below are voxels. */
 #if defined(__AVX2__)
@@ -3984,7 +4260,7 @@ TRIBOX_IMPL_FN void tribox_impl_group_pad(tribox_impl_group *g)
     }
 }
 
-/* Rows y and layers z of the region, first to last, that a triangle leaves for the row walk. */
+/* What a triangle leaves for the row walk. */
 typedef struct tribox_impl_doubt {
     size_t   triangle;
     uint16_t first[2];
@@ -3992,11 +4268,12 @@ typedef struct tribox_impl_doubt {
 } tribox_impl_doubt;
 
 /* What the ways of a fill share. Doubts wait until the stack is free of all else. */
-#define TRIBOX_IMPL_BATCH 32
+#define TRIBOX_IMPL_BATCH 16
 
 typedef struct tribox_impl_fill {
     const tribox_mesh        *mesh;
     const tribox_impl_target *target;
+    const tribox_impl_fine   *fine;
     tribox_impl_quick         quick;
     tribox_impl_group         group[3];     /* boxes of up to 2^3, 3^3, 4^3 voxels */
     tribox_impl_group         rows[2];      /* of up to FEW^3, ROWS^3 */
@@ -4615,7 +4892,7 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_set(const tribox_impl_fill *fill, cons
  * On the lattice, with q the coarsest step of the corners' places, 1/2 at most, and s that of an edge's d_b
  * and d_r, a bound times d_r is a multiple of q s; where d_b is 0 it is one of q, whatever the rows' axis;
  * the plane's, times n_x, is one of q times the step of the normal. An area may be 0 exactly, or known to be
- * where all corners are level; again edges then bound from both sides, and the plane says what they say. */
+ * where all corners are level; again its edges run to and fro, and the plane says what they say. */
 #define TRIBOX_IMPL_NOWHERE 65536.0f
 
 typedef double tribox_impl_dw __attribute__((vector_size(8 * TRIBOX_IMPL_WIDE)));
@@ -4934,11 +5211,11 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_rows_set(tribox_impl_rows *out, const trib
     for (i = 0; i < 3; i++) {
         const tribox_impl_points *a = &p.v[i];
         const tribox_impl_points *e = &p.e[i];
-        tribox_impl_row_line(&out->x_of_y, &p, q, i, a->x, a->y, e->x, e->y, p.n.z, p.flat_z | near_z,
+        tribox_impl_row_line(&out->x_of_y, &p, q, i, a->x, a->y, e->x, e->y, p.n.z, near_z,
                              tribox_impl_wide_where(near_z, off), p.step.z, p.step_b.z);
-        tribox_impl_row_line(&out->x_of_z, &p, q, i, a->x, a->z, e->x, e->z, -p.n.y, p.flat_y | near_y,
+        tribox_impl_row_line(&out->x_of_z, &p, q, i, a->x, a->z, e->x, e->z, -p.n.y, near_y,
                              tribox_impl_wide_where(near_y, off), p.step.y, p.step_b.y);
-        tribox_impl_row_line(&out->y_of_z, &p, q, i, a->y, a->z, e->y, e->z, p.n.x, p.flat_x | near_x,
+        tribox_impl_row_line(&out->y_of_z, &p, q, i, a->y, a->z, e->y, e->z, p.n.x, near_x,
                              tribox_impl_wide_where(near_x, off), p.step.x, p.step_b.x);
     }
 }
@@ -5544,25 +5821,26 @@ TRIBOX_IMPL_FN void tribox_impl_fill_doubts(tribox_impl_fill *fill, const tribox
     int k;
     for (i = 0; i < fill->doubts; i++) {
         const tribox_impl_doubt *d = &fill->doubt[i];
-        tribox_grid part = *grid;
+        tribox_impl_part part;
         for (k = 0; k < 2; k++) {
-            part.lo[k + 1] = grid->lo[k + 1] + (int)d->first[k];
-            part.hi[k + 1] = grid->lo[k + 1] + (int)d->last[k] + 1;
+            part.first[k] = d->first[k];
+            part.last[k] = d->last[k];
         }
-        tribox_impl_fill_exact(&part, fill->mesh, d->triangle, fill->target);
+        tribox_impl_fill_part(grid, fill->fine, fill->mesh, d->triangle, &part, fill->target);
     }
     fill->doubts = 0;
 }
 
 /* All triangles. Returns how many are done: 0 if the grid's numbers are out of range. */
-TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const tribox_mesh *mesh,
-                                             const tribox_impl_target *target)
+TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const tribox_impl_fine *fine,
+                                             const tribox_mesh *mesh, const tribox_impl_target *target)
 {
     tribox_impl_fill fill;
     size_t t = 0;
     int i;
     fill.mesh = mesh;
     fill.target = target;
+    fill.fine = fine;
     fill.doubts = 0;
     for (i = 0; i < 3; i++) {
         fill.group[i].n = 0;
@@ -5594,6 +5872,8 @@ TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const trib
 TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
 {
     tribox_impl_target target;
+    tribox_impl_fine fine;
+    tribox_impl_part all;
     size_t t = 0;
     int k;
     if (tribox_grid_words(grid) == 0) {
@@ -5605,11 +5885,16 @@ TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh
     }
     target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
     target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
+    tribox_impl_fine_init(&fine, grid);
 #if TRIBOX_SIMD
-    t = tribox_impl_fill_quick(grid, mesh, &target);
+    t = tribox_impl_fill_quick(grid, &fine, mesh, &target);
 #endif
+    for (k = 0; k < 2; k++) {
+        all.first[k] = 0;
+        all.last[k] = (int64_t)grid->hi[k + 1] - 1 - grid->lo[k + 1];
+    }
     for (; t < mesh->triangles; t++) {
-        tribox_impl_fill_exact(grid, mesh, t, &target);
+        tribox_impl_fill_part(grid, &fine, mesh, t, &all, &target);
     }
 }
 
@@ -7594,6 +7879,7 @@ TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
 #undef TRIBOX_IMPL_FIRST
 #undef TRIBOX_IMPL_SECOND
 #undef TRIBOX_IMPL_MARGIN
+#undef TRIBOX_IMPL_FINE
 #undef TRIBOX_IMPL_PARTS
 #undef TRIBOX_IMPL_PARTS_LOG2
 #undef TRIBOX_IMPL_ON_LATTICE
