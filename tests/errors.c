@@ -79,6 +79,35 @@ __attribute__((noinline)) static void one_box(computed *r, const numbers *q)
     }
 }
 
+/* Condition i as the lanes of the float test have it. */
+static double lane_value(const tribox_tri *tri, const double p[3], int i)
+{
+    const int k = i / 3;
+    const int b = k < 3 ? (k + 1) % 3 : 0;
+    const int c = k < 3 ? (k + 2) % 3 : 1;
+    const float one = 1.0f;
+    int third = k < 3 ? 2 : 1;
+    float q[3];
+    float first;
+    float second;
+    int j;
+
+    for (j = 2; j >= 0 && k < 3; j--) {     /* one that holds by itself, or the last */
+        const int at = 3 * k + j;
+        if (!(fabsf(tri->n_x[at]) + fabsf(tri->n_y[at]) + fabsf(tri->n_z[at]) > 0.0f)) {
+            third = j;
+        }
+    }
+    for (j = 0; j < 3; j++) {
+        q[j] = (float)p[j] - tri->ref[j];
+    }
+    first = tri->first_b[k] * q[b] + tri->first_c[k] * q[c] + tri->first_z[k] * q[2] + tri->first_d[k];
+    second = tri->second_b[k] * q[b] + tri->second_c[k] * q[c] + tri->second_d[k];
+    j = i % 3;
+    return (double)((j == third ? tri->third_d[k] - (first + second)
+                                : j == (third + 1) % 3 ? second : first) - one);
+}
+
 __attribute__((noinline)) static void prepared(computed *r, const numbers *q, int as_float)
 {
     tribox_tri tri;
@@ -95,10 +124,7 @@ __attribute__((noinline)) static void prepared(computed *r, const numbers *q, in
     }
     for (i = 0; i < VALUES; i++) {
         if (as_float) {
-            const float x = (float)p[0] - tri.ref[0];
-            const float y = (float)p[1] - tri.ref[1];
-            const float z = (float)p[2] - tri.ref[2];
-            r->value[i] = (double)(tri.n_x[i] * x + tri.n_y[i] * y + (tri.n_z[i] * z + tri.d[i]));
+            r->value[i] = lane_value(&tri, p, i);
             r->slope[i][0] = (double)tri.n_x[i];
             r->slope[i][1] = (double)tri.n_y[i];
             r->slope[i][2] = (double)tri.n_z[i];
