@@ -209,6 +209,62 @@ static void last_float_place_reaches_by_its_size_alone(void)
     }
 }
 
+static float float_of_bits(uint32_t bits)
+{
+    float x;
+
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* The float faces are compared as integers: around each face, around both zeros, the infinities and the ends
+ * of the NaNs, a float gets the answer of the same double; NaN and infinity get 0. */
+static void faces_hold_for_floats_as_for_doubles(void)
+{
+    static const double ends[12][2] = {{1, 2},      {-2, -1},   {-1, 2},     {-200, 300},  {0, 1},
+                                       {-1, 0},     {0, 0},     {-3, -3},    {1e-40, 1},   {-1, -1e-40},
+                                       {1e-40, 2e-40}, {-FLT_MAX, FLT_MAX}};
+    static const double sizes[6] = {0, 1, 0.1, 3, 1e-42, 2.9387358770557188e-39};
+    static const uint32_t middles[6] = {0, 0x7f800000u, 0x7fffffffu, 0x80000000u, 0xff800000u, 0xffffffffu};
+    int i;
+
+    for (i = 0; i < 12 * 6 * 3 * 4; i++) {
+        const double *t = ends[i % 12];
+        const int     a = i / 72 % 3;
+        double        v[3][3] = {{0, 0, 0}, {0.25, 0.5, 1}, {1, 0.25, 0.5}};
+        double        size[3] = {1, 1, 1};
+        uint32_t      middle[8];
+        tribox_tri    tri;
+        int           k;
+        int           n;
+
+        v[0][a] = v[1][a] = t[0];
+        v[2][a] = t[1];
+        size[a] = sizes[i / 12 % 6];
+        tribox_tri_init_f64(&tri, v[0], v[1], v[2], size, every_rule[i / 216]);
+        memcpy(middle, middles, sizeof middles);
+        for (k = 0; k < 2; k++) {
+            float face = (float)(k == 0 ? t[0] - size[a] : t[1]);
+            memcpy(middle + 6 + k, &face, sizeof face);
+        }
+        for (k = 0; k < 8; k++) {
+            for (n = -4; n <= 4; n++) {
+                float  f[3] = {0, 0, 0};
+                double p[3] = {0, 0, 0};
+                int    answer;
+                f[a] = float_of_bits(middle[k] + (uint32_t)n);
+                answer = tribox_tri_test(&tri, f);
+                if (((middle[k] + (uint32_t)n) & 0x7f800000u) == 0x7f800000u) {
+                    CHECK(answer == 0);
+                } else {
+                    p[a] = tribox_impl_widen(&f[a]);
+                    CHECK(answer == tribox_tri_test_f64(&tri, p));
+                }
+            }
+        }
+    }
+}
+
 /* Places so far from the triangle that the filter's bound does not hold there: the face test answers. */
 static void far_places_miss(void)
 {
@@ -268,6 +324,7 @@ int main(void)
     RUN(sum_may_exceed_the_type);
     RUN(float_setup_answers_double_places);
     RUN(last_float_place_reaches_by_its_size_alone);
+    RUN(faces_hold_for_floats_as_for_doubles);
     RUN(far_places_miss);
     RUN(box_of_any_size_is_exact);
     return test_report("test_tri");
