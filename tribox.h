@@ -174,14 +174,14 @@ enum {                      /* flags; 0 = closed, conservative */
 /* One triangle prepared for boxes [p, p + size]. Read it freely; only the init and resize functions write it.
  * Condition i of 12 holds at p iff
  *
- *   n_x[i]*(p - ref).x + n_y[i]*(p - ref).y + n_z[i]*(p - ref).z + d[i] >= 0,
+ *   n_x_f64[i]*(p - ref).x + n_y_f64[i]*(p - ref).y + n_z_f64[i]*(p - ref).z + d_f64[i] >= 0,
  *
  * edge normals n_e and distances d_e of [SS10]: 0..8 edge i%3 in the plane across axis i/3 (x, y, z);
  * 9 and 10 the two sides of the triangle's plane, n.p + d1 and -(n.p + d2); 11 none. The three of a plane
  * are scaled by one power of two, which brings their rounding errors below 1.
  *
  * The float test has the three of each plane in the lanes of three vectors: in lane k of first, second, third
- * are conditions 3*k..3*k+2, in some order, plus 1. With q = p - ref = (x, y, z, z),
+ * are conditions 3*k..3*k+2, in some order, scaled anew, plus 1. With q = p - ref = (x, y, z, z),
  *
  *   first = first_b*(y, z, x, x) + first_c*(z, x, y, y) + first_z*q + first_d, second alike without z,
  *   third = third_d - (first + second): edges add up to zero, and so do the two sides of the plane. */
@@ -198,11 +198,11 @@ typedef struct tribox_tri {
     float    second_c[4];
     float    second_d[4];
     float    third_d[4];
-    float    n_x[12];       /* the conditions for eight octants at once */
-    float    n_y[12];
-    float    n_z[12];
-    float    d[12];
-    double   n_x_f64[12];   /* the conditions again, for the double test */
+    float    step[4];       /* size; for eight octants at once, as what follows */
+    float    middle[4];     /* the faces hold if |p - ref - middle| <= the float of bits face_in, */
+    int32_t  face_in[4];    /* and do not if it is more than that of face_out; between, who knows */
+    int32_t  face_out[4];
+    double   n_x_f64[12];   /* for the double test */
     double   n_y_f64[12];
     double   n_z_f64[12];
     double   d_f64[12];
@@ -499,7 +499,7 @@ TRIBOX_FN void tribox_tri_resize_f64(tribox_tri *tri, const double size[3]);
  *
  * Returns     Bit x + 2y + 4z for the box at p + (x,y,z)*size. p not finite: 0.
  * Guarantees  Each bit is the exact answer for that box, by the rule tri was set up with.
- * Cost        28 ns; for each box within the filter's bound, as tribox_tri_test there.
+ * Cost        12 ns, double 20; for each box within the filter's bound, as tribox_tri_test there.
  */
 TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3]);
 TRIBOX_FN unsigned tribox_tri_octants_f64(const tribox_tri *tri, const double p[3]);
@@ -2211,7 +2211,18 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
  * power of two 1/S, E < S, so that values to -1 are misses and from 1 on hits; they are below 2^20. Underflow
  * and subnormals read as zero: R is taken as at least 2^-60 (2^-300), so |A|/S <= 2^80 (2^352), which
  * multiplies errors of 2^-126 (2^-1022) at most; outside R <= 2^60 (2^300) and 2^-600 <= E a condition is all
- * zeros, which is unsure for every p. */
+ * zeros, which is unsure for every p.
+ *
+ * Octants are at p and p + size, so |p - ref| <= 2 R. q of the upper ones is p - ref, size and their sum,
+ * each rounded: off by 2 + 1 + 1 u of R. That makes 13 u of the products, not 10: still within 19.
+ *
+ * Their faces: with c = (t_min + t_max - size)/2 - ref, the middle of the p that touch, and h half of their
+ * length, they hold iff |x| <= h, x = p - ref - c. Rounded are p - ref = x + c (upper: x + c - size), size,
+ * their sum, c, and the difference: x is off by u (3 |x| + 3 |c| + 2 size). At |x| = h the bound
+ *
+ *   8 u (h + |c| + size), the sum taken as at least 2^-60,
+ *
+ * leaves room for rounding h and itself, and for underflow; beyond, |x| grows faster than its error. */
 
 /* Orders as floats do; +0 and -0 are 0. */
 TRIBOX_IMPL_FN int32_t tribox_impl_key32(const float *x)
@@ -2335,6 +2346,32 @@ TRIBOX_IMPL_FN void tribox_impl_tri_keys(tribox_tri *tri, int k, int lo_is_open,
         }
     }
     tribox_impl_tri_faces(tri, k, least, most);
+}
+
+/* The faces of axis k as octants have them. */
+TRIBOX_IMPL_FN void tribox_impl_tri_middle(tribox_tri *tri, int k)
+{
+    const double least = 8.673617379884035e-19;     /* 2^-60 */
+    const double size = tri->size[k];
+    double middle;
+    double half;
+    double bound;
+    float in;
+    float out;
+    double t_min = tri->t_min[k] - (double)tri->ref[k];
+    double t_max = tri->t_max[k] - (double)tri->ref[k];
+    TRIBOX_IMPL_KEEP(t_min);
+    TRIBOX_IMPL_KEEP(t_max);
+    middle = (t_min + t_max - size) * 0.5;
+    half = (t_max - t_min + size) * 0.5;
+    bound = half + tribox_impl_abs(middle) + size;
+    bound = 8.0 * (double)TRIBOX_IMPL_U32 * (bound > least ? bound : least);
+    in = (float)(half - bound);
+    out = (float)(half + bound);
+    tri->step[k] = (float)size;
+    tri->middle[k] = (float)middle;
+    tri->face_in[k] = half > bound ? (int32_t)tribox_impl_bits32(&in) : -1;
+    tri->face_out[k] = (int32_t)tribox_impl_bits32(&out);
 }
 
 TRIBOX_IMPL_COLD int tribox_impl_normal_sign_exact(const double v0[3], const double v1[3],
@@ -2466,7 +2503,6 @@ TRIBOX_IMPL_FN double tribox_impl_condition_scale(const tribox_impl_condition *s
 /* A condition that is unsure everywhere. */
 TRIBOX_IMPL_FN void tribox_impl_store_zero(tribox_tri *tri, int i)
 {
-    tri->n_x[i] = tri->n_y[i] = tri->n_z[i] = tri->d[i] = 0.0f;
     tri->n_x_f64[i] = tri->n_y_f64[i] = tri->n_z_f64[i] = tri->d_f64[i] = 0.0;
 }
 
@@ -2474,21 +2510,13 @@ TRIBOX_IMPL_FN void tribox_impl_store_zero(tribox_tri *tri, int i)
 TRIBOX_IMPL_FN void tribox_impl_store_true(tribox_tri *tri, int i)
 {
     tribox_impl_store_zero(tri, i);
-    tri->d[i] = 2.0f;
     tri->d_f64[i] = 2.0;
 }
 
-/* Condition i, scaled by f in float and by g in double. */
-TRIBOX_IMPL_FN void tribox_impl_store(tribox_tri *tri, int i, const tribox_impl_condition *c, double f,
-                                      double g)
+/* Condition i, scaled by g. */
+TRIBOX_IMPL_FN void tribox_impl_store(tribox_tri *tri, int i, const tribox_impl_condition *c, double g)
 {
     tribox_impl_store_zero(tri, i);
-    if (f > 0.0) {
-        tri->n_x[i] = (float)(c->a[0] * f);
-        tri->n_y[i] = (float)(c->a[1] * f);
-        tri->n_z[i] = (float)(c->a[2] * f);
-        tri->d[i] = (float)(c->d * f);
-    }
     if (g > 0.0) {
         tri->n_x_f64[i] = c->a[0] * g;
         tri->n_y_f64[i] = c->a[1] * g;
@@ -2497,23 +2525,27 @@ TRIBOX_IMPL_FN void tribox_impl_store(tribox_tri *tri, int i, const tribox_impl_
     }
 }
 
-/* Lane k of the float test from conditions 3*k..3*k+2, as they are stored. The third, given by its place, is
- * minus the other two in its linear part, or holds. */
-TRIBOX_IMPL_FN void tribox_impl_store_lane(tribox_tri *tri, int k, int third, int holds)
+/* Lane k of the float test: the conditions of a plane, scaled by f. The third, given by its place, is minus
+ * the other two in its linear part, or holds. */
+TRIBOX_IMPL_FN void tribox_impl_store_lane(tribox_tri *tri, int k, const tribox_impl_condition conditions[3],
+                                           int third, double f)
 {
-    const int i = 3 * k + (third + 2) % 3;
-    const int j = 3 * k + (third + 1) % 3;
-    const double d = (double)tri->d[i] + (double)tri->d[j] + (double)tri->d[3 * k + third];
-    const float *b = k == 0 ? tri->n_y : k == 1 ? tri->n_z : tri->n_x;
-    const float *c = k == 0 ? tri->n_z : k == 1 ? tri->n_x : tri->n_y;
-    tri->first_b[k] = b[i];
-    tri->first_c[k] = c[i];
-    tri->first_z[k] = (float)(k == 3 ? (double)tri->n_z[i] : 0.0);
-    tri->first_d[k] = tri->d[i] + 1.0f;
-    tri->second_b[k] = b[j];
-    tri->second_c[k] = c[j];
-    tri->second_d[k] = tri->d[j] + 1.0f;
-    tri->third_d[k] = (float)(holds ? 1073741824.0 : d + 3.0);      /* 2^30: more than any two */
+    const int b = k < 3 ? (k + 1) % 3 : 0;
+    const int c = k < 3 ? (k + 2) % 3 : 1;
+    const tribox_impl_condition *first = &conditions[(third + 2) % 3];
+    const tribox_impl_condition *second = &conditions[(third + 1) % 3];
+    const tribox_impl_condition *last = &conditions[third];
+    const double first_d = first->holds ? 2.0 : first->d * f;
+    const double second_d = second->holds ? 2.0 : second->d * f;
+    tri->first_b[k] = (float)(first->a[b] * f);
+    tri->first_c[k] = (float)(first->a[c] * f);
+    tri->first_z[k] = (float)(k == 3 ? first->a[2] * f : 0.0);
+    tri->first_d[k] = (float)(first_d + 1.0);
+    tri->second_b[k] = (float)(second->a[b] * f);
+    tri->second_c[k] = (float)(second->a[c] * f);
+    tri->second_d[k] = (float)(second_d + 1.0);
+    tri->third_d[k] = (float)(last->holds ? 1073741824.0        /* 2^30: more than any two */
+                                          : first_d + second_d + last->d * f + 3.0);
 }
 
 /* Edge i in the plane across axis a: w.(q - v_i), w = (-e_c, e_b), turned inward by the sign of n_a. An edge
@@ -2562,10 +2594,10 @@ TRIBOX_IMPL_FN void tribox_impl_set_side(tribox_impl_condition *plane, tribox_tr
                               ((tri->flags & TRIBOX_HALF_OPEN) != 0 && positive)) << (side > 0 ? 9 : 10);
 }
 
-/* Conditions 3*k..3*k+2, of the edges across axis k, or of the triangle's plane. What the float test finds from
- * the other two is an edge that holds by itself, or the last, and the plane's far side. The plane along axis a (n_a = 0) bounds what the edges across a bound: there
- * they lie on one line, and ask about both its sides. Along two axes it bounds what a face bounds; n = 0
- * bounds nothing. */
+/* Conditions 3*k..3*k+2, of the edges across axis k, or of the triangle's plane. What the float test finds
+ * from the other two is an edge that holds by itself, or the last, and the plane's far side. The plane along
+ * axis a (n_a = 0) bounds what the edges across a bound: there they lie on one line, and ask about both its
+ * sides. Along two axes it bounds what a face bounds; n = 0 bounds nothing. */
 TRIBOX_IMPL_FN void tribox_impl_store_plane(tribox_tri *tri, const tribox_impl_setup *s, int k)
 {
     const double two_60 = 1152921504606846976.0;
@@ -2595,11 +2627,13 @@ TRIBOX_IMPL_FN void tribox_impl_store_plane(tribox_tri *tri, const tribox_impl_s
         if (c[i].holds) {
             tribox_impl_store_true(tri, 3 * k + i);
         } else {
-            tribox_impl_store(tri, 3 * k + i, &c[i], f, g);
+            tribox_impl_store(tri, 3 * k + i, &c[i], g);
         }
     }
     third = k == 3 || (c[1].holds && !c[0].holds) ? 1 : c[0].holds ? 0 : 2;
-    tribox_impl_store_lane(tri, k, third, c[third].holds);
+    if (f > 0.0 || (c[0].holds && c[1].holds && c[2].holds)) {
+        tribox_impl_store_lane(tri, k, c, third, f);
+    }
 }
 
 /* 2^14 and more units in the longest reach, if all that conditions are made of is whole in them; else 0. Sums
@@ -2648,9 +2682,13 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
         tribox_impl_store_true(tri, i);
     }
     for (k = 0; k < 4; k++) {
-        tribox_impl_store_lane(tri, k, 0, 1);
+        tri->first_b[k] = tri->first_c[k] = tri->first_z[k] = 0.0f;     /* unsure, in every rounding mode */
+        tri->second_b[k] = tri->second_c[k] = 0.0f;
+        tri->first_d[k] = tri->second_d[k] = 1.0f;
+        tri->third_d[k] = 3.0f;
         tribox_impl_tri_faces(tri, k, 1, 0);    /* none */
-        tri->ref[k] = 0.0f;
+        tri->ref[k] = tri->step[k] = tri->middle[k] = 0.0f;
+        tri->face_in[k] = tri->face_out[k] = -1;
     }
     for (k = 0; k < 3; k++) {
         tri->v[0][k] = v0[k];
@@ -2676,6 +2714,10 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
         if (float_range && tribox_impl_less(1e-30, tribox_impl_abs(v0[k]))) {   /* never subnormal */
             tri->ref[k] = tribox_impl_key32_float(tribox_impl_key32_below(v0[k]));
         }
+        tri->face_out[k] = 2147483647;      /* unsure even of NaN */
+        if (float_range) {
+            tribox_impl_tri_middle(tri, k);
+        }
         for (i = 0; i < 3; i++) {
             s.v[i][k] = tri->v[i][k] - (double)tri->ref[k];
         }
@@ -2698,7 +2740,6 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
         for (i = 0; i < 11; i++) {
             tribox_impl_store_zero(tri, i);
         }
-        tribox_impl_store_lane(tri, 0, 0, 0);   /* unsure */
         return;
     }
     for (k = 0; k < 4; k++) {
@@ -7832,89 +7873,90 @@ TRIBOX_IMPL_COLD int tribox_impl_octant(const tribox_tri *tri, const double p[3]
 }
 
 #if TRIBOX_SIMD
-/* The least lane of each of four vectors. */
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_least_of_each(tribox_impl_f4 a, tribox_impl_f4 b, tribox_impl_f4 c,
-                                                        tribox_impl_f4 d)
+/* The least of the three edge conditions across axis k, plus 1, at q_b = b, q_c = c. */
+TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_octant_edges(const tribox_tri *tri, int k, tribox_impl_f4 b,
+                                                       tribox_impl_f4 c)
 {
-    const tribox_impl_f4 ab = tribox_impl_min4(TRIBOX_IMPL_LANES(a, b, 0, 4, 1, 5),
-                                               TRIBOX_IMPL_LANES(a, b, 2, 6, 3, 7));
-    const tribox_impl_f4 cd = tribox_impl_min4(TRIBOX_IMPL_LANES(c, d, 0, 4, 1, 5),
-                                               TRIBOX_IMPL_LANES(c, d, 2, 6, 3, 7));
-    return tribox_impl_min4(TRIBOX_IMPL_LANES(ab, cd, 0, 1, 4, 5), TRIBOX_IMPL_LANES(ab, cd, 2, 3, 6, 7));
+    const tribox_impl_f4 first =
+        tribox_impl_fma4(tribox_impl_splat(tri->first_b[k]), b,
+        tribox_impl_fma4(tribox_impl_splat(tri->first_c[k]), c, tribox_impl_splat(tri->first_d[k])));
+    const tribox_impl_f4 second =
+        tribox_impl_fma4(tribox_impl_splat(tri->second_b[k]), b,
+        tribox_impl_fma4(tribox_impl_splat(tri->second_c[k]), c, tribox_impl_splat(tri->second_d[k])));
+    const tribox_impl_f4 third = tribox_impl_splat(tri->third_d[k]) - (first + second);
+    return tribox_impl_min4(tribox_impl_min4(first, second), third);
 }
 
-/* Lowers the eight octants' least values by conditions i..i+3, at lower or upper q per axis. */
-TRIBOX_IMPL_FN void tribox_impl_octant_conditions(const tribox_tri *tri, int i, tribox_impl_f4 lower,
-                                                  tribox_impl_f4 upper, tribox_impl_f4 least[8])
+/* The conditions of the prepared test in float at the eight octants ref + q, q being lower or upper on each
+ * axis: bits of those where all hold, and of those where that is unsure. Edges see two axes: in lanes at the
+ * four pairs of their lower and upper, for both halves of the third. */
+TRIBOX_IMPL_FN unsigned tribox_impl_octant_lanes(const tribox_tri *tri, tribox_impl_f4 lower,
+                                                 tribox_impl_f4 upper, unsigned *out_doubt)
 {
-    const tribox_impl_f4 n_x = tribox_impl_load4(tri->n_x + i);
-    const tribox_impl_f4 n_y = tribox_impl_load4(tri->n_y + i);
-    const tribox_impl_f4 n_z = tribox_impl_load4(tri->n_z + i);
-    const tribox_impl_f4 d = tribox_impl_load4(tri->d + i);
-    const tribox_impl_f4 x0 = n_x * TRIBOX_IMPL_LANES(lower, lower, 0, 0, 0, 0);
-    const tribox_impl_f4 x1 = n_x * TRIBOX_IMPL_LANES(upper, upper, 0, 0, 0, 0);
-    const tribox_impl_f4 y0 = n_y * TRIBOX_IMPL_LANES(lower, lower, 1, 1, 1, 1) + d;
-    const tribox_impl_f4 y1 = n_y * TRIBOX_IMPL_LANES(upper, upper, 1, 1, 1, 1) + d;
-    const tribox_impl_f4 z0 = n_z * TRIBOX_IMPL_LANES(lower, lower, 2, 2, 2, 2);
-    const tribox_impl_f4 z1 = n_z * TRIBOX_IMPL_LANES(upper, upper, 2, 2, 2, 2);
-    least[0] = tribox_impl_min4(least[0], x0 + (y0 + z0));
-    least[1] = tribox_impl_min4(least[1], x1 + (y0 + z0));
-    least[2] = tribox_impl_min4(least[2], x0 + (y1 + z0));
-    least[3] = tribox_impl_min4(least[3], x1 + (y1 + z0));
-    least[4] = tribox_impl_min4(least[4], x0 + (y0 + z1));
-    least[5] = tribox_impl_min4(least[5], x1 + (y0 + z1));
-    least[6] = tribox_impl_min4(least[6], x0 + (y1 + z1));
-    least[7] = tribox_impl_min4(least[7], x1 + (y1 + z1));
+    const tribox_impl_f4 both = TRIBOX_IMPL_LANES(lower, upper, 0, 4, 1, 5);
+    const tribox_impl_f4 both_z = TRIBOX_IMPL_LANES(lower, upper, 2, 6, 2, 6);
+    const tribox_impl_f4 x = TRIBOX_IMPL_LANES(both, both, 0, 1, 0, 1);
+    const tribox_impl_f4 y = TRIBOX_IMPL_LANES(both, both, 2, 2, 3, 3);
+    const tribox_impl_f4 z = TRIBOX_IMPL_LANES(both_z, both_z, 0, 0, 1, 1);
+    const tribox_impl_f4 yz = tribox_impl_octant_edges(tri, 0, TRIBOX_IMPL_LANES(both, both, 2, 3, 2, 3), z);
+    const tribox_impl_f4 zx = tribox_impl_octant_edges(tri, 1, z, x);
+    const tribox_impl_f4 xy = tribox_impl_octant_edges(tri, 2, x, y);
+    const tribox_impl_f4 n_z = tribox_impl_splat(tri->first_z[3]);
+    const tribox_impl_f4 plane =
+        tribox_impl_fma4(tribox_impl_splat(tri->first_b[3]), x,
+        tribox_impl_fma4(tribox_impl_splat(tri->first_c[3]), y, tribox_impl_splat(tri->first_d[3])));
+    const tribox_impl_f4 below = tribox_impl_fma4(n_z, TRIBOX_IMPL_LANES(lower, lower, 2, 2, 2, 2), plane);
+    const tribox_impl_f4 above = tribox_impl_fma4(n_z, TRIBOX_IMPL_LANES(upper, upper, 2, 2, 2, 2), plane);
+    const tribox_impl_f4 sides = tribox_impl_splat(tri->third_d[3] - tri->second_d[3]);
+    const tribox_impl_f4 two = tribox_impl_splat(2.0f);
+    const tribox_impl_f4 least_below = tribox_impl_min4(
+        tribox_impl_min4(tribox_impl_min4(xy, TRIBOX_IMPL_LANES(yz, yz, 0, 0, 1, 1)),
+                         TRIBOX_IMPL_LANES(zx, zx, 0, 1, 0, 1)), tribox_impl_min4(below, sides - below));
+    const tribox_impl_f4 least_above = tribox_impl_min4(
+        tribox_impl_min4(tribox_impl_min4(xy, TRIBOX_IMPL_LANES(yz, yz, 2, 2, 3, 3)),
+                         TRIBOX_IMPL_LANES(zx, zx, 2, 3, 2, 3)), tribox_impl_min4(above, sides - above));
+    /* by their sign bits, as tribox_tri_test */
+    const int miss = tribox_impl_signs((tribox_impl_i4)least_below) |
+                     tribox_impl_signs((tribox_impl_i4)least_above) << 4;
+    const int no_hit = tribox_impl_signs((tribox_impl_i4)(least_below - two)) |
+                       tribox_impl_signs((tribox_impl_i4)(least_above - two)) << 4;
+    *out_doubt = (unsigned)(no_hit & ~miss);
+    return (unsigned)~no_hit;
 }
 #endif
 
-/* The conditions of the prepared test in float at the eight octants ref + q, q_k being q_near[k] or q_far[k]:
- * bits of those where all are at least 1, and of those where the least is within 1 of 0. */
-TRIBOX_IMPL_FN unsigned tribox_impl_octant_values(const tribox_tri *tri, const float q_near[3],
-                                                  const float q_far[3], unsigned *out_doubt)
+/* The conditions of the prepared test at the eight octants ref + q, q_k being q_near[k] or q_far[k]: bits of
+ * those where all hold, and of those where that is unsure. */
+TRIBOX_IMPL_FN unsigned tribox_impl_octant_values(const tribox_tri *tri, const double q_near[3],
+                                                  const double q_far[3], unsigned *out_doubt)
 {
-    unsigned hits = 0;
-    unsigned doubt = 0;
 #if TRIBOX_SIMD
-    const tribox_impl_f4 one = tribox_impl_splat(1.0f);
-    tribox_impl_f4 lower = { q_near[0], q_near[1], q_near[2], 0.0f };
-    tribox_impl_f4 upper = { q_far[0], q_far[1], q_far[2], 0.0f };
-    const tribox_impl_f4 two = one + one;
-    tribox_impl_f4 least[8] = { two, two, two, two, two, two, two, two };
-    tribox_impl_f4 below;
-    tribox_impl_f4 above;
+    tribox_impl_f4 lower = { (float)q_near[0], (float)q_near[1], (float)q_near[2], 0.0f };
+    tribox_impl_f4 upper = { (float)q_far[0], (float)q_far[1], (float)q_far[2], 0.0f };
     TRIBOX_IMPL_KEEP4(lower);
     TRIBOX_IMPL_KEEP4(upper);
-    tribox_impl_octant_conditions(tri, 0, lower, upper, least);
-    tribox_impl_octant_conditions(tri, 4, lower, upper, least);
-    tribox_impl_octant_conditions(tri, 8, lower, upper, least);
-    below = tribox_impl_least_of_each(least[0], least[1], least[2], least[3]);
-    above = tribox_impl_least_of_each(least[4], least[5], least[6], least[7]);
-    /* by their sign bits: less than 1, less than -1 */
-    hits = ~((unsigned)tribox_impl_signs((tribox_impl_i4)(below - one)) |
-             (unsigned)tribox_impl_signs((tribox_impl_i4)(above - one)) << 4);
-    doubt = ~((unsigned)tribox_impl_signs((tribox_impl_i4)(below + one)) |
-              (unsigned)tribox_impl_signs((tribox_impl_i4)(above + one)) << 4);
+    return tribox_impl_octant_lanes(tri, lower, upper, out_doubt);
 #else
-    const float sure = 1.0f;
-    const float unsure = -1.0f;
+    unsigned hits = 0;
+    unsigned doubt = 0;
     unsigned o;
     int i;
     for (o = 0; o < 8; o++) {
-        const float x = (o & 1u) != 0 ? q_far[0] : q_near[0];
-        const float y = (o & 2u) != 0 ? q_far[1] : q_near[1];
-        const float z = (o & 4u) != 0 ? q_far[2] : q_near[2];
-        float least = 2.0f;
+        const double x = (o & 1u) != 0 ? q_far[0] : q_near[0];
+        const double y = (o & 2u) != 0 ? q_far[1] : q_near[1];
+        const double z = (o & 4u) != 0 ? q_far[2] : q_near[2];
+        double least = 2.0;
         for (i = 0; i < 12; i++) {
-            const float value = tri->n_x[i] * x + (tri->n_y[i] * y + tri->d[i] + tri->n_z[i] * z);
+            const double value = tri->n_x_f64[i] * x + tri->n_y_f64[i] * y + tri->n_z_f64[i] * z +
+                                 tri->d_f64[i];
             least = value < least ? value : least;
         }
-        hits |= (unsigned)(least >= sure) << o;
-        doubt |= (unsigned)(least >= unsure) << o;
+        hits |= (unsigned)(least >= 1.0) << o;
+        doubt |= (unsigned)(least >= -1.0) << o;
     }
-#endif
     *out_doubt = doubt & ~hits;
     return hits;
+#endif
 }
 
 /* The octants that the faces of axis k leave, the upper ones `shift` bits above the lower ones. */
@@ -7925,26 +7967,17 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octant_axis(const tribox_tri *tri, int k, do
     return lower * ((faces & 1u) | (faces >> 1) << shift);
 }
 
-/* q_k of the lower and the upper octants */
-TRIBOX_IMPL_FN void tribox_impl_octant_narrow(const tribox_tri *tri, int k, double p, float q_near[3],
-                                              float q_far[3])
-{
-    const double q = p - (double)tri->ref[k];
-    q_near[k] = (float)q;
-    q_far[k] = (float)(q + tri->size[k]);
-}
-
-/* q is rounded to float from double: the roundings in double are too few to count beside it, as |p - ref|
- * <= 2 R where the faces of any octant hold. Where that may be too large for a float, and where sizes are
- * infinite, each octant is asked by itself. */
+/* Where p - ref may be too large for a float, and where sizes are infinite, each octant is asked by
+ * itself. */
 TRIBOX_IMPL_FN unsigned tribox_impl_octants(const tribox_tri *tri, const double p[3])
 {
     unsigned asked;
     unsigned hits = 0;
     unsigned doubt;
-    float q_near[3];
-    float q_far[3];
+    double q_near[3];
+    double q_far[3];
     unsigned o;
+    int k;
     if (tri->empty) {
         return 0;
     }
@@ -7953,13 +7986,14 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octants(const tribox_tri *tri, const double 
     asked &= tribox_impl_octant_axis(tri, 2, p[2], 0x0f, 4);
     doubt = asked;
     if (asked != 0 && !TRIBOX_IMPL_RARELY(tri->huge)) {
-        tribox_impl_octant_narrow(tri, 0, p[0], q_near, q_far);
-        tribox_impl_octant_narrow(tri, 1, p[1], q_near, q_far);
-        tribox_impl_octant_narrow(tri, 2, p[2], q_near, q_far);
-#if !TRIBOX_SIMD
+        for (k = 0; k < 3; k++) {
+            q_near[k] = p[k] - (double)tri->ref[k];
+        }
         TRIBOX_IMPL_KEEP(q_near);
+        for (k = 0; k < 3; k++) {
+            q_far[k] = q_near[k] + tri->size[k];
+        }
         TRIBOX_IMPL_KEEP(q_far);
-#endif
         hits = asked & tribox_impl_octant_values(tri, q_near, q_far, &doubt);
         doubt &= asked;
     }
@@ -7976,11 +8010,58 @@ TRIBOX_FN unsigned tribox_tri_octants_f64(const tribox_tri *tri, const double p[
     return tribox_impl_finite3(p) ? tribox_impl_octants(tri, p) : 0;
 }
 
-TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
+TRIBOX_IMPL_NOINLINE unsigned tribox_impl_octants_widened(const tribox_tri *tri, const float p[3])
 {
     double wide[3];
     tribox_impl_widen3(wide, p);
     return tribox_tri_octants_f64(tri, wide);
+}
+
+#if TRIBOX_SIMD
+/* The octants in the lower, or the upper, halves of axes that bits 0..2 name. */
+TRIBOX_IMPL_FN unsigned tribox_impl_lower_halves(unsigned axes)
+{
+    return (unsigned)(0x7f3f5f0f77335500u >> (axes << 3)) & 0xffu;
+}
+
+TRIBOX_IMPL_FN unsigned tribox_impl_upper_halves(unsigned axes)
+{
+    return (unsigned)(0xfefcfaf0eeccaa00u >> (axes << 3)) & 0xffu;
+}
+#endif
+
+TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
+{
+#if TRIBOX_SIMD
+    const tribox_impl_i4 in = tribox_impl_load4i(tri->face_in);
+    const tribox_impl_i4 out = tribox_impl_load4i(tri->face_out);
+    const tribox_impl_f4 middle = tribox_impl_load4(tri->middle);
+    tribox_impl_f4 lower = tribox_impl_load_xyzz(p) - tribox_impl_load4(tri->ref);
+    tribox_impl_f4 upper;
+    TRIBOX_IMPL_KEEP4(lower);
+    upper = lower + tribox_impl_load4(tri->step);
+    TRIBOX_IMPL_KEEP4(upper);
+    {
+        /* by sign bits of differences: faces that do not hold, and such as may or may not; in integers, to
+         * which NaN is far out */
+        const tribox_impl_i4 from_lower = tribox_impl_magnitude(lower - middle);
+        const tribox_impl_i4 from_upper = tribox_impl_magnitude(upper - middle);
+        const tribox_impl_i4 lower_out = out - from_lower;
+        const tribox_impl_i4 upper_out = out - from_upper;
+        const tribox_impl_i4 unsure = ((in - from_lower) ^ lower_out) | ((in - from_upper) ^ upper_out);
+        const unsigned asked =
+            ~(tribox_impl_lower_halves((unsigned)tribox_impl_signs(lower_out) & 7u) |
+              tribox_impl_upper_halves((unsigned)tribox_impl_signs(upper_out) & 7u)) & 0xffu;
+        unsigned doubt;
+        const unsigned hits = tribox_impl_octant_lanes(tri, lower, upper, &doubt);
+        if (TRIBOX_IMPL_RARELY(((doubt & asked) | (unsigned)tribox_impl_signs(unsure)) != 0)) {
+            return tribox_impl_octants_widened(tri, p);
+        }
+        return hits & asked;
+    }
+#else
+    return tribox_impl_octants_widened(tri, p);
+#endif
 }
 #endif /* TRIBOX_NO_COMPANIONS */
 

@@ -24,6 +24,7 @@ constant() { # sed pattern with one group, sed pattern of the line before
 ULPS=$(constant '^#define TRIBOX_IMPL_ULPS \([0-9]*\)$')
 TERMS=$(constant '.*bound = \([0-9.]*\) \* u \* terms + [0-9.]* \* TRIBOX_IMPL_U64 \* made.*')
 MADE=$(constant '.*bound = [0-9.]* \* u \* terms + \([0-9.]*\) \* TRIBOX_IMPL_U64 \* made.*')
+FACES=$(constant '.*bound = \([0-9.]*\) \* (double)TRIBOX_IMPL_U32 \* (bound > least.*')
 NORMAL=$(constant '.*abs(p) + tribox_impl_abs(q)) \* (\([0-9.]*\) \* TRIBOX_IMPL_U64);.*')
 FRAME=$(constant '^ *(\([0-9.]*\) \* TRIBOX_IMPL_U64);$' 'w->slack\[k\] = (farthest')
 REACH=$(constant '.*w->slack\[k\] += reach \* (\([0-9.]*\) \* TRIBOX_IMPL_U64);.*')
@@ -33,8 +34,8 @@ GRID=$(constant '^ *(\([0-9.]*\) \* TRIBOX_IMPL_U64);$' 'abs(x) + tribox_impl_ab
 SHARE=$(constant '.*const float delta = \([0-9.]*\)f \* TRIBOX_IMPL_U32 \* (float)n + q->delta_low;.*')
 LINES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)n \* delta).*')
 PLANES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)(n \* n) \* delta).*')
-export SHARE LINES PLANES ULPS TERMS MADE NORMAL FRAME REACH LANES GRID
-echo "constants of tribox.h: one box $ULPS; prepared $TERMS and $MADE;" \
+export SHARE LINES PLANES ULPS TERMS MADE FACES NORMAL FRAME REACH LANES GRID
+echo "constants of tribox.h: one box $ULPS; prepared $TERMS and $MADE, faces $FACES;" \
     "sign of the normal $NORMAL; walk $FRAME, $REACH and $LANES; grid plane $GRID;" \
     "groups $SHARE, $LINES and $PLANES"
 
@@ -45,7 +46,7 @@ prove() { # script, P, FUSED or PLAIN, N: lines for boxes of N^3 voxels
     rounding "$n"
     [ "$3" = PLAIN ] && other=FUSED
     sed -E -e "s/^$3 //" -e "/^$other /d" -e "s/@ULPS@/$ULPS/g; s/@TERMS@/$TERMS/g; s/@MADE@/$MADE/g" \
-        -e "s/@NORMAL@/$NORMAL/g; s/@WALK@/$((REACH + FRAME - 2))/g; s/@LANES@/$LANES/g" \
+        -e "s/@FACES@/$FACES/g; s/@NORMAL@/$NORMAL/g; s/@WALK@/$((REACH + FRAME - 2))/g; s/@LANES@/$LANES/g" \
         -e "s/@GRID@/$GRID/g; s/\bP\b/$2/g; s/^N$n //; /^N[2-4] /d" \
         -e "s/@M@/$((n - 1))/g; s/@N@/$n/g; s/@2MM@/$((2 * mm))/g; s/@4MM@/$((4 * mm))/g; s/@AREA@/$area/g" \
         -e "s/@NN@/$((n * n))/g; s/@3NNM@/$((3 * n * n * (n - 1)))/g; s/@EDGE@/$edge/g" \

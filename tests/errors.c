@@ -12,16 +12,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ONE_BOX, PREPARED, PREPARED_FLOAT, WALK, FILL_BOXES, FILL_EDGES, FILL_PLANE };
+enum { ONE_BOX, PREPARED, PREPARED_FLOAT, OCTANTS, WALK, FILL_BOXES, FILL_EDGES, FILL_PLANE };
 enum { VALUES = 11 };
 #if TRIBOX_SIMD
-enum { KINDS = 7 };
+enum { KINDS = 8 };
 #else
-enum { KINDS = 4 };
+enum { KINDS = 5 };
 #endif
 
-static const char *const kind_names[7] = {"one box, double", "prepared, double", "prepared, float",
-                                          "grid walk", "fill, index boxes", "fill, row edges",
+static const char *const kind_names[8] = {"one box, double", "prepared, double", "prepared, float",
+                                          "octants", "grid walk", "fill, index boxes", "fill, row edges",
                                           "fill, row plane"};
 
 /* v0, v1, v2, then box_min and box_max, or p and size, or origin and size */
@@ -79,14 +79,15 @@ __attribute__((noinline)) static void one_box(computed *r, const numbers *q)
     }
 }
 
-/* Condition i as the lanes of the float test have it. */
-static double lane_value(const tribox_tri *tri, const double p[3], int i)
+/* Condition i as the lanes of the float test have it, or at the last of octants. */
+static double lane_value(const tribox_tri *tri, const double p[3], int i, int octants, double slope[3])
 {
     const int k = i / 3;
     const int b = k < 3 ? (k + 1) % 3 : 0;
     const int c = k < 3 ? (k + 2) % 3 : 1;
     const float one = 1.0f;
     int third = k < 3 ? 2 : 1;
+    int holds = 0;
     float q[3];
     float first;
     float second;
@@ -94,21 +95,31 @@ static double lane_value(const tribox_tri *tri, const double p[3], int i)
 
     for (j = 2; j >= 0 && k < 3; j--) {     /* one that holds by itself, or the last */
         const int at = 3 * k + j;
-        if (!(fabsf(tri->n_x[at]) + fabsf(tri->n_y[at]) + fabsf(tri->n_z[at]) > 0.0f)) {
+        if (!(fabs(tri->n_x_f64[at]) + fabs(tri->n_y_f64[at]) + fabs(tri->n_z_f64[at]) > 0.0)) {
             third = j;
+            holds = 1;
         }
     }
     for (j = 0; j < 3; j++) {
         q[j] = (float)p[j] - tri->ref[j];
+        q[j] = octants ? q[j] + tri->step[j] : q[j];
     }
     first = tri->first_b[k] * q[b] + tri->first_c[k] * q[c] + tri->first_z[k] * q[2] + tri->first_d[k];
     second = tri->second_b[k] * q[b] + tri->second_c[k] * q[c] + tri->second_d[k];
     j = i % 3;
+    slope[0] = slope[1] = slope[2] = 0.0;
+    if (j != third || !holds) {     /* the third's are minus the others' sum */
+        const double u = j == third ? -1.0 : j == (third + 1) % 3 ? 0.0 : 1.0;
+        const double v = j == third ? -1.0 : j == (third + 1) % 3 ? 1.0 : 0.0;
+        slope[b] = u * (double)tri->first_b[k] + v * (double)tri->second_b[k];
+        slope[c] = u * (double)tri->first_c[k] + v * (double)tri->second_c[k];
+        slope[2] += u * (double)tri->first_z[k];
+    }
     return (double)((j == third ? tri->third_d[k] - (first + second)
                                 : j == (third + 1) % 3 ? second : first) - one);
 }
 
-__attribute__((noinline)) static void prepared(computed *r, const numbers *q, int as_float)
+__attribute__((noinline)) static void prepared(computed *r, const numbers *q, int as_float, int octants)
 {
     tribox_tri tri;
     double p[3];
@@ -118,16 +129,14 @@ __attribute__((noinline)) static void prepared(computed *r, const numbers *q, in
     tribox_tri_init_f64(&tri, q->x, q->x + 3, q->x + 6, q->x + 12, q->thin ? TRIBOX_THIN : 0u);
     for (k = 0; k < 3; k++) {
         p[k] = q->x[9 + k];
-        if (tri.empty || p[k] > tri.t_max[k] || tribox_impl_far_face(p[k], tri.size[k], tri.t_min[k]) < 0) {
+        if (tri.empty || p[k] + octants * tri.size[k] > tri.t_max[k] ||
+            tribox_impl_far_face(p[k] + octants * tri.size[k], tri.size[k], tri.t_min[k]) < 0) {
             return;     /* the bound holds where the faces do */
         }
     }
     for (i = 0; i < VALUES; i++) {
         if (as_float) {
-            r->value[i] = lane_value(&tri, p, i);
-            r->slope[i][0] = (double)tri.n_x[i];
-            r->slope[i][1] = (double)tri.n_y[i];
-            r->slope[i][2] = (double)tri.n_z[i];
+            r->value[i] = lane_value(&tri, p, i, octants, r->slope[i]);
         } else {
             r->value[i] = tri.n_x_f64[i] * (p[0] - (double)tri.ref[0]) +
                           tri.n_y_f64[i] * (p[1] - (double)tri.ref[1]) +
@@ -521,6 +530,8 @@ static double worst_part(const computed *r, const numbers *q, int kind)
         mpq_set_d(extent[k], kind == ONE_BOX ? r->clip.hi[k] : q->x[12 + k]);
         if (kind == ONE_BOX) {
             mpq_sub(extent[k], extent[k], low[k]);
+        } else if (kind == OCTANTS) {
+            mpq_add(low[k], low[k], extent[k]);
         } else if (kind == WALK) {
             mpq_set_si(t, r->index[k], 1);
             mpq_mul(t, t, extent[k]);
@@ -538,7 +549,7 @@ static double worst_part(const computed *r, const numbers *q, int kind)
         } else {
             exact_condition(i, q->thin);
         }
-        if (kind == PREPARED || kind == PREPARED_FLOAT) {
+        if (kind == PREPARED || kind == PREPARED_FLOAT || kind == OCTANTS) {
             const int scale = scale_exponent(r->slope[i]);
             if (scale > 0) {
                 mpq_mul_2exp(sum, sum, (mp_bitcnt_t)scale);
@@ -859,7 +870,7 @@ static double ask(const numbers *q, int kind, int mode)
     } else if (kind == WALK) {
         walked(&r, q);
     } else {
-        prepared(&r, q, kind == PREPARED_FLOAT);
+        prepared(&r, q, kind != PREPARED, kind == OCTANTS);
     }
     fesetround(FE_TONEAREST);
     return worst_part(&r, q, kind);
@@ -867,10 +878,10 @@ static double ask(const numbers *q, int kind, int mode)
 
 /* ---- the search ---------------------------------------------------------------------------------------- */
 
-static double any_number(int kind)
+/* The float test is asked floats, octants of any triangle about a float p. */
+static double as_asked(int kind, int i, double x)
 {
-    const double x = random_signed();
-    return kind == PREPARED_FLOAT ? (double)(float)x : x;
+    return kind == PREPARED_FLOAT || (kind == OCTANTS && i >= 9 && i < 12) ? (double)(float)x : x;
 }
 
 #if TRIBOX_SIMD
@@ -966,8 +977,7 @@ static void any_question(numbers *q, int kind)
     }
 #endif
     for (i = 0; i < 15; i++) {
-        const double x = any_number(kind) + far_off;
-        q->x[i] = kind == PREPARED_FLOAT ? (double)(float)x : x;
+        q->x[i] = as_asked(kind, i, as_asked(kind, i, random_signed()) + far_off);
     }
     for (i = 0; i < 3; i++) {
         if (kind == ONE_BOX) {
@@ -976,7 +986,8 @@ static void any_question(numbers *q, int kind)
             q->x[9 + i] = a < b ? a : b;
             q->x[12 + i] = a < b ? b : a;
         } else {
-            q->x[12 + i] = fabs(any_number(kind)) / (kind == WALK ? 1 << random_below(6) : 1);
+            const double x = fabs(as_asked(kind, 12 + i, random_signed()));
+            q->x[12 + i] = x / (kind == WALK ? 1 << random_below(6) : 1);
         }
         q->index[i] = random_below(1000);
     }
@@ -986,7 +997,8 @@ static void any_question(numbers *q, int kind)
 static void change(numbers *q, int kind)
 {
     const int i = random_below(15);
-    double x = q->x[i] + random_signed() * ldexp(1.0, -random_below(kind == PREPARED_FLOAT ? 26 : 55));
+    const int as_float = kind == PREPARED_FLOAT || kind == OCTANTS;
+    double x = q->x[i] + random_signed() * ldexp(1.0, -random_below(as_float ? 26 : 55));
 
 #if TRIBOX_SIMD
     if (kind >= FILL_BOXES) {
@@ -994,7 +1006,7 @@ static void change(numbers *q, int kind)
         return;
     }
 #endif
-    x = kind == PREPARED_FLOAT ? (double)(float)x : x;
+    x = as_asked(kind, i, x);
     q->x[i] = i >= 12 && kind != ONE_BOX ? fabs(x) : x;
     if (random_below(4) == 0) {
         q->index[random_below(3)] = random_below(1000);

@@ -979,11 +979,28 @@ static void octants_of_odd_sizes(void)
     double              size[3] = {1, 1, 1};
     double              p[3] = {0, 0, 0};
     double              infinite = (double)infinity();
+    float               p32[3] = {0, 0, 0};
     tribox_tri          tri;
     tribox_tri          fresh;
+    int                 i;
 
     tribox_tri_init_f64(&tri, v0, v1, v2, size, 0);
     CHECK(tribox_tri_octants_f64(&tri, p) == 0xff);
+    CHECK(tribox_tri_octants(&tri, p32) == 0xff);
+    for (i = 0; i < 2; i++) {       /* the second time for boxes without an end */
+        p32[2] = not_a_number();
+        CHECK(tribox_tri_octants(&tri, p32) == 0);
+        p32[2] = infinity();
+        CHECK(tribox_tri_octants(&tri, p32) == 0);
+        p32[2] = -infinity();
+        CHECK(tribox_tri_octants(&tri, p32) == 0);
+        p32[2] = 0;
+        size[0] = infinite;
+        tribox_tri_resize_f64(&tri, size);
+        CHECK(tribox_tri_octants(&tri, p32) == 0x55);
+    }
+    size[0] = 1;
+    tribox_tri_resize_f64(&tri, size);
     p[0] = infinite;
     CHECK(tribox_tri_octants_f64(&tri, p) == 0);
     p[0] = (double)not_a_number();
@@ -1057,6 +1074,34 @@ static void octants_of_doubles_beyond_floats(void)
         truth = tribox_tri_octants_f64(&tri, x + 9);
         tribox_tri_init_f64(&tri, large, large + 3, large + 6, large + 12, flags);
         CHECK(tribox_tri_octants_f64(&tri, large + 9) == truth);
+        if (e >= -126 && e < 124) {
+            const float p32[3] = {(float)large[9], (float)large[10], (float)large[11]};
+            CHECK(tribox_tri_octants(&tri, p32) == truth);
+        }
+    }
+}
+
+/* A small triangle far from the origin, where no difference may be taken apart. */
+static void octants_far_from_the_origin(void)
+{
+    int i;
+    int k;
+
+    random_seed(73);
+    for (i = 0; i < TEST_LOOPS(4000); i++) {
+        const double corner = rounded_to_float(random_signed() * 1e5);
+        const float  p32[3] = {(float)corner, (float)corner, (float)corner};
+        double       p[3];
+        double       v[9];
+        double       size[3];
+        tribox_tri   tri;
+        for (k = 0; k < 9; k++) {
+            p[k % 3] = corner;
+            v[k] = k < 3 ? corner : corner + random_signed() * 5e-10;
+            size[k % 3] = (random_signed() + 1) * 5e-11;
+        }
+        tribox_tri_init_f64(&tri, v, v + 3, v + 6, size, 0);
+        CHECK(tribox_tri_octants(&tri, p32) == tribox_tri_octants_f64(&tri, p));
     }
 }
 
@@ -1079,5 +1124,6 @@ int main(void)
     RUN(octants_of_odd_sizes);
     RUN(octants_whose_corners_are_no_doubles);
     RUN(octants_of_doubles_beyond_floats);
+    RUN(octants_far_from_the_origin);
     return test_report("test_companions_cut");
 }
