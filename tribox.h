@@ -5456,14 +5456,15 @@ TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_row_voxel(tribox_impl_fw x)
     return __builtin_convertvector(x, tribox_impl_iw);
 }
 
-/* 2^i, i within -126..30 */
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_bit(tribox_impl_iw i)
+/* 2^i for i within -126..30, else anything. */
+TRIBOX_IMPL_FORCED tribox_impl_uw tribox_impl_wide_bit(tribox_impl_uw i)
 {
 #if defined(__AVX2__)
-    return tribox_impl_wide_int(1) << i;
+    return (tribox_impl_uw)tribox_impl_wide_int(1) << i;
 #else
-    const tribox_impl_iw exponent = (i + tribox_impl_wide_int(127)) << tribox_impl_wide_int(23);
-    return __builtin_convertvector((tribox_impl_fw)exponent, tribox_impl_iw);
+    const tribox_impl_uw bias = (tribox_impl_uw)tribox_impl_wide_int(127);
+    const tribox_impl_uw exponent = (i + bias) << (tribox_impl_uw)tribox_impl_wide_int(23);
+    return (tribox_impl_uw)__builtin_convertvector((tribox_impl_fw)exponent, tribox_impl_iw);
 #endif
 }
 
@@ -5518,10 +5519,11 @@ TRIBOX_IMPL_FORCED void tribox_impl_few_set(tribox_impl_few *out, const tribox_i
                 tribox_impl_wide_min(x_of_y[y].hi_most, x_of_z.hi_most), hi_most + step));
             const tribox_impl_iw row = tribox_impl_wide_int(y + 1);
             const tribox_impl_iw none = (first > last) | (first_y > row) | (row > last_y);
-            const tribox_impl_iw voxels = tribox_impl_wide_bit(last) -
-                                          tribox_impl_wide_bit(first - tribox_impl_wide_int(1));
+            const tribox_impl_uw before = (tribox_impl_uw)first - (tribox_impl_uw)tribox_impl_wide_int(1);
+            const tribox_impl_uw voxels = tribox_impl_wide_bit((tribox_impl_uw)last) -
+                                          tribox_impl_wide_bit(before);
             out->unsure |= ((first != first_most) | (last != last_least)) & ~none;
-            out->x[z][y] = voxels & ~none;
+            out->x[z][y] = (tribox_impl_iw)voxels & ~none;
         }
     }
 }
