@@ -3779,7 +3779,7 @@ TRIBOX_IMPL_FN void tribox_impl_fine_line_set(tribox_impl_fine_line *l, const tr
 
 TRIBOX_IMPL_FN int tribox_impl_fine_floor(double x)
 {
-    const double most = 1073741824.0;       /* 2^30 */
+    const double most = 536870912.0;        /* 2^29: differences fit, too */
     const double clamped = x < -most ? -most : x > most ? most : x;
     const int i = (int)clamped;
     return (double)i > clamped ? i - 1 : i;

@@ -283,6 +283,39 @@ static void one_flushed_number_still_decides(void)
     }
 }
 
+/* Where a number may be read as zero, long boxes are still cut to the triangle: their own centre would be too
+ * far off for the filter's bound. */
+static void long_boxes_are_cut_where_numbers_flush(void)
+{
+    int i;
+
+    if (!flush_subnormals(0)) {
+        printf("SKIP: no flush-to-zero here\n");
+        return;
+    }
+    random_seed(67);
+    for (i = 0; i < TEST_LOOPS(4000); i++) {
+        double       v[3][3];
+        double       lo[3];
+        double       hi[3];
+        volatile int answer[2];
+        int          a;
+        for (a = 0; a < 9; a++) {
+            v[a / 3][a % 3] = random_below(2000) * 0.001 - 1;
+        }
+        v[0][i % 3] = power_of_two(-1060);
+        for (a = 0; a < 3; a++) {
+            lo[a] = -1e15 - random_below(1000);
+            hi[a] = random_below(1600) * 0.001 - 0.8;
+        }
+        answer[0] = tribox_overlap_f64(v[0], v[1], v[2], lo, hi);
+        flush_subnormals(1);
+        answer[1] = tribox_overlap_f64(v[0], v[1], v[2], lo, hi);
+        flush_subnormals(0);
+        CHECK(answer[0] == answer[1]);
+    }
+}
+
 /* Equality of faces one subnormal apart: the point 2^-149 lies on the face of [2^-149, 1], and 0 does not. */
 static void flushed_faces_differ_by_one_subnormal(void)
 {
@@ -322,6 +355,7 @@ int main(void)
     RUN(flushing_subnormals_changes_no_answer);
     RUN(flushed_subnormals_still_decide);
     RUN(one_flushed_number_still_decides);
+    RUN(long_boxes_are_cut_where_numbers_flush);
     RUN(flushed_faces_differ_by_one_subnormal);
     return test_report("test_mode");
 }
