@@ -353,7 +353,7 @@ TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid);
  *             for one of up to 4 voxels on each axis, 0.16 us for 8, then about 5 ns a row. It costs no more
  *             to touch exactly where grid planes and corners are floats, as 1/16 of a voxel of size 1 or 0.25
  *             is; else up to 1 us where a corner is within rounding of a grid plane, or an edge of a voxel's
- *             (gcc 12 -O2, a Xeon). Without vectors two to five times that. Less than 16 KiB of stack.
+ *             (gcc 12 -O2, a Xeon). Without vectors three to five times that. Less than 16 KiB of stack.
  */
 TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits);
 
@@ -1694,11 +1694,10 @@ TRIBOX_IMPL_FN int tribox_impl_signs(tribox_impl_i4 mask)
 }
 #endif
 
-/* a*b + c: fused where that is one instruction, even if the compiler may not contract on its own, as gcc
- * under -std=c99. */
+/* a*b + c: fused where that is one instruction. clang contracts on its own; gcc does not under -std=c99. */
 TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_fma4(tribox_impl_f4 a, tribox_impl_f4 b, tribox_impl_f4 c)
 {
-#if defined(__FMA__)
+#if defined(__FMA__) && !defined(__clang__)
     return __builtin_ia32_vfmaddps(a, b, c);
 #else
     return a * b + c;
@@ -1718,13 +1717,6 @@ TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_magnitude(tribox_impl_f4 a)
 TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_abs4(tribox_impl_f4 a)
 {
     return (tribox_impl_f4)tribox_impl_magnitude(a);
-}
-
-/* Lane 0: the least of the four. */
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_least(tribox_impl_f4 a)
-{
-    const tribox_impl_f4 b = tribox_impl_min4(a, TRIBOX_IMPL_LANES(a, a, 2, 3, 2, 3));
-    return tribox_impl_min4(b, TRIBOX_IMPL_LANES(b, b, 1, 1, 1, 1));
 }
 
 /* Towards zero, as floats; magnitudes below 2^31. */
@@ -3713,12 +3705,14 @@ TRIBOX_IMPL_FN void tribox_impl_mesh_corner(const tribox_mesh *mesh, size_t t, i
  * double decide or nothing does. They are those of "Rows" below, and so are the names; u = 2^-52.
  *
  * Error. Corners, in voxels from the region's minimum corner, are off by D = 8 u (|origin| / size + n + 64),
- * origin being the grid's plus that of the region; edges by 3 u of themselves, as differences are exact or
- * rounded once, the slope g by 16 u, which a distance of m <= FINE + 1 multiplies; M and the sums by 4 u of
- * the region: in all less than 8 D (1 + |g|). Normals are off by 16 u m^2, and sure above four times that;
- * the plane's slopes add (1 + |g_y| + |g_z|) 64 u m^3 / |n_x|. A triangle is a segment in a plane if all its
- * corners are level on an axis, or an edge is a point there. Its edges run to and fro then, and whatever sign
- * the area has, bound it from both sides; the plane says what they say. */
+ * origin being the grid's plus that of the region: a triangle in the region has none more than FINE off it.
+ * Edges are off by 3 u of themselves, as differences are exact or rounded once, the slope g by 16 u, 9 of
+ * them left for the division, which a distance of m <= FINE + 1 multiplies; M and the sums by 4 u of the
+ * region: in all less than 8 D (1 + |g|). An edge along b bounds nothing that the faces do not. Normals are
+ * off by 16 u m^2, and sure above four times that; the plane's slopes add (1 + |g_y| + |g_z|) 64 u m^3 /
+ * |n_x|. A triangle is a segment in a plane if all its corners are level on an axis, or an edge is a point
+ * there. Its edges run to and fro then, and whatever sign the area has, bound it from both sides; the plane
+ * says what they say. */
 #define TRIBOX_IMPL_FINE 64
 
 /* A region, in double. */
@@ -3744,7 +3738,7 @@ TRIBOX_IMPL_FN void tribox_impl_fine_init(tribox_impl_fine *f, const tribox_grid
         const double units = size > 1e-18 ? 1.0 / size : 0.0;
         const double reach = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(offset)) * units + n + 64.0;
         const double delta = 8.0 * TRIBOX_IMPL_U64 * reach;
-        f->on &= size > 1e-18 && size < 1e18 && n <= 65536.0 && delta < 1e-6;
+        f->on &= size > 1e-18 && size < 1e18 && n <= 65536.0 && delta < 1e-4;
         f->origin[k] = grid->origin[k] + offset;
         f->inverse[k] = units;
         f->n[k] = n <= 65536.0 ? (int)n : 0;
@@ -3765,7 +3759,7 @@ typedef struct tribox_impl_fine_line {
 TRIBOX_IMPL_FN void tribox_impl_fine_line_set(tribox_impl_fine_line *l, const tribox_impl_fine *f, double v_b,
                                               double v_r, double e_b, double e_r, double area)
 {
-    const int has = tribox_impl_abs(e_r) > 1e-18;
+    const int has = e_r != 0.0;
     const double slope = has ? e_b / e_r : 0.0;
     const double steep = tribox_impl_abs(slope);
     const int below = (area < 0.0) != (e_r < 0.0);
@@ -4313,9 +4307,8 @@ typedef struct tribox_impl_quick {
     float          size_low[3];
     float          step[3];         /* of the lattice; 0: there is none on this axis */
     int32_t        end[3];          /* the region's last voxel, MARGIN added */
-    int            n[3];
     float          delta_low;
-    double         inverse_f64[3];
+    const tribox_impl_fine *fine;
     size_t         layer_words;
     int            on;              /* 0: this grid's numbers are out of range */
     int            thin;
@@ -4344,28 +4337,29 @@ TRIBOX_IMPL_FN float tribox_impl_lattice_step(const tribox_grid *grid, int k, do
 }
 
 TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_grid *grid,
-                                           const tribox_impl_target *t)
+                                           const tribox_impl_fine *fine, const tribox_impl_target *t)
 {
     const double u = (double)TRIBOX_IMPL_U32;
     const double margin = (double)TRIBOX_IMPL_MARGIN;
     int k;
     q->on = 0;
-    q->thin = (grid->flags & TRIBOX_THIN) != 0;
+    q->fine = fine;
+    q->thin = fine->thin;
     q->upper_open = !q->thin && (grid->flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN)) != 0;
     q->lower_open = !q->thin && (grid->flags & TRIBOX_OPEN) != 0;
     q->layer_words = t->ny * t->row_words;
     q->delta_low = 0.0f;
+    if (!fine->on) {
+        return;
+    }
     for (k = 0; k < 3; k++) {
         const double size = grid->size[k];
-        const double offset = (double)grid->lo[k] * size;
-        const double origin = grid->origin[k] + offset;
-        const double n = (double)grid->hi[k] - (double)grid->lo[k];
-        const double units = size > 1e-18 ? 1.0 / size : 0.0;
+        const double origin = fine->origin[k];
+        const double n = (double)fine->n[k];
+        const double units = fine->inverse[k];
         const double start = tribox_impl_abs(origin) * units;
         const double end = tribox_impl_abs(origin * units + n);
         const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + 1e-9;
-        const double reach = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(offset)) * units + n + 64.0;
-        const double delta = 8.0 * TRIBOX_IMPL_U64 * reach;
         const double base = origin - (margin - 1.0) * size;
         const double last = tribox_impl_abs(origin + (n + 2.0 * margin) * size);
         const double most = tribox_impl_abs(base) > last ? tribox_impl_abs(base) : last;
@@ -4373,7 +4367,7 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         double base_high;
         double size_high;
         double delta_low;
-        if (!(size > 1e-18 && size < 1e18 && n <= 65536.0 && slack < 0.125)) {
+        if (!(slack < 0.125)) {
             return;
         }
         spacing = tribox_impl_floor_pow2(most) * (1.0 / 4194304.0);     /* 2^-22 */
@@ -4381,8 +4375,8 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         size_high = tribox_impl_floor_to(size, spacing);
         TRIBOX_IMPL_KEEP(base_high);
         TRIBOX_IMPL_KEEP(size_high);
-        delta_low = 4.1 * u * spacing * (n + 34.0) * units + 2.0 * delta + 1e-12;
-        q->inverse[k] = (float)(1.0 / size);
+        delta_low = 4.1 * u * spacing * (n + 34.0) * units + 2.0 * fine->delta + 1e-12;
+        q->inverse[k] = (float)units;
         q->shift_down[k] = (float)(margin - origin / size - slack);
         q->shift_up[k] = (float)(margin - origin / size + slack);
         q->base_high[k] = (float)base_high;
@@ -4391,9 +4385,7 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         q->size_low[k] = (float)(size - size_high);
         q->step[k] = tribox_impl_lattice_step(grid, k, spacing);
         q->delta_low = (float)delta_low > q->delta_low ? (float)delta_low : q->delta_low;
-        q->inverse_f64[k] = 1.0 / size;
-        q->n[k] = (int)n;
-        q->end[k] = TRIBOX_IMPL_MARGIN + (int)n - 1;
+        q->end[k] = TRIBOX_IMPL_MARGIN + fine->n[k] - 1;
     }
     q->lattice = q->step[0] + q->step[1] + q->step[2] > 0.0f;
     q->on = 1;
@@ -4464,8 +4456,8 @@ TRIBOX_IMPL_FN tribox_impl_doubt *tribox_impl_fill_later(tribox_impl_fill *fill,
     tribox_impl_doubt *d = &fill->doubt[fill->doubts];
     d->triangle = triangle;
     d->first[0] = d->first[1] = 0;
-    d->last[0] = (uint16_t)(fill->quick.n[1] - 1);
-    d->last[1] = (uint16_t)(fill->quick.n[2] - 1);
+    d->last[0] = (uint16_t)(fill->fine->n[1] - 1);
+    d->last[1] = (uint16_t)(fill->fine->n[2] - 1);
     fill->doubts++;
     return d;
 }
@@ -5147,7 +5139,7 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_axis(tribox_impl_dw out[2], tribox_impl_
 }
 
 /* Edges, normals and slopes, which floats would not do for. */
-TRIBOX_IMPL_FORCED void tribox_impl_row_normals(tribox_impl_row_parts *p, const tribox_impl_quick *q,
+TRIBOX_IMPL_FORCED void tribox_impl_row_normals(tribox_impl_row_parts *p, const double inverse[3],
                                                 const tribox_impl_points v[3])
 {
     tribox_impl_dw x[2];
@@ -5157,10 +5149,10 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_normals(tribox_impl_row_parts *p, const 
     tribox_impl_dw n_y;
     tribox_impl_dw n_z;
     tribox_impl_fw one;
-    tribox_impl_dw inverse = TRIBOX_IMPL_ALL(1.0);
-    tribox_impl_row_axis(x, &p->e[0].x, &p->e[1].x, &p->e[2].x, v[0].x, v[1].x, v[2].x, q->inverse_f64[0]);
-    tribox_impl_row_axis(y, &p->e[0].y, &p->e[1].y, &p->e[2].y, v[0].y, v[1].y, v[2].y, q->inverse_f64[1]);
-    tribox_impl_row_axis(z, &p->e[0].z, &p->e[1].z, &p->e[2].z, v[0].z, v[1].z, v[2].z, q->inverse_f64[2]);
+    tribox_impl_dw over_n_x = TRIBOX_IMPL_ALL(1.0);
+    tribox_impl_row_axis(x, &p->e[0].x, &p->e[1].x, &p->e[2].x, v[0].x, v[1].x, v[2].x, inverse[0]);
+    tribox_impl_row_axis(y, &p->e[0].y, &p->e[1].y, &p->e[2].y, v[0].y, v[1].y, v[2].y, inverse[1]);
+    tribox_impl_row_axis(z, &p->e[0].z, &p->e[1].z, &p->e[2].z, v[0].z, v[1].z, v[2].z, inverse[2]);
     n_x = y[0] * z[1] - z[0] * y[1];
     n_y = z[0] * x[1] - x[0] * z[1];
     n_z = x[0] * y[1] - y[0] * x[1];
@@ -5169,10 +5161,10 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_normals(tribox_impl_row_parts *p, const 
     p->n.z = __builtin_convertvector(n_z, tribox_impl_fw);
     /* where n_x is too small to divide by, nobody asks for the slopes */
     one = tribox_impl_wide_where(tribox_impl_wide_abs(p->n.x) <= p->tau, tribox_impl_wide_all(1.0f));
-    inverse /= n_x + __builtin_convertvector(one, tribox_impl_dw);
-    p->inverse = __builtin_convertvector(inverse, tribox_impl_fw);
-    p->slope_y = __builtin_convertvector(-n_y * inverse, tribox_impl_fw);
-    p->slope_z = __builtin_convertvector(-n_z * inverse, tribox_impl_fw);
+    over_n_x /= n_x + __builtin_convertvector(one, tribox_impl_dw);
+    p->inverse = __builtin_convertvector(over_n_x, tribox_impl_fw);
+    p->slope_y = __builtin_convertvector(-n_y * over_n_x, tribox_impl_fw);
+    p->slope_z = __builtin_convertvector(-n_z * over_n_x, tribox_impl_fw);
 }
 
 /* The greatest power of two of which a, b and c are multiples; they are of 1 / parts. */
@@ -5366,7 +5358,7 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_rows_set(tribox_impl_rows *out, const trib
     tribox_impl_group_place(q, 0, (tribox_impl_iw)first.x, &p.v[0].x, &p.v[1].x, &p.v[2].x);
     tribox_impl_group_place(q, 1, (tribox_impl_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
     tribox_impl_group_place(q, 2, (tribox_impl_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
-    tribox_impl_row_normals(&p, q, v);
+    tribox_impl_row_normals(&p, q->fine->inverse, v);
     p.on_lattice = 0;
     p.step.x = p.step.y = p.step.z = zero;
     p.step_b = p.step;
@@ -5696,6 +5688,7 @@ TRIBOX_IMPL_FN void tribox_impl_lane_fill(tribox_impl_fill *fill, const tribox_i
     uint64_t *const bits = t->bits;     /* stores to the bits might change what t and q hold */
     const size_t row_words = t->row_words;
     const size_t layer_words = q->layer_words;
+    const int *n = fill->fine->n;
     const tribox_impl_i4 box = g->box[lane];
     const int at[3] = { box[0] - TRIBOX_IMPL_MARGIN, box[1] - TRIBOX_IMPL_MARGIN,
                         box[2] - TRIBOX_IMPL_MARGIN };
@@ -5712,7 +5705,7 @@ TRIBOX_IMPL_FN void tribox_impl_lane_fill(tribox_impl_fill *fill, const tribox_i
     doubt.last[0] = doubt.last[1] = 0;
     for (i = 0; i < 3; i++) {
         start[i] = at[i] < 0 ? -at[i] : 0;
-        end[i] = count[i] < q->n[i] - at[i] ? count[i] : q->n[i] - at[i];
+        end[i] = count[i] < n[i] - at[i] ? count[i] : n[i] - at[i];
     }
     tribox_impl_lane_bounds_set(&x_of_y, &rows->x_of_y, lane, end[1], start[0], end[0]);
     tribox_impl_lane_bounds_set(&x_of_z, &rows->x_of_z, lane, end[2], start[0], end[0]);
@@ -6028,7 +6021,7 @@ TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const trib
     }
     fill.rows[0].n = fill.rows[1].n = 0;
     fill.rows[0].lattice = fill.rows[1].lattice = 0;
-    tribox_impl_quick_init(&fill.quick, grid, target);
+    tribox_impl_quick_init(&fill.quick, grid, fine, target);
     if (!fill.quick.on) {
         return 0;
     }

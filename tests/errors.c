@@ -211,7 +211,8 @@ typedef struct filled {
 static const int bounded_axis[3] = {0, 0, 1};
 static const int row_axis[3] = {1, 2, 2};
 
-__attribute__((noinline)) static void fill_boxes(filled *r, tribox_impl_quick *quick, const numbers *q)
+__attribute__((noinline)) static void fill_boxes(filled *r, tribox_impl_fine *fine, tribox_impl_quick *quick,
+                                                  const numbers *q)
 {
     tribox_impl_target target;
     tribox_impl_points v[3];
@@ -232,7 +233,8 @@ __attribute__((noinline)) static void fill_boxes(filled *r, tribox_impl_quick *q
     if (!tribox_impl_grid_valid(&grid)) {
         return;
     }
-    tribox_impl_quick_init(quick, &grid, &target);
+    tribox_impl_fine_init(fine, &grid);
+    tribox_impl_quick_init(quick, &grid, fine, &target);
     if (!quick->on) {
         return;
     }
@@ -828,13 +830,14 @@ static double plane_part(const filled *r, const numbers *q)
 
 static double ask_fill(const numbers *q, int kind, int mode)
 {
+    tribox_impl_fine fine;
     tribox_impl_quick quick;
     filled r;
     int from[3];
     int k;
 
     fesetround(mode);
-    fill_boxes(&r, &quick, q);
+    fill_boxes(&r, &fine, &quick, q);
     if (kind != FILL_BOXES) {
         fill_rows(&r, &quick, q);
     }

@@ -169,8 +169,9 @@ GOLDEN_FN void golden_set(void *user, int x0, int x1, int y, int z)
     }
 }
 
-/* Small triangles at no simple places, so many that a fill takes them several at a time, and the golden ones
- * never are: do they set the voxels of their spans, which the other golden answers hold against GMP? */
+/* Small triangles, so many that a fill takes them several at a time, and the golden ones never are: do they
+ * set the voxels of their spans, which the other golden answers hold against GMP? They lie at no simple
+ * places, or on sixteenths of voxels whose planes are floats. */
 GOLDEN_FN int golden_fill_is_spans(uint64_t seed, unsigned flags)
 {
     enum { TRIANGLES = 40 };
@@ -179,11 +180,12 @@ GOLDEN_FN int golden_fill_is_spans(uint64_t seed, unsigned flags)
     float v[9 * TRIANGLES];
     uint64_t filled[GOLDEN_EDGE * GOLDEN_EDGE];
     uint64_t spanned[GOLDEN_EDGE * GOLDEN_EDGE];
+    const int on_lattice = (int)(seed >> 17 & 1);
     int same = 1;
     int i, k;
     for (k = 0; k < 3; ++k) {
         grid.origin[k] = -0.25;
-        grid.size[k] = 0.1 + 0.2 * k;
+        grid.size[k] = on_lattice ? 0.5 + 0.25 * k : 0.1 + 0.2 * k;
         grid.lo[k] = 0;
         grid.hi[k] = GOLDEN_EDGE;
     }
@@ -192,7 +194,8 @@ GOLDEN_FN int golden_fill_is_spans(uint64_t seed, unsigned flags)
         const int extent = 1 + i / 9 % 4;
         const int room = GOLDEN_EDGE + 1 - extent;
         const int first = (int)(golden_mix(seed, (uint64_t)(i / 9 * 3 + i % 3)) >> 40) % room;
-        const double at = (double)(golden_mix(~seed, (uint64_t)i) >> 44) / 1048576.0;
+        const uint64_t part = golden_mix(~seed, (uint64_t)i) >> 44;
+        const double at = on_lattice ? (double)((part >> 12) % 17) / 16.0 : (double)part / 1048576.0;
         v[i] = (float)(grid.origin[i % 3] + grid.size[i % 3] * (first + extent * at));
     }
     for (i = 0; i < GOLDEN_EDGE * GOLDEN_EDGE; ++i) {
