@@ -71,58 +71,58 @@
 
 /* Host and device: one set of functions serves both. */
 #if defined(__CUDACC__) || defined(__HIPCC__)
-#define TRIBOX_IMPL_HD __host__ __device__
+#define TBX_HD __host__ __device__
 #else
-#define TRIBOX_IMPL_HD
+#define TBX_HD
 #endif
 
 #if defined(_MSC_VER) && !defined(__cplusplus)
-#define TRIBOX_IMPL_INLINE static __inline
+#define TBX_INLINE static __inline
 #else
-#define TRIBOX_IMPL_INLINE static inline
+#define TBX_INLINE static inline
 #endif
 
 #ifndef TRIBOX_FN
-#define TRIBOX_FN TRIBOX_IMPL_HD TRIBOX_IMPL_INLINE
+#define TRIBOX_FN TBX_HD TBX_INLINE
 #endif
-#define TRIBOX_IMPL_FN TRIBOX_IMPL_HD TRIBOX_IMPL_INLINE
+#define TBX_FN TBX_HD TBX_INLINE
 
 /* The rare path: kept out of line, so that its stack and code stay out of the callers. */
 #if defined(__CUDACC__)
-#define TRIBOX_IMPL_COLD TRIBOX_IMPL_HD static __noinline__
-#define TRIBOX_IMPL_NOINLINE TRIBOX_IMPL_COLD
+#define TBX_COLD TBX_HD static __noinline__
+#define TBX_NOINLINE TBX_COLD
 #elif defined(__GNUC__)
-#define TRIBOX_IMPL_COLD static __attribute__((noinline, cold, unused))
-#define TRIBOX_IMPL_NOINLINE static __attribute__((noinline, unused))
+#define TBX_COLD static __attribute__((noinline, cold, unused))
+#define TBX_NOINLINE static __attribute__((noinline, unused))
 #elif defined(_MSC_VER)
-#define TRIBOX_IMPL_COLD static __declspec(noinline)
-#define TRIBOX_IMPL_NOINLINE TRIBOX_IMPL_COLD
+#define TBX_COLD static __declspec(noinline)
+#define TBX_NOINLINE TBX_COLD
 #else
-#define TRIBOX_IMPL_COLD static inline
-#define TRIBOX_IMPL_NOINLINE TRIBOX_IMPL_COLD
+#define TBX_COLD static inline
+#define TBX_NOINLINE TBX_COLD
 #endif
 
 /* The slow way of a test: rare, and kept to a single branch that the processor can foresee. */
 #if defined(__GNUC__)
-#define TRIBOX_IMPL_RARELY(condition) __builtin_expect((condition), 0)
+#define TBX_RARELY(condition) __builtin_expect((condition), 0)
 #else
-#define TRIBOX_IMPL_RARELY(condition) (condition)
+#define TBX_RARELY(condition) (condition)
 #endif
 
 /* Asks for memory that will be written soon. The address is an integer: it may lie outside of any array,
  * where pointer arithmetic is undefined. */
 #if defined(__GNUC__) && !defined(__CUDA_ARCH__)
-#define TRIBOX_IMPL_PREFETCH(address) \
+#define TBX_PREFETCH(address) \
     __builtin_prefetch((const void *)(address), 1) /* NOLINT(*-no-int-to-ptr) */
 #else
-#define TRIBOX_IMPL_PREFETCH(address) ((void)0)
+#define TBX_PREFETCH(address) ((void)0)
 #endif
 
 /* Copies a few bytes of any alignment; compilers turn it into one move. */
 #if defined(__GNUC__)
-#define TRIBOX_IMPL_COPY(dst, src, bytes) ((void)__builtin_memcpy((dst), (src), (bytes)))
+#define TBX_COPY(dst, src, bytes) ((void)__builtin_memcpy((dst), (src), (bytes)))
 #else
-#define TRIBOX_IMPL_COPY(dst, src, bytes) tribox_impl_copy((dst), (src), (bytes))
+#define TBX_COPY(dst, src, bytes) tbx_copy((dst), (src), (bytes))
 #endif
 
 /* Vectors of four floats, by the vector extensions of gcc and clang: no header, and the same source on every
@@ -143,19 +143,19 @@
 /* -funsafe-math-optimizations lets a compiler turn w*(q - v) into w*q - w*v, and it defines no macro. After
  * this line it must take the memory or register named as it stands. */
 #if defined(__CUDA_ARCH__)
-#define TRIBOX_IMPL_KEEP(object) ((void)0)          /* nvcc does not reassociate */
-#define TRIBOX_IMPL_KEEP4(vector) ((void)0)
+#define TBX_KEEP(object) ((void)0)          /* nvcc does not reassociate */
+#define TBX_KEEP4(vector) ((void)0)
 #elif defined(__GNUC__)
-#define TRIBOX_IMPL_KEEP(object) __asm__("" : "+m"(object))
+#define TBX_KEEP(object) __asm__("" : "+m"(object))
 #if defined(__aarch64__)
-#define TRIBOX_IMPL_KEEP4(vector) __asm__("" : "+w"(vector))
-#define TRIBOX_IMPL_KEEP_HERE(scalar) __asm__ volatile("" : "+w"(scalar))
+#define TBX_KEEP4(vector) __asm__("" : "+w"(vector))
+#define TBX_KEEP_HERE(scalar) __asm__ volatile("" : "+w"(scalar))
 #else
-#define TRIBOX_IMPL_KEEP4(vector) __asm__("" : "+x"(vector))
-#define TRIBOX_IMPL_KEEP_HERE(scalar) __asm__ volatile("" : "+x"(scalar))
+#define TBX_KEEP4(vector) __asm__("" : "+x"(vector))
+#define TBX_KEEP_HERE(scalar) __asm__ volatile("" : "+x"(scalar))
 #endif
 #else
-#define TRIBOX_IMPL_KEEP(object) tribox_impl_keep(&(object))
+#define TBX_KEEP(object) tbx_keep(&(object))
 #endif
 
 #ifdef __cplusplus
@@ -553,7 +553,7 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
  * processor mode (flush-to-zero reads subnormals as zero) can change it. */
 
 #if !defined(__GNUC__)
-TRIBOX_IMPL_FN void tribox_impl_copy(void *dst, const void *src, size_t bytes)
+TBX_FN void tbx_copy(void *dst, const void *src, size_t bytes)
 {
     size_t i;
     for (i = 0; i < bytes; i++) {
@@ -564,50 +564,50 @@ TRIBOX_IMPL_FN void tribox_impl_copy(void *dst, const void *src, size_t bytes)
 
 #if !defined(__GNUC__) && !defined(__CUDA_ARCH__)
 /* An object whose address was volatile may have changed: what was computed into it stays computed. */
-TRIBOX_IMPL_FN void tribox_impl_keep(void *object)
+TBX_FN void tbx_keep(void *object)
 {
     void *volatile seen = object;
     (void)seen;
 }
 #endif
 
-TRIBOX_IMPL_FN uint32_t tribox_impl_bits32(const float *x)
+TBX_FN uint32_t tbx_bits32(const float *x)
 {
     uint32_t bits;
-    TRIBOX_IMPL_COPY(&bits, x, sizeof bits);
+    TBX_COPY(&bits, x, sizeof bits);
     return bits;
 }
 
-TRIBOX_IMPL_FN uint64_t tribox_impl_bits64(const double *x)
+TBX_FN uint64_t tbx_bits64(const double *x)
 {
     uint64_t bits;
-    TRIBOX_IMPL_COPY(&bits, x, sizeof bits);
+    TBX_COPY(&bits, x, sizeof bits);
     return bits;
 }
 
-TRIBOX_IMPL_FN float tribox_impl_from_bits32(uint32_t bits)
+TBX_FN float tbx_from_bits32(uint32_t bits)
 {
     float x;
-    TRIBOX_IMPL_COPY(&x, &bits, sizeof x);
+    TBX_COPY(&x, &bits, sizeof x);
     return x;
 }
 
-TRIBOX_IMPL_FN double tribox_impl_from_bits64(uint64_t bits)
+TBX_FN double tbx_from_bits64(uint64_t bits)
 {
     double x;
-    TRIBOX_IMPL_COPY(&x, &bits, sizeof x);
+    TBX_COPY(&x, &bits, sizeof x);
     return x;
 }
 
-TRIBOX_IMPL_FN unsigned tribox_impl_is_subnormal(const float *x)
+TBX_FN unsigned tbx_is_subnormal(const float *x)
 {
-    return (tribox_impl_bits32(x) & 0x7fffffffu) - 1u < 0x007fffffu;
+    return (tbx_bits32(x) & 0x7fffffffu) - 1u < 0x007fffffu;
 }
 
 /* A float subnormal is mantissa * 2^-149, a normal double. */
-TRIBOX_IMPL_COLD double tribox_impl_widen_subnormal(const float *x)
+TBX_COLD double tbx_widen_subnormal(const float *x)
 {
-    const uint32_t bits = tribox_impl_bits32(x);
+    const uint32_t bits = tbx_bits32(x);
     const uint64_t sign = (uint64_t)(bits & 0x80000000u) << 32;
     uint64_t mantissa = bits & 0x007fffffu;
     uint64_t exponent = 1023 - 126;
@@ -615,51 +615,51 @@ TRIBOX_IMPL_COLD double tribox_impl_widen_subnormal(const float *x)
         mantissa <<= 1;
         exponent--;
     }
-    return tribox_impl_from_bits64(sign | (exponent << 52) | ((mantissa & 0x007fffffu) << 29));
+    return tbx_from_bits64(sign | (exponent << 52) | ((mantissa & 0x007fffffu) << 29));
 }
 
 /* The float's value as a double, also where the processor would read a subnormal as zero. */
-TRIBOX_IMPL_FN double tribox_impl_widen(const float *x)
+TBX_FN double tbx_widen(const float *x)
 {
-    return TRIBOX_IMPL_RARELY(tribox_impl_is_subnormal(x) != 0) ? tribox_impl_widen_subnormal(x) : (double)*x;
+    return TBX_RARELY(tbx_is_subnormal(x) != 0) ? tbx_widen_subnormal(x) : (double)*x;
 }
 
-TRIBOX_IMPL_FN int tribox_impl_is_nan(double x)
+TBX_FN int tbx_is_nan(double x)
 {
-    return (tribox_impl_bits64(&x) & 0x7fffffffffffffffu) > 0x7ff0000000000000u;
+    return (tbx_bits64(&x) & 0x7fffffffffffffffu) > 0x7ff0000000000000u;
 }
 
-TRIBOX_IMPL_FN int tribox_impl_is_finite(double x)
+TBX_FN int tbx_is_finite(double x)
 {
-    return (tribox_impl_bits64(&x) & 0x7fffffffffffffffu) < 0x7ff0000000000000u;
+    return (tbx_bits64(&x) & 0x7fffffffffffffffu) < 0x7ff0000000000000u;
 }
 
 /* An integer that orders as the number does (NaN aside); both zeros give 0. */
-TRIBOX_IMPL_FN int64_t tribox_impl_key64(double x)
+TBX_FN int64_t tbx_key64(double x)
 {
-    const uint64_t bits = tribox_impl_bits64(&x);
+    const uint64_t bits = tbx_bits64(&x);
     const int64_t magnitude = (int64_t)(bits & 0x7fffffffffffffffu);
     return (bits >> 63) != 0 ? -magnitude : magnitude;
 }
 
-TRIBOX_IMPL_FN int tribox_impl_less(double a, double b)
+TBX_FN int tbx_less(double a, double b)
 {
-    return tribox_impl_key64(a) < tribox_impl_key64(b);
+    return tbx_key64(a) < tbx_key64(b);
 }
 
-TRIBOX_IMPL_FN double tribox_impl_min(double a, double b)
+TBX_FN double tbx_min(double a, double b)
 {
-    return tribox_impl_less(b, a) ? b : a;
+    return tbx_less(b, a) ? b : a;
 }
 
-TRIBOX_IMPL_FN double tribox_impl_max(double a, double b)
+TBX_FN double tbx_max(double a, double b)
 {
-    return tribox_impl_less(a, b) ? b : a;
+    return tbx_less(a, b) ? b : a;
 }
 
-TRIBOX_IMPL_FN int tribox_impl_sign(double x)
+TBX_FN int tbx_sign(double x)
 {
-    const int64_t key = tribox_impl_key64(x);
+    const int64_t key = tbx_key64(x);
     return (key > 0) - (key < 0);
 }
 
@@ -672,27 +672,27 @@ TRIBOX_IMPL_FN int tribox_impl_sign(double x)
  * Width: a finite double is a multiple of 2^-1074 below 2^1024. |half| <= 2^32, so a coordinate times 2^1075
  * is below 2^(1024 + 33 + 1075) = 2^2132, a difference below 2^2133, a degree-3 determinant below
  * 6 * 2^6399 < 2^6402: 201 limbs of 32 bits. */
-#define TRIBOX_IMPL_LIMBS 208
+#define TBX_LIMBS 208
 
-typedef struct tribox_impl_coord {
+typedef struct tbx_coord {
     double  base;
     double  step;
     int64_t half;
-} tribox_impl_coord;
+} tbx_coord;
 
 /* sign * sum of limb[i] * 2^(32 i); limb[n - 1] != 0; sign = 0 iff n = 0 */
-typedef struct tribox_impl_big {
+typedef struct tbx_big {
     int      sign;
     int      n;
-    uint32_t limb[TRIBOX_IMPL_LIMBS];
-} tribox_impl_big;
+    uint32_t limb[TBX_LIMBS];
+} tbx_big;
 
-#define TRIBOX_IMPL_NO_EXPONENT 4096    /* above every exponent: of zero */
+#define TBX_NO_EXPONENT 4096    /* above every exponent: of zero */
 
 /* x = mantissa * 2^exponent with an odd mantissa. Returns the exponent (NO_EXPONENT for 0). */
-TRIBOX_IMPL_FN int tribox_impl_split(double x, int64_t *out_mantissa)
+TBX_FN int tbx_split(double x, int64_t *out_mantissa)
 {
-    const uint64_t bits = tribox_impl_bits64(&x);
+    const uint64_t bits = tbx_bits64(&x);
     uint64_t mantissa = bits & 0x000fffffffffffffu;
     int exponent = (int)((bits >> 52) & 0x7ffu);
     if (exponent != 0) {
@@ -702,7 +702,7 @@ TRIBOX_IMPL_FN int tribox_impl_split(double x, int64_t *out_mantissa)
     }
     if (mantissa == 0) {
         *out_mantissa = 0;
-        return TRIBOX_IMPL_NO_EXPONENT;
+        return TBX_NO_EXPONENT;
     }
     exponent -= 1075;
     while ((mantissa & 0xffu) == 0) {
@@ -718,16 +718,16 @@ TRIBOX_IMPL_FN int tribox_impl_split(double x, int64_t *out_mantissa)
 }
 
 /* The least power of two that divides both base and step/2. */
-TRIBOX_IMPL_FN int tribox_impl_coord_exponent(const tribox_impl_coord *x)
+TBX_FN int tbx_coord_exponent(const tbx_coord *x)
 {
     int64_t mantissa;
-    const int base = tribox_impl_split(x->base, &mantissa);
-    const int step = x->half != 0 ? tribox_impl_split(x->step, &mantissa) - 1 : TRIBOX_IMPL_NO_EXPONENT;
+    const int base = tbx_split(x->base, &mantissa);
+    const int step = x->half != 0 ? tbx_split(x->step, &mantissa) - 1 : TBX_NO_EXPONENT;
     return base < step ? base : step;
 }
 
 /* mantissa * 2^shift, shift >= 0 */
-TRIBOX_IMPL_FN void tribox_impl_big_set(tribox_impl_big *r, int64_t mantissa, int shift)
+TBX_FN void tbx_big_set(tbx_big *r, int64_t mantissa, int shift)
 {
     const uint64_t m = mantissa < 0 ? (uint64_t)0 - (uint64_t)mantissa : (uint64_t)mantissa;
     const int bit = shift & 31;
@@ -752,7 +752,7 @@ TRIBOX_IMPL_FN void tribox_impl_big_set(tribox_impl_big *r, int64_t mantissa, in
     r->n = n;
 }
 
-TRIBOX_IMPL_FN int tribox_impl_big_compare_magnitude(const tribox_impl_big *a, const tribox_impl_big *b)
+TBX_FN int tbx_big_compare_magnitude(const tbx_big *a, const tbx_big *b)
 {
     int i;
     if (a->n != b->n) {
@@ -767,7 +767,7 @@ TRIBOX_IMPL_FN int tribox_impl_big_compare_magnitude(const tribox_impl_big *a, c
 }
 
 /* r += sign * b, sign -1 or +1; r and b are different objects */
-TRIBOX_IMPL_FN void tribox_impl_big_add(tribox_impl_big *r, const tribox_impl_big *b, int sign)
+TBX_FN void tbx_big_add(tbx_big *r, const tbx_big *b, int sign)
 {
     const int b_sign = sign * b->sign;
     uint64_t carry = 0;
@@ -790,9 +790,9 @@ TRIBOX_IMPL_FN void tribox_impl_big_add(tribox_impl_big *r, const tribox_impl_bi
         return;
     }
     {   /* opposite signs: the smaller magnitude from the larger */
-        const int order = tribox_impl_big_compare_magnitude(r, b);
-        const tribox_impl_big *large = order < 0 ? b : r;
-        const tribox_impl_big *small = order < 0 ? r : b;
+        const int order = tbx_big_compare_magnitude(r, b);
+        const tbx_big *large = order < 0 ? b : r;
+        const tbx_big *small = order < 0 ? r : b;
         const int small_n = small->n;
         int n = large->n;
         for (i = 0; i < n; i++) {
@@ -810,8 +810,8 @@ TRIBOX_IMPL_FN void tribox_impl_big_add(tribox_impl_big *r, const tribox_impl_bi
 }
 
 /* r = a * b; r is neither a nor b */
-TRIBOX_IMPL_FN void tribox_impl_big_mul(tribox_impl_big *r, const tribox_impl_big *a,
-                                        const tribox_impl_big *b)
+TBX_FN void tbx_big_mul(tbx_big *r, const tbx_big *a,
+                                        const tbx_big *b)
 {
     int i;
     int j;
@@ -839,41 +839,41 @@ TRIBOX_IMPL_FN void tribox_impl_big_mul(tribox_impl_big *r, const tribox_impl_bi
 }
 
 /* r += sign * x / 2^e */
-TRIBOX_IMPL_FN void tribox_impl_big_add_coord(tribox_impl_big *r, const tribox_impl_coord *x, int e, int sign)
+TBX_FN void tbx_big_add_coord(tbx_big *r, const tbx_coord *x, int e, int sign)
 {
-    tribox_impl_big a;
+    tbx_big a;
     int64_t mantissa;
-    int exponent = tribox_impl_split(x->base, &mantissa);
-    tribox_impl_big_set(&a, mantissa, exponent - e);
-    tribox_impl_big_add(r, &a, sign);
+    int exponent = tbx_split(x->base, &mantissa);
+    tbx_big_set(&a, mantissa, exponent - e);
+    tbx_big_add(r, &a, sign);
     if (x->half != 0) {
-        tribox_impl_big half;
-        tribox_impl_big step;
-        exponent = tribox_impl_split(x->step, &mantissa) - 1;
-        tribox_impl_big_set(&step, mantissa, exponent - e);
-        tribox_impl_big_set(&half, x->half, 0);
-        tribox_impl_big_mul(&a, &step, &half);
-        tribox_impl_big_add(r, &a, sign);
+        tbx_big half;
+        tbx_big step;
+        exponent = tbx_split(x->step, &mantissa) - 1;
+        tbx_big_set(&step, mantissa, exponent - e);
+        tbx_big_set(&half, x->half, 0);
+        tbx_big_mul(&a, &step, &half);
+        tbx_big_add(r, &a, sign);
     }
 }
 
 /* r = (a - b) / 2^e */
-TRIBOX_IMPL_FN void tribox_impl_big_difference(tribox_impl_big *r, const tribox_impl_coord *a,
-                                               const tribox_impl_coord *b, int e)
+TBX_FN void tbx_big_difference(tbx_big *r, const tbx_coord *a,
+                                               const tbx_coord *b, int e)
 {
     r->sign = 0;
     r->n = 0;
-    tribox_impl_big_add_coord(r, a, e, 1);
-    tribox_impl_big_add_coord(r, b, e, -1);
+    tbx_big_add_coord(r, a, e, 1);
+    tbx_big_add_coord(r, b, e, -1);
 }
 
 /* The short path: x / 2^e as a 62-bit integer. Returns 0 where it needs more. */
-TRIBOX_IMPL_FN int tribox_impl_short(const tribox_impl_coord *x, int e, int64_t *out)
+TBX_FN int tbx_short(const tbx_coord *x, int e, int64_t *out)
 {
     const int64_t limit = (int64_t)1 << 61;
     int64_t value;
     int64_t step;
-    int shift = tribox_impl_split(x->base, &value) - e;
+    int shift = tbx_split(x->base, &value) - e;
     if (value != 0) {
         if (shift > 60 || value > (limit >> shift) || value < -(limit >> shift)) {
             return 0;
@@ -882,7 +882,7 @@ TRIBOX_IMPL_FN int tribox_impl_short(const tribox_impl_coord *x, int e, int64_t 
     }
     if (x->half != 0) {
         const int64_t half = x->half < 0 ? -x->half : x->half;
-        shift = tribox_impl_split(x->step, &step) - 1 - e;
+        shift = tbx_split(x->step, &step) - 1 - e;
         if (step != 0) {
             if (shift > 60 || (step < 0 ? -step : step) > (limit >> shift) / half) {
                 return 0;
@@ -895,18 +895,18 @@ TRIBOX_IMPL_FN int tribox_impl_short(const tribox_impl_coord *x, int e, int64_t 
 }
 
 /* Points of one question: the corners, and the box's faces and centre planes per axis. */
-enum { TRIBOX_IMPL_LO = 3, TRIBOX_IMPL_MID = 4, TRIBOX_IMPL_HI = 5, TRIBOX_IMPL_ROWS = 6 };
+enum { TBX_LO = 3, TBX_MID = 4, TBX_HI = 5, TBX_ROWS = 6 };
 
-typedef struct tribox_impl_exact {
-    tribox_impl_coord x[TRIBOX_IMPL_ROWS][3];   /* rows 0..2: corners; LO, MID, HI */
-    int64_t           s[TRIBOX_IMPL_ROWS][3];   /* x / 2^e - (v0 / 2^e), if is_short: |s| < 2^28 */
+typedef struct tbx_exact {
+    tbx_coord x[TBX_ROWS][3];   /* rows 0..2: corners; LO, MID, HI */
+    int64_t           s[TBX_ROWS][3];   /* x / 2^e - (v0 / 2^e), if is_short: |s| < 2^28 */
     int               e;
     int               is_short;
-} tribox_impl_exact;
+} tbx_exact;
 
-TRIBOX_IMPL_FN tribox_impl_coord tribox_impl_at(double base, double step, int64_t half)
+TBX_FN tbx_coord tbx_at(double base, double step, int64_t half)
 {
-    tribox_impl_coord x;
+    tbx_coord x;
     x.base = base;
     x.step = step;
     x.half = half;
@@ -914,29 +914,29 @@ TRIBOX_IMPL_FN tribox_impl_coord tribox_impl_at(double base, double step, int64_
 }
 
 /* Finds the common unit of all rows, and whether the short path can carry them. */
-TRIBOX_IMPL_FN void tribox_impl_exact_finish(tribox_impl_exact *f)
+TBX_FN void tbx_exact_finish(tbx_exact *f)
 {
     const int64_t limit = (int64_t)1 << 28;
     int row;
     int a;
-    f->e = TRIBOX_IMPL_NO_EXPONENT;
-    for (row = 0; row < TRIBOX_IMPL_ROWS; row++) {
+    f->e = TBX_NO_EXPONENT;
+    for (row = 0; row < TBX_ROWS; row++) {
         for (a = 0; a < 3; a++) {
-            const int e = tribox_impl_coord_exponent(&f->x[row][a]);
+            const int e = tbx_coord_exponent(&f->x[row][a]);
             f->e = e < f->e ? e : f->e;
         }
     }
     f->is_short = 1;
     for (a = 0; a < 3; a++) {
         int64_t v0;
-        if (!tribox_impl_short(&f->x[0][a], f->e, &v0)) {
+        if (!tbx_short(&f->x[0][a], f->e, &v0)) {
             f->is_short = 0;
             return;
         }
         f->s[0][a] = 0;
-        for (row = 1; row < TRIBOX_IMPL_ROWS; row++) {
+        for (row = 1; row < TBX_ROWS; row++) {
             int64_t s;
-            if (!tribox_impl_short(&f->x[row][a], f->e, &s) || s - v0 >= limit || s - v0 <= -limit) {
+            if (!tbx_short(&f->x[row][a], f->e, &s) || s - v0 >= limit || s - v0 <= -limit) {
                 f->is_short = 0;
                 return;
             }
@@ -946,77 +946,77 @@ TRIBOX_IMPL_FN void tribox_impl_exact_finish(tribox_impl_exact *f)
 }
 
 /* The sign of a - b. */
-TRIBOX_IMPL_COLD int tribox_impl_compare(const tribox_impl_coord *a, const tribox_impl_coord *b)
+TBX_COLD int tbx_compare(const tbx_coord *a, const tbx_coord *b)
 {
-    const int ea = tribox_impl_coord_exponent(a);
-    const int eb = tribox_impl_coord_exponent(b);
+    const int ea = tbx_coord_exponent(a);
+    const int eb = tbx_coord_exponent(b);
     const int e = ea < eb ? ea : eb;
     int64_t sa;
     int64_t sb;
-    if (tribox_impl_short(a, e, &sa) && tribox_impl_short(b, e, &sb)) {
+    if (tbx_short(a, e, &sa) && tbx_short(b, e, &sb)) {
         return (sa > sb) - (sa < sb);
     } else {
-        tribox_impl_big d;
-        tribox_impl_big_difference(&d, a, b, e);
+        tbx_big d;
+        tbx_big_difference(&d, a, b, e);
         return d.sign;
     }
 }
 
 /* r += sign * (b - a).x * (q - a).y, the points a, b, q being rows */
-TRIBOX_IMPL_FN void tribox_impl_big_add_product(tribox_impl_big *r, const tribox_impl_exact *f,
-                                                const tribox_impl_coord *a_x, const tribox_impl_coord *b_x,
-                                                const tribox_impl_coord *a_y, const tribox_impl_coord *q_y,
+TBX_FN void tbx_big_add_product(tbx_big *r, const tbx_exact *f,
+                                                const tbx_coord *a_x, const tbx_coord *b_x,
+                                                const tbx_coord *a_y, const tbx_coord *q_y,
                                                 int sign)
 {
-    tribox_impl_big x;
-    tribox_impl_big y;
-    tribox_impl_big xy;
-    tribox_impl_big_difference(&x, b_x, a_x, f->e);
-    tribox_impl_big_difference(&y, q_y, a_y, f->e);
-    tribox_impl_big_mul(&xy, &x, &y);
-    tribox_impl_big_add(r, &xy, sign);
+    tbx_big x;
+    tbx_big y;
+    tbx_big xy;
+    tbx_big_difference(&x, b_x, a_x, f->e);
+    tbx_big_difference(&y, q_y, a_y, f->e);
+    tbx_big_mul(&xy, &x, &y);
+    tbx_big_add(r, &xy, sign);
 }
 
 /* r = (b - a) x (q - a) in the plane of axes x, y; a, b are corners, q is (x of row qx, y of row qy) */
-TRIBOX_IMPL_FN void tribox_impl_big_orient2(tribox_impl_big *r, const tribox_impl_exact *f, int x, int y,
+TBX_FN void tbx_big_orient2(tbx_big *r, const tbx_exact *f, int x, int y,
                                             int a, int b, int qx, int qy)
 {
     r->sign = 0;
     r->n = 0;
-    tribox_impl_big_add_product(r, f, &f->x[a][x], &f->x[b][x], &f->x[a][y], &f->x[qy][y], 1);
-    tribox_impl_big_add_product(r, f, &f->x[a][y], &f->x[b][y], &f->x[a][x], &f->x[qx][x], -1);
+    tbx_big_add_product(r, f, &f->x[a][x], &f->x[b][x], &f->x[a][y], &f->x[qy][y], 1);
+    tbx_big_add_product(r, f, &f->x[a][y], &f->x[b][y], &f->x[a][x], &f->x[qx][x], -1);
 }
 
-TRIBOX_IMPL_COLD int tribox_impl_orient2_long(const tribox_impl_exact *f, int x, int y, int a, int b,
+TBX_COLD int tbx_orient2_long(const tbx_exact *f, int x, int y, int a, int b,
                                               int qx, int qy)
 {
-    tribox_impl_big r;
-    tribox_impl_big_orient2(&r, f, x, y, a, b, qx, qy);
+    tbx_big r;
+    tbx_big_orient2(&r, f, x, y, a, b, qx, qy);
     return r.sign;
 }
 
-TRIBOX_IMPL_COLD int tribox_impl_orient3_long(const tribox_impl_exact *f, const int q[3])
+TBX_COLD int tbx_orient3_long(const tbx_exact *f, const int q[3])
 {
-    tribox_impl_big sum;
+    tbx_big sum;
     int a;
     sum.sign = 0;
     sum.n = 0;
     for (a = 0; a < 3; a++) {
         const int b = (a + 1) % 3;
         const int c = (a + 2) % 3;
-        tribox_impl_big n;
-        tribox_impl_big d;
-        tribox_impl_big nd;
-        tribox_impl_big_orient2(&n, f, b, c, 0, 1, 2, 2);
-        tribox_impl_big_difference(&d, &f->x[q[a]][a], &f->x[0][a], f->e);
-        tribox_impl_big_mul(&nd, &n, &d);
-        tribox_impl_big_add(&sum, &nd, 1);
+        tbx_big n;
+        tbx_big d;
+        tbx_big nd;
+        tbx_big_orient2(&n, f, b, c, 0, 1, 2, 2);
+        tbx_big_difference(&d, &f->x[q[a]][a], &f->x[0][a], f->e);
+        tbx_big_mul(&nd, &n, &d);
+        tbx_big_add(&sum, &nd, 1);
     }
     return sum.sign;
 }
 
 /* |s| < 2^28, differences < 2^29, products < 2^58, their difference < 2^59: no overflow */
-TRIBOX_IMPL_FN int64_t tribox_impl_orient2_short(const tribox_impl_exact *f, int x, int y,
+TBX_FN int64_t tbx_orient2_short(const tbx_exact *f, int x, int y,
                                                  int a, int b, int qx, int qy)
 {
     return (f->s[b][x] - f->s[a][x]) * (f->s[qy][y] - f->s[a][y]) -
@@ -1024,17 +1024,17 @@ TRIBOX_IMPL_FN int64_t tribox_impl_orient2_short(const tribox_impl_exact *f, int
 }
 
 /* The sign of (b - a) x (q - a). */
-TRIBOX_IMPL_FN int tribox_impl_orient2(const tribox_impl_exact *f, int x, int y, int a, int b, int qx, int qy)
+TBX_FN int tbx_orient2(const tbx_exact *f, int x, int y, int a, int b, int qx, int qy)
 {
     if (f->is_short) {
-        const int64_t r = tribox_impl_orient2_short(f, x, y, a, b, qx, qy);
+        const int64_t r = tbx_orient2_short(f, x, y, a, b, qx, qy);
         return (r > 0) - (r < 0);
     }
-    return tribox_impl_orient2_long(f, x, y, a, b, qx, qy);
+    return tbx_orient2_long(f, x, y, a, b, qx, qy);
 }
 
 /* The sign of n.(q - v0), q_k being row q[k] of axis k. */
-TRIBOX_IMPL_FN int tribox_impl_orient3(const tribox_impl_exact *f, const int q[3])
+TBX_FN int tbx_orient3(const tbx_exact *f, const int q[3])
 {
     if (f->is_short) {
         /* n < 2^59 = high * 2^32 + low; |q| < 2^28: both sums below 3 * 2^60 */
@@ -1042,7 +1042,7 @@ TRIBOX_IMPL_FN int tribox_impl_orient3(const tribox_impl_exact *f, const int q[3
         int64_t low = 0;
         int a;
         for (a = 0; a < 3; a++) {
-            const int64_t n = tribox_impl_orient2_short(f, (a + 1) % 3, (a + 2) % 3, 0, 1, 2, 2);
+            const int64_t n = tbx_orient2_short(f, (a + 1) % 3, (a + 2) % 3, 0, 1, 2, 2);
             const int64_t n_low = (int64_t)((uint64_t)n & 0xffffffffu);
             high += (n - n_low) / ((int64_t)1 << 32) * f->s[q[a]][a];
             low += n_low * f->s[q[a]][a];
@@ -1053,52 +1053,52 @@ TRIBOX_IMPL_FN int tribox_impl_orient3(const tribox_impl_exact *f, const int q[3
             return high != 0 ? (high > 0) - (high < 0) : rest > 0;
         }
     }
-    return tribox_impl_orient3_long(f, q);
+    return tbx_orient3_long(f, q);
 }
 
 /* ---- 9. Implementation: the exact test ----------------------------------------------------------------- */
 
 /* The sign of component k of edge v[i+1] - v[i]. */
-TRIBOX_IMPL_FN int tribox_impl_edge_sign(const tribox_impl_exact *f, int i, int k)
+TBX_FN int tbx_edge_sign(const tbx_exact *f, int i, int k)
 {
-    const int64_t from = tribox_impl_key64(f->x[i][k].base);
-    const int64_t to = tribox_impl_key64(f->x[(i + 1) % 3][k].base);
+    const int64_t from = tbx_key64(f->x[i][k].base);
+    const int64_t to = tbx_key64(f->x[(i + 1) % 3][k].base);
     return (to > from) - (to < from);
 }
 
 /* The row of the face farthest along a normal component of this sign. */
-TRIBOX_IMPL_FN int tribox_impl_far_row(int sign)
+TBX_FN int tbx_far_row(int sign)
 {
-    return sign > 0 ? TRIBOX_IMPL_HI : TRIBOX_IMPL_LO;
+    return sign > 0 ? TBX_HI : TBX_LO;
 }
 
 /* Does the face that a critical point uses on axis k belong to the box? A zero coefficient uses none. */
-TRIBOX_IMPL_FN int tribox_impl_uses_open(unsigned open_lo, unsigned open_hi, int k, int sign)
+TBX_FN int tbx_uses_open(unsigned open_lo, unsigned open_hi, int k, int sign)
 {
     return sign != 0 && (((sign > 0 ? open_hi : open_lo) >> k) & 1u) != 0;
 }
 
 /* Edge i in the plane across axis a, [SS10] with the sign of n_a given:
  * max over the box of w.(q - v_i) >= 0. */
-TRIBOX_IMPL_FN int tribox_impl_exact_edge(const tribox_impl_exact *f, int a, int i, int n_sign,
+TBX_FN int tbx_exact_edge(const tbx_exact *f, int a, int i, int n_sign,
                                           unsigned open_lo, unsigned open_hi)
 {
     const int b = (a + 1) % 3;
     const int c = (a + 2) % 3;
     const int w_sign = n_sign >= 0 ? 1 : -1;
-    const int w_b = -w_sign * tribox_impl_edge_sign(f, i, c);
-    const int w_c = w_sign * tribox_impl_edge_sign(f, i, b);
-    const int value = w_sign * tribox_impl_orient2(f, b, c, i, (i + 1) % 3, tribox_impl_far_row(w_b),
-                                                   tribox_impl_far_row(w_c));
+    const int w_b = -w_sign * tbx_edge_sign(f, i, c);
+    const int w_c = w_sign * tbx_edge_sign(f, i, b);
+    const int value = w_sign * tbx_orient2(f, b, c, i, (i + 1) % 3, tbx_far_row(w_b),
+                                                   tbx_far_row(w_c));
     if (value != 0) {
         return value > 0;
     }
-    return !tribox_impl_uses_open(open_lo, open_hi, b, w_b) &&
-           !tribox_impl_uses_open(open_lo, open_hi, c, w_c);
+    return !tbx_uses_open(open_lo, open_hi, b, w_b) &&
+           !tbx_uses_open(open_lo, open_hi, c, w_c);
 }
 
 /* The plane, one side: side * n.(q - v0) >= 0 at the critical point along side * n. */
-TRIBOX_IMPL_FN int tribox_impl_exact_plane(const tribox_impl_exact *f, const int n_sign[3], int side,
+TBX_FN int tbx_exact_plane(const tbx_exact *f, const int n_sign[3], int side,
                                            unsigned open_lo, unsigned open_hi)
 {
     int q[3];
@@ -1106,91 +1106,91 @@ TRIBOX_IMPL_FN int tribox_impl_exact_plane(const tribox_impl_exact *f, const int
     int value;
     int is_open = 0;
     for (k = 0; k < 3; k++) {
-        q[k] = tribox_impl_far_row(side * n_sign[k]);
-        is_open |= tribox_impl_uses_open(open_lo, open_hi, k, side * n_sign[k]);
+        q[k] = tbx_far_row(side * n_sign[k]);
+        is_open |= tbx_uses_open(open_lo, open_hi, k, side * n_sign[k]);
     }
-    value = side * tribox_impl_orient3(f, q);
+    value = side * tbx_orient3(f, q);
     return value > 0 || (value == 0 && !is_open);
 }
 
-TRIBOX_IMPL_FN void tribox_impl_exact_normal(const tribox_impl_exact *f, int n_sign[3])
+TBX_FN void tbx_exact_normal(const tbx_exact *f, int n_sign[3])
 {
     int a;
     for (a = 0; a < 3; a++) {
-        n_sign[a] = tribox_impl_orient2(f, (a + 1) % 3, (a + 2) % 3, 0, 1, 2, 2);
+        n_sign[a] = tbx_orient2(f, (a + 1) % 3, (a + 2) % 3, 0, 1, 2, 2);
     }
 }
 
 /* Plane and edges; the faces are known to hold. Bits 0..2 of `asked`: the edges in the plane across that
  * axis, bit 3: the triangle's plane. Bit k of open_lo, open_hi: that face is not in the box. */
-#define TRIBOX_IMPL_ALL_AXES 15u
+#define TBX_ALL_AXES 15u
 
-TRIBOX_IMPL_FN int tribox_impl_exact_axes(const tribox_impl_exact *f, unsigned asked, unsigned open_lo,
+TBX_FN int tbx_exact_axes(const tbx_exact *f, unsigned asked, unsigned open_lo,
                                           unsigned open_hi)
 {
     int n_sign[3];
     int a;
     int i;
-    tribox_impl_exact_normal(f, n_sign);
+    tbx_exact_normal(f, n_sign);
     for (a = 0; a < 3; a++) {
         for (i = 0; i < 3 && ((asked >> a) & 1u) != 0; i++) {
-            if (!tribox_impl_exact_edge(f, a, i, n_sign[a], open_lo, open_hi)) {
+            if (!tbx_exact_edge(f, a, i, n_sign[a], open_lo, open_hi)) {
                 return 0;
             }
         }
     }
-    return (asked & 8u) == 0 || (tribox_impl_exact_plane(f, n_sign, 1, open_lo, open_hi) &&
-                                 tribox_impl_exact_plane(f, n_sign, -1, open_lo, open_hi));
+    return (asked & 8u) == 0 || (tbx_exact_plane(f, n_sign, 1, open_lo, open_hi) &&
+                                 tbx_exact_plane(f, n_sign, -1, open_lo, open_hi));
 }
 
 /* [SS10] 6-separating: max |n_k| h_k in place of the sum, so the critical point is the farthest of
  * the voxel's face centres. */
-TRIBOX_IMPL_FN int tribox_impl_exact_thin_edge(const tribox_impl_exact *f, int a, int i, int n_sign)
+TBX_FN int tbx_exact_thin_edge(const tbx_exact *f, int a, int i, int n_sign)
 {
     const int b = (a + 1) % 3;
     const int c = (a + 2) % 3;
     const int j = (i + 1) % 3;
     const int w_sign = n_sign >= 0 ? 1 : -1;
-    const int far_b = tribox_impl_far_row(-w_sign * tribox_impl_edge_sign(f, i, c));
-    const int far_c = tribox_impl_far_row(w_sign * tribox_impl_edge_sign(f, i, b));
-    return w_sign * tribox_impl_orient2(f, b, c, i, j, far_b, TRIBOX_IMPL_MID) >= 0 ||
-           w_sign * tribox_impl_orient2(f, b, c, i, j, TRIBOX_IMPL_MID, far_c) >= 0;
+    const int far_b = tbx_far_row(-w_sign * tbx_edge_sign(f, i, c));
+    const int far_c = tbx_far_row(w_sign * tbx_edge_sign(f, i, b));
+    return w_sign * tbx_orient2(f, b, c, i, j, far_b, TBX_MID) >= 0 ||
+           w_sign * tbx_orient2(f, b, c, i, j, TBX_MID, far_c) >= 0;
 }
 
-TRIBOX_IMPL_FN int tribox_impl_exact_thin_plane(const tribox_impl_exact *f, const int n_sign[3], int side)
+TBX_FN int tbx_exact_thin_plane(const tbx_exact *f, const int n_sign[3], int side)
 {
     int k;
     for (k = 0; k < 3; k++) {
-        int q[3] = { TRIBOX_IMPL_MID, TRIBOX_IMPL_MID, TRIBOX_IMPL_MID };
-        q[k] = tribox_impl_far_row(side * n_sign[k]);
-        if (side * tribox_impl_orient3(f, q) >= 0) {
+        int q[3] = { TBX_MID, TBX_MID, TBX_MID };
+        q[k] = tbx_far_row(side * n_sign[k]);
+        if (side * tbx_orient3(f, q) >= 0) {
             return 1;
         }
     }
     return 0;
 }
 
-TRIBOX_IMPL_FN int tribox_impl_exact_thin_axes(const tribox_impl_exact *f)
+TBX_FN int tbx_exact_thin_axes(const tbx_exact *f)
 {
     int n_sign[3];
     int a;
     int i;
-    tribox_impl_exact_normal(f, n_sign);
+    tbx_exact_normal(f, n_sign);
     for (a = 0; a < 3; a++) {
         for (i = 0; i < 3; i++) {
-            if (!tribox_impl_exact_thin_edge(f, a, i, n_sign[a])) {
+            if (!tbx_exact_thin_edge(f, a, i, n_sign[a])) {
                 return 0;
             }
         }
     }
-    return tribox_impl_exact_thin_plane(f, n_sign, 1) && tribox_impl_exact_thin_plane(f, n_sign, -1);
+    return tbx_exact_thin_plane(f, n_sign, 1) && tbx_exact_thin_plane(f, n_sign, -1);
 }
 
 /* The exact answer for the triangle f->x[0..2] and the box rows LO..HI (MID for thin), whose faces are known
  * to hold, every sign exact. Conservative: the box is clipped to the triangle's bounding box first, so
  * rows may be infinite (read as +-2^1024, beyond every corner). A face is replaced, and then closed, only
  * where it lies strictly outside. */
-TRIBOX_IMPL_COLD int tribox_impl_exact_overlap(tribox_impl_exact *f, unsigned flags)
+TBX_COLD int tbx_exact_overlap(tbx_exact *f, unsigned flags)
 {
     const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
     const int hi_is_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
@@ -1198,41 +1198,41 @@ TRIBOX_IMPL_COLD int tribox_impl_exact_overlap(tribox_impl_exact *f, unsigned fl
     unsigned open_hi = 0;
     int k;
     if ((flags & TRIBOX_THIN) != 0) {
-        tribox_impl_exact_finish(f);
-        return tribox_impl_exact_thin_axes(f);
+        tbx_exact_finish(f);
+        return tbx_exact_thin_axes(f);
     }
     for (k = 0; k < 3; k++) {
         const double t0 = f->x[0][k].base;
         const double t1 = f->x[1][k].base;
         const double t2 = f->x[2][k].base;
-        const tribox_impl_coord t_min = tribox_impl_at(tribox_impl_min(tribox_impl_min(t0, t1), t2), 0.0, 0);
-        const tribox_impl_coord t_max = tribox_impl_at(tribox_impl_max(tribox_impl_max(t0, t1), t2), 0.0, 0);
-        tribox_impl_coord *lo = &f->x[TRIBOX_IMPL_LO][k];
-        tribox_impl_coord *hi = &f->x[TRIBOX_IMPL_HI][k];
-        if (tribox_impl_compare(lo, &t_min) < 0) {
+        const tbx_coord t_min = tbx_at(tbx_min(tbx_min(t0, t1), t2), 0.0, 0);
+        const tbx_coord t_max = tbx_at(tbx_max(tbx_max(t0, t1), t2), 0.0, 0);
+        tbx_coord *lo = &f->x[TBX_LO][k];
+        tbx_coord *hi = &f->x[TBX_HI][k];
+        if (tbx_compare(lo, &t_min) < 0) {
             *lo = t_min;
         } else if (lo_is_open) {
             open_lo |= 1u << k;
         }
-        if (tribox_impl_compare(hi, &t_max) > 0) {
+        if (tbx_compare(hi, &t_max) > 0) {
             *hi = t_max;
         } else if (hi_is_open) {
             open_hi |= 1u << k;
         }
-        f->x[TRIBOX_IMPL_MID][k] = *lo;     /* unused */
+        f->x[TBX_MID][k] = *lo;     /* unused */
     }
-    tribox_impl_exact_finish(f);
-    return tribox_impl_exact_axes(f, TRIBOX_IMPL_ALL_AXES, open_lo, open_hi);
+    tbx_exact_finish(f);
+    return tbx_exact_axes(f, TBX_ALL_AXES, open_lo, open_hi);
 }
 
-TRIBOX_IMPL_FN void tribox_impl_exact_corners(tribox_impl_exact *f, const double v0[3], const double v1[3],
+TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[3],
                                               const double v2[3])
 {
     int k;
     for (k = 0; k < 3; k++) {
-        f->x[0][k] = tribox_impl_at(v0[k], 0.0, 0);
-        f->x[1][k] = tribox_impl_at(v1[k], 0.0, 0);
-        f->x[2][k] = tribox_impl_at(v2[k], 0.0, 0);
+        f->x[0][k] = tbx_at(v0[k], 0.0, 0);
+        f->x[1][k] = tbx_at(v1[k], 0.0, 0);
+        f->x[2][k] = tbx_at(v2[k], 0.0, 0);
     }
 }
 
@@ -1269,31 +1269,31 @@ TRIBOX_IMPL_FN void tribox_impl_exact_corners(tribox_impl_exact *f, const double
  * overflows. Where X_k = 0, every value with a factor of axis k is exactly 0, and so is its bound:
  * "value >= bound" is right, since that axis then follows from the faces, which lie strictly outside or are
  * closed there under every rule. */
-#define TRIBOX_IMPL_ULPS 128
-#define TRIBOX_IMPL_U32 1.1920928955078125e-07f             /* 2^-23 */
-#define TRIBOX_IMPL_U64 2.220446049250313080847263336e-16   /* 2^-52 */
+#define TBX_ULPS 128
+#define TBX_U32 1.1920928955078125e-07f             /* 2^-23 */
+#define TBX_U64 2.220446049250313080847263336e-16   /* 2^-52 */
 
-enum { TRIBOX_IMPL_MISS = 0, TRIBOX_IMPL_HIT = 1, TRIBOX_IMPL_UNSURE = 2 };
+enum { TBX_MISS = 0, TBX_HIT = 1, TBX_UNSURE = 2 };
 
 /* The touching rule of a one-box question; THIN means closed there. */
-TRIBOX_IMPL_FN unsigned tribox_impl_rule(unsigned flags)
+TBX_FN unsigned tbx_rule(unsigned flags)
 {
     return (flags & TRIBOX_THIN) != 0 ? 0u : flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN);
 }
 
-TRIBOX_IMPL_FN int tribox_impl_finite3(const double x[3])
+TBX_FN int tbx_finite3(const double x[3])
 {
-    return tribox_impl_is_finite(x[0]) & tribox_impl_is_finite(x[1]) & tribox_impl_is_finite(x[2]);
+    return tbx_is_finite(x[0]) & tbx_is_finite(x[1]) & tbx_is_finite(x[2]);
 }
 
 /* The triangle is a set of points: no corner has a NaN or an infinity. */
-TRIBOX_IMPL_FN int tribox_impl_corners_finite(const double v0[3], const double v1[3], const double v2[3])
+TBX_FN int tbx_corners_finite(const double v0[3], const double v1[3], const double v2[3])
 {
-    return tribox_impl_finite3(v0) & tribox_impl_finite3(v1) & tribox_impl_finite3(v2);
+    return tbx_finite3(v0) & tbx_finite3(v1) & tbx_finite3(v2);
 }
 
 /* Without a branch where the compiler has a way to say so: signs are coin tosses. */
-TRIBOX_IMPL_FN double tribox_impl_abs(double x)
+TBX_FN double tbx_abs(double x)
 {
 #if defined(__GNUC__) && !defined(__CUDACC__)
     return __builtin_fabs(x);
@@ -1303,17 +1303,17 @@ TRIBOX_IMPL_FN double tribox_impl_abs(double x)
 }
 
 /* The box, clipped to the triangle's bounding box. Bit k of open_lo, open_hi: that face is not in the box. */
-typedef struct tribox_impl_clip {
+typedef struct tbx_clip {
     double   lo[3];
     double   hi[3];
     double   extent[3];     /* of the triangle */
     unsigned open_lo;
     unsigned open_hi;
-} tribox_impl_clip;
+} tbx_clip;
 
 /* Decides emptiness and the faces, on integer keys. Returns 0 if there is nothing left of the box. A face is
  * replaced by the triangle's extent, and then closed, only where it lies strictly outside. */
-TRIBOX_IMPL_FN int tribox_impl_clip_box(tribox_impl_clip *clip, const double v0[3], const double v1[3],
+TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3],
                                         const double v2[3], const double box_min[3], const double box_max[3],
                                         unsigned flags)
 {
@@ -1323,13 +1323,13 @@ TRIBOX_IMPL_FN int tribox_impl_clip_box(tribox_impl_clip *clip, const double v0[
     clip->open_lo = 0;
     clip->open_hi = 0;
     for (k = 0; k < 3; k++) {
-        const double t_min = tribox_impl_min(tribox_impl_min(v0[k], v1[k]), v2[k]);
-        const double t_max = tribox_impl_max(tribox_impl_max(v0[k], v1[k]), v2[k]);
-        const int64_t lo = tribox_impl_key64(box_min[k]);
-        const int64_t hi = tribox_impl_key64(box_max[k]);
-        const int64_t key_min = tribox_impl_key64(t_min);
-        const int64_t key_max = tribox_impl_key64(t_max);
-        if (tribox_impl_is_nan(box_min[k]) || tribox_impl_is_nan(box_max[k]) || lo + hi_is_open > hi ||
+        const double t_min = tbx_min(tbx_min(v0[k], v1[k]), v2[k]);
+        const double t_max = tbx_max(tbx_max(v0[k], v1[k]), v2[k]);
+        const int64_t lo = tbx_key64(box_min[k]);
+        const int64_t hi = tbx_key64(box_max[k]);
+        const int64_t key_min = tbx_key64(t_min);
+        const int64_t key_max = tbx_key64(t_max);
+        if (tbx_is_nan(box_min[k]) || tbx_is_nan(box_max[k]) || lo + hi_is_open > hi ||
             lo + lo_is_open > key_max || hi - hi_is_open < key_min) {
             return 0;
         }
@@ -1338,7 +1338,7 @@ TRIBOX_IMPL_FN int tribox_impl_clip_box(tribox_impl_clip *clip, const double v0[
         clip->open_lo |= (unsigned)(lo_is_open && lo >= key_min) << k;
         clip->open_hi |= (unsigned)(hi_is_open && hi <= key_max) << k;
         clip->extent[k] = t_max - t_min;
-        if (key_min != key_max && tribox_impl_sign(clip->extent[k]) == 0) {
+        if (key_min != key_max && tbx_sign(clip->extent[k]) == 0) {
             clip->extent[k] = DBL_MIN;      /* flushed: out of the filter's range */
         }
     }
@@ -1346,41 +1346,41 @@ TRIBOX_IMPL_FN int tribox_impl_clip_box(tribox_impl_clip *clip, const double v0[
 }
 
 /* The values of the filter: the worst edge of each plane, then the plane. Their bounds hold if in_range. */
-typedef struct tribox_impl_values {
+typedef struct tbx_values {
     double value[4];
     double bound[4];
     int    in_range;
-} tribox_impl_values;
+} tbx_values;
 
 /* An extent that the bounds hold for: 0 or in [2^-300, 2^301). Read from its bits. */
-TRIBOX_IMPL_FN int tribox_impl_extent_in_range(double extent)
+TBX_FN int tbx_extent_in_range(double extent)
 {
-    const uint64_t bits = tribox_impl_bits64(&extent) & 0x7fffffffffffffffu;
+    const uint64_t bits = tbx_bits64(&extent) & 0x7fffffffffffffffu;
     return bits == 0 || bits - ((uint64_t)(1023 - 300) << 52) < ((uint64_t)601 << 52);
 }
 
 /* The power of two that maps an extent in (0, 2^301) to [2^14, 2^15). */
-TRIBOX_IMPL_FN double tribox_impl_lattice_scale(double extent)
+TBX_FN double tbx_lattice_scale(double extent)
 {
-    const uint64_t exponent = (tribox_impl_bits64(&extent) >> 52) & 0x7ffu;
-    return tribox_impl_from_bits64((uint64_t)(2046 + 14 - exponent) << 52);
+    const uint64_t exponent = (tbx_bits64(&extent) >> 52) & 0x7ffu;
+    return tbx_from_bits64((uint64_t)(2046 + 14 - exponent) << 52);
 }
 
 /* Is x a multiple of 1/scale, a power of two, and below 2^52 of them? Subnormals read as zero are not. */
-TRIBOX_IMPL_FN int tribox_impl_on_lattice(double x, double scale)
+TBX_FN int tbx_on_lattice(double x, double scale)
 {
     const double limit = 4503599627370496.0;    /* 2^52 */
     const double units = x * scale;
     if (!(units < limit && units > -limit)) {
         return 0;
     }
-    return (double)(int64_t)units == units && (tribox_impl_sign(units) != 0 || tribox_impl_sign(x) == 0);
+    return (double)(int64_t)units == units && (tbx_sign(units) != 0 || tbx_sign(x) == 0);
 }
 
-TRIBOX_IMPL_FN void tribox_impl_filter(tribox_impl_values *out, const double v0[3], const double v1[3],
-                                       const double v2[3], const tribox_impl_clip *clip)
+TBX_FN void tbx_filter(tbx_values *out, const double v0[3], const double v1[3],
+                                       const double v2[3], const tbx_clip *clip)
 {
-    const double ulps = TRIBOX_IMPL_ULPS * TRIBOX_IMPL_U64;
+    const double ulps = TBX_ULPS * TBX_U64;
     const double *x = clip->extent;
     double d[4][3];         /* a_1, a_2, lo - v_0, h */
     double m[3];
@@ -1394,12 +1394,12 @@ TRIBOX_IMPL_FN void tribox_impl_filter(tribox_impl_values *out, const double v0[
         d[2][k] = clip->lo[k] - v0[k];
         d[3][k] = clip->hi[k] - clip->lo[k];
     }
-    TRIBOX_IMPL_KEEP(d);
+    TBX_KEEP(d);
     for (k = 0; k < 3; k++) {
         m[k] = 2.0 * d[2][k] + d[3][k];
-        e[0][k] = tribox_impl_abs(d[0][k]);
-        e[1][k] = tribox_impl_abs(d[1][k] - d[0][k]);
-        e[2][k] = tribox_impl_abs(d[1][k]);
+        e[0][k] = tbx_abs(d[0][k]);
+        e[1][k] = tbx_abs(d[1][k] - d[0][k]);
+        e[2][k] = tbx_abs(d[1][k]);
     }
     for (k = 0; k < 3; k++) {
         const int b = k < 2 ? k + 1 : 0;
@@ -1409,58 +1409,58 @@ TRIBOX_IMPL_FN void tribox_impl_filter(tribox_impl_values *out, const double v0[
         const double s0 = n - c0;
         const double s2 = n - (m[b] * d[1][c] - m[c] * d[1][b]);
         const double s1 = c0 - s2;
-        const double g0 = e[0][b] * d[3][c] + (e[0][c] * d[3][b] - tribox_impl_abs(s0));
-        const double g1 = e[1][b] * d[3][c] + (e[1][c] * d[3][b] - tribox_impl_abs(s1));
-        const double g2 = e[2][b] * d[3][c] + (e[2][c] * d[3][b] - tribox_impl_abs(s2));
+        const double g0 = e[0][b] * d[3][c] + (e[0][c] * d[3][b] - tbx_abs(s0));
+        const double g1 = e[1][b] * d[3][c] + (e[1][c] * d[3][b] - tbx_abs(s1));
+        const double g2 = e[2][b] * d[3][c] + (e[2][c] * d[3][b] - tbx_abs(s2));
         const double g = g0 < g1 ? g0 : g1;
-        out->value[k] = (g < g2 ? g : g2) + tribox_impl_abs(n);
+        out->value[k] = (g < g2 ? g : g2) + tbx_abs(n);
         out->bound[k] = ulps * x[b] * x[c];
-        support += tribox_impl_abs(n) * d[3][k];
+        support += tbx_abs(n) * d[3][k];
         at += n * m[k];
     }
-    out->value[3] = support - tribox_impl_abs(at);
+    out->value[3] = support - tbx_abs(at);
     out->bound[3] = ulps * x[0] * x[1] * x[2];
-    out->in_range = tribox_impl_extent_in_range(x[0]) & tribox_impl_extent_in_range(x[1]) &
-                    tribox_impl_extent_in_range(x[2]);
+    out->in_range = tbx_extent_in_range(x[0]) & tbx_extent_in_range(x[1]) &
+                    tbx_extent_in_range(x[2]);
 }
 
 /* Are all values of the filter exact? Coordinates that are multiples of some unit, and differ by less
  * than 2^15 of it, make them so: the largest, n.m, is below 3 * 2^31 * 2^17 < 2^53 in that unit, cubed. */
-TRIBOX_IMPL_FN int tribox_impl_clip_on_lattice(const double v0[3], const double v1[3], const double v2[3],
-                                               const tribox_impl_clip *clip)
+TBX_FN int tbx_clip_on_lattice(const double v0[3], const double v1[3], const double v2[3],
+                                               const tbx_clip *clip)
 {
     const double *x = clip->extent;
     const double longest = x[0] > x[1] ? x[0] : x[1];
-    const double scale = tribox_impl_lattice_scale(longest > x[2] ? longest : x[2]);
+    const double scale = tbx_lattice_scale(longest > x[2] ? longest : x[2]);
     int whole = 1;
     int k;
     for (k = 0; k < 3; k++) {
-        whole &= tribox_impl_on_lattice(v0[k], scale) & tribox_impl_on_lattice(v1[k], scale) &
-                 tribox_impl_on_lattice(v2[k], scale) & tribox_impl_on_lattice(clip->lo[k], scale) &
-                 tribox_impl_on_lattice(clip->hi[k], scale);
+        whole &= tbx_on_lattice(v0[k], scale) & tbx_on_lattice(v1[k], scale) &
+                 tbx_on_lattice(v2[k], scale) & tbx_on_lattice(clip->lo[k], scale) &
+                 tbx_on_lattice(clip->hi[k], scale);
     }
     return whole;
 }
 
 /* What the filter leaves open, by exact signs. */
-TRIBOX_IMPL_COLD int tribox_impl_clipped_exact(const double v0[3], const double v1[3], const double v2[3],
-                                               const tribox_impl_clip *clip, unsigned unsure)
+TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const double v2[3],
+                                               const tbx_clip *clip, unsigned unsure)
 {
-    tribox_impl_exact f;
+    tbx_exact f;
     int k;
-    tribox_impl_exact_corners(&f, v0, v1, v2);
+    tbx_exact_corners(&f, v0, v1, v2);
     for (k = 0; k < 3; k++) {
-        f.x[TRIBOX_IMPL_LO][k] = tribox_impl_at(clip->lo[k], 0.0, 0);
-        f.x[TRIBOX_IMPL_MID][k] = f.x[TRIBOX_IMPL_LO][k];   /* unused */
-        f.x[TRIBOX_IMPL_HI][k] = tribox_impl_at(clip->hi[k], 0.0, 0);
+        f.x[TBX_LO][k] = tbx_at(clip->lo[k], 0.0, 0);
+        f.x[TBX_MID][k] = f.x[TBX_LO][k];   /* unused */
+        f.x[TBX_HI][k] = tbx_at(clip->hi[k], 0.0, 0);
     }
-    tribox_impl_exact_finish(&f);
-    return tribox_impl_exact_axes(&f, unsure, clip->open_lo, clip->open_hi);
+    tbx_exact_finish(&f);
+    return tbx_exact_axes(&f, unsure, clip->open_lo, clip->open_hi);
 }
 
 /* Could a processor that reads or writes subnormals as zero see other numbers, or other differences?
  * Doubles of at least 2^-900 are multiples of 2^-952, and so are their differences. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_may_flush64(const double v0[3], const double v1[3], const double v2[3],
+TBX_NOINLINE int tbx_may_flush64(const double v0[3], const double v1[3], const double v2[3],
                                                  const double box_min[3], const double box_max[3])
 {
     const uint64_t least = (uint64_t)(1023 - 900) << 52;
@@ -1473,25 +1473,25 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_may_flush64(const double v0[3], const doubl
     v[3] = box_min;
     v[4] = box_max;
     for (i = 0; i < 15; i++) {
-        const uint64_t magnitude = tribox_impl_bits64(&v[i / 3][i % 3]) & 0x7fffffffffffffffu;
+        const uint64_t magnitude = tbx_bits64(&v[i / 3][i % 3]) & 0x7fffffffffffffffu;
         may |= magnitude - 1u < least - 1u;
     }
     return may;
 }
 
 /* Does this processor? */
-TRIBOX_IMPL_FN int tribox_impl_flushes64(void)
+TBX_FN int tbx_flushes64(void)
 {
     double tiny = 4.9406564584124654e-324;      /* 2^-1074 */
-    TRIBOX_IMPL_KEEP(tiny);
+    TBX_KEEP(tiny);
     tiny += tiny;
-    TRIBOX_IMPL_KEEP(tiny);
-    return tribox_impl_bits64(&tiny) == 0;
+    TBX_KEEP(tiny);
+    return tbx_bits64(&tiny) == 0;
 }
 
-/* What tribox_impl_clip_box does, by comparing numbers instead of keys. Returns 0 where that may fail: at
+/* What tbx_clip_box does, by comparing numbers instead of keys. Returns 0 where that may fail: at
  * NaN, out of the filter's range, and where subnormals may be read as zero. The extents are from X to 2X. */
-TRIBOX_IMPL_FN int tribox_impl_clip_quick(tribox_impl_clip *clip, int *out_parted, const double v0[3],
+TBX_FN int tbx_clip_quick(tbx_clip *clip, int *out_parted, const double v0[3],
                                           const double v1[3], const double v2[3], const double box_min[3],
                                           const double box_max[3], unsigned flags)
 {
@@ -1512,7 +1512,7 @@ TRIBOX_IMPL_FN int tribox_impl_clip_quick(tribox_impl_clip *clip, int *out_parte
         const double hi = box_max[k];
         clip->lo[k] = lo > t_min ? lo : t_min;
         clip->hi[k] = hi < t_max ? hi : t_max;
-        clip->extent[k] = tribox_impl_abs(v1[k] - v0[k]) + tribox_impl_abs(v2[k] - v0[k]);
+        clip->extent[k] = tbx_abs(v1[k] - v0[k]) + tbx_abs(v2[k] - v0[k]);
         span[k] = hi - lo;
         parted |= clip->lo[k] > clip->hi[k];
         if (flags != 0) {
@@ -1521,35 +1521,35 @@ TRIBOX_IMPL_FN int tribox_impl_clip_quick(tribox_impl_clip *clip, int *out_parte
             clip->open_hi |= (unsigned)(hi_is_open & (hi <= t_max)) << k;
         }
     }
-    TRIBOX_IMPL_KEEP(clip->extent);
-    TRIBOX_IMPL_KEEP(span);
+    TBX_KEEP(clip->extent);
+    TBX_KEEP(span);
     for (k = 0; k < 3; k++) {
-        usable &= tribox_impl_extent_in_range(clip->extent[k]) & !tribox_impl_is_nan(span[k]);
+        usable &= tbx_extent_in_range(clip->extent[k]) & !tbx_is_nan(span[k]);
     }
     *out_parted = parted;
-    return usable && !(tribox_impl_flushes64() && tribox_impl_may_flush64(v0, v1, v2, box_min, box_max));
+    return usable && !(tbx_flushes64() && tbx_may_flush64(v0, v1, v2, box_min, box_max));
 }
 
 /* The scalar body, which is the specification: emptiness, faces and rules, from bits where comparing might
  * fail, the nine edges and the plane by the filter in double, what that leaves open by exact signs. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_overlap(const double v0[3], const double v1[3], const double v2[3],
+TBX_NOINLINE int tbx_overlap(const double v0[3], const double v1[3], const double v2[3],
                                              const double box_min[3], const double box_max[3], unsigned flags)
 {
-    tribox_impl_clip clip;
-    tribox_impl_values filter;
+    tbx_clip clip;
+    tbx_values filter;
     unsigned unsure = 0;
     int miss = 0;
     int k;
-    if (TRIBOX_IMPL_RARELY(!tribox_impl_clip_quick(&clip, &miss, v0, v1, v2, box_min, box_max, flags))) {
-        if (!tribox_impl_corners_finite(v0, v1, v2) ||
-            !tribox_impl_clip_box(&clip, v0, v1, v2, box_min, box_max, flags)) {
+    if (TBX_RARELY(!tbx_clip_quick(&clip, &miss, v0, v1, v2, box_min, box_max, flags))) {
+        if (!tbx_corners_finite(v0, v1, v2) ||
+            !tbx_clip_box(&clip, v0, v1, v2, box_min, box_max, flags)) {
             return 0;
         }
         miss = 0;
     }
-    tribox_impl_filter(&filter, v0, v1, v2, &clip);
-    if (TRIBOX_IMPL_RARELY(!filter.in_range)) {
-        return tribox_impl_clipped_exact(v0, v1, v2, &clip, TRIBOX_IMPL_ALL_AXES);
+    tbx_filter(&filter, v0, v1, v2, &clip);
+    if (TBX_RARELY(!filter.in_range)) {
+        return tbx_clipped_exact(v0, v1, v2, &clip, TBX_ALL_AXES);
     }
     for (k = 0; k < 4; k++) {
         miss |= filter.value[k] < -filter.bound[k];
@@ -1558,24 +1558,24 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_overlap(const double v0[3], const double v1
     if (miss | (unsure == 0)) {     /* one branch, hardly ever missed: miss alone is a coin toss */
         return !miss;
     }
-    if ((clip.open_lo | clip.open_hi) == 0 && tribox_impl_clip_on_lattice(v0, v1, v2, &clip)) {
+    if ((clip.open_lo | clip.open_hi) == 0 && tbx_clip_on_lattice(v0, v1, v2, &clip)) {
         /* an edge is a multiple of the unit squared, its bound below 2^-15 of it: unsure is zero */
         return filter.value[3] >= 0.0;
     }
-    return tribox_impl_clipped_exact(v0, v1, v2, &clip, unsure);
+    return tbx_clipped_exact(v0, v1, v2, &clip, unsure);
 }
 
-TRIBOX_IMPL_FN float tribox_impl_minf(float a, float b)
+TBX_FN float tbx_minf(float a, float b)
 {
     return a < b ? a : b;
 }
 
-TRIBOX_IMPL_FN float tribox_impl_maxf(float a, float b)
+TBX_FN float tbx_maxf(float a, float b)
 {
     return a > b ? a : b;
 }
 
-TRIBOX_IMPL_FN float tribox_impl_absf(float a)
+TBX_FN float tbx_absf(float a)
 {
 #if defined(__GNUC__) && !defined(__CUDACC__)
     return __builtin_fabsf(a);
@@ -1588,114 +1588,114 @@ TRIBOX_IMPL_FN float tribox_impl_absf(float a)
 #if TRIBOX_SIMD
 /* The same filter in float, x, y, z in three lanes; the fourth stays 0.
  * A cross product comes out as z, x, y. */
-typedef float tribox_impl_f4 __attribute__((vector_size(16)));
-typedef int32_t tribox_impl_i4 __attribute__((vector_size(16)));
-typedef uint32_t tribox_impl_u4 __attribute__((vector_size(16)));
-typedef double tribox_impl_d2 __attribute__((vector_size(16)));
+typedef float tbx_f4 __attribute__((vector_size(16)));
+typedef int32_t tbx_i4 __attribute__((vector_size(16)));
+typedef uint32_t tbx_u4 __attribute__((vector_size(16)));
+typedef double tbx_d2 __attribute__((vector_size(16)));
 
 /* Lanes i, j, k, l of a (0..3) and b (4..7). */
 #if defined(__clang__)
-#define TRIBOX_IMPL_LANES(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
+#define TBX_LANES(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
 #else
-TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_order(int32_t i, int32_t j, int32_t k, int32_t l)
+TBX_FN tbx_i4 tbx_order(int32_t i, int32_t j, int32_t k, int32_t l)
 {
-    const tribox_impl_i4 r = { i, j, k, l };
+    const tbx_i4 r = { i, j, k, l };
     return r;
 }
-#define TRIBOX_IMPL_LANES(a, b, i, j, k, l) __builtin_shuffle(a, b, tribox_impl_order(i, j, k, l))
+#define TBX_LANES(a, b, i, j, k, l) __builtin_shuffle(a, b, tbx_order(i, j, k, l))
 #endif
 
 /* Lanes 0, 1, 2 of a, and lane i of b: one instruction, or two, which gcc has to be told. */
 #if defined(__SSE2__) && !defined(__SSE4_1__)
-#define TRIBOX_IMPL_JOIN(a, b, i) \
-    TRIBOX_IMPL_LANES(a, TRIBOX_IMPL_LANES(a, b, 2, 2, 4 + (i), 4 + (i)), 0, 1, 4, 6)
+#define TBX_JOIN(a, b, i) \
+    TBX_LANES(a, TBX_LANES(a, b, 2, 2, 4 + (i), 4 + (i)), 0, 1, 4, 6)
 #else
-#define TRIBOX_IMPL_JOIN(a, b, i) TRIBOX_IMPL_LANES(a, b, 0, 1, 2, 4 + (i))
+#define TBX_JOIN(a, b, i) TBX_LANES(a, b, 0, 1, 2, 4 + (i))
 #endif
 
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_load3(const void *v)
+TBX_FN tbx_f4 tbx_load3(const void *v)
 {
-    tribox_impl_f4 z = { 0.0f, 0.0f, 0.0f, 0.0f };
-    tribox_impl_d2 xy = { 0.0, 0.0 };
+    tbx_f4 z = { 0.0f, 0.0f, 0.0f, 0.0f };
+    tbx_d2 xy = { 0.0, 0.0 };
     double pair;
     float last;
-    TRIBOX_IMPL_COPY(&pair, v, sizeof pair);
-    TRIBOX_IMPL_COPY(&last, (const char *)v + sizeof pair, sizeof last);
+    TBX_COPY(&pair, v, sizeof pair);
+    TBX_COPY(&last, (const char *)v + sizeof pair, sizeof last);
     xy[0] = pair;
     z[0] = last;
-    return TRIBOX_IMPL_LANES((tribox_impl_f4)xy, z, 0, 1, 4, 5);
+    return TBX_LANES((tbx_f4)xy, z, 0, 1, 4, 5);
 }
 
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_load4(const float v[4])
+TBX_FN tbx_f4 tbx_load4(const float v[4])
 {
-    tribox_impl_f4 r;
-    TRIBOX_IMPL_COPY(&r, v, sizeof r);
+    tbx_f4 r;
+    TBX_COPY(&r, v, sizeof r);
     return r;
 }
 
-TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_load4i(const int32_t v[4])
+TBX_FN tbx_i4 tbx_load4i(const int32_t v[4])
 {
-    tribox_impl_i4 r;
-    TRIBOX_IMPL_COPY(&r, v, sizeof r);
+    tbx_i4 r;
+    TBX_COPY(&r, v, sizeof r);
     return r;
 }
 
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_splat(float x)
+TBX_FN tbx_f4 tbx_splat(float x)
 {
-    const tribox_impl_f4 r = { x, x, x, x };
+    const tbx_f4 r = { x, x, x, x };
     return r;
 }
 
-TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_splat_int(int32_t x)
+TBX_FN tbx_i4 tbx_splat_int(int32_t x)
 {
-    const tribox_impl_i4 r = { x, x, x, x };
+    const tbx_i4 r = { x, x, x, x };
     return r;
 }
 
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_yzx(tribox_impl_f4 a)
+TBX_FN tbx_f4 tbx_yzx(tbx_f4 a)
 {
-    return TRIBOX_IMPL_LANES(a, a, 1, 2, 0, 3);
+    return TBX_LANES(a, a, 1, 2, 0, 3);
 }
 
 #if defined(__SSE2__)
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_min4(tribox_impl_f4 a, tribox_impl_f4 b)
+TBX_FN tbx_f4 tbx_min4(tbx_f4 a, tbx_f4 b)
 {
     return __builtin_ia32_minps(a, b);
 }
 
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_max4(tribox_impl_f4 a, tribox_impl_f4 b)
+TBX_FN tbx_f4 tbx_max4(tbx_f4 a, tbx_f4 b)
 {
     return __builtin_ia32_maxps(a, b);
 }
 
 /* The sign bits of the four lanes. */
-TRIBOX_IMPL_FN int tribox_impl_signs(tribox_impl_i4 mask)
+TBX_FN int tbx_signs(tbx_i4 mask)
 {
-    return __builtin_ia32_movmskps((tribox_impl_f4)mask);
+    return __builtin_ia32_movmskps((tbx_f4)mask);
 }
 #else
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_min4(tribox_impl_f4 a, tribox_impl_f4 b)
+TBX_FN tbx_f4 tbx_min4(tbx_f4 a, tbx_f4 b)
 {
-    const tribox_impl_i4 less = a < b;
-    return (tribox_impl_f4)(((tribox_impl_i4)a & less) | ((tribox_impl_i4)b & ~less));
+    const tbx_i4 less = a < b;
+    return (tbx_f4)(((tbx_i4)a & less) | ((tbx_i4)b & ~less));
 }
 
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_max4(tribox_impl_f4 a, tribox_impl_f4 b)
+TBX_FN tbx_f4 tbx_max4(tbx_f4 a, tbx_f4 b)
 {
-    const tribox_impl_i4 more = a > b;
-    return (tribox_impl_f4)(((tribox_impl_i4)a & more) | ((tribox_impl_i4)b & ~more));
+    const tbx_i4 more = a > b;
+    return (tbx_f4)(((tbx_i4)a & more) | ((tbx_i4)b & ~more));
 }
 
-TRIBOX_IMPL_FN int tribox_impl_signs(tribox_impl_i4 mask)
+TBX_FN int tbx_signs(tbx_i4 mask)
 {
-    const tribox_impl_i4 weight = { 1, 2, 4, 8 };
-    const tribox_impl_i4 bits = (mask < 0) & weight;
+    const tbx_i4 weight = { 1, 2, 4, 8 };
+    const tbx_i4 bits = (mask < 0) & weight;
     return bits[0] + bits[1] + bits[2] + bits[3];
 }
 #endif
 
 /* a*b + c: fused where that is one instruction. clang contracts on its own; gcc does not under -std=c99. */
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_fma4(tribox_impl_f4 a, tribox_impl_f4 b, tribox_impl_f4 c)
+TBX_FN tbx_f4 tbx_fma4(tbx_f4 a, tbx_f4 b, tbx_f4 c)
 {
 #if defined(__FMA__) && !defined(__clang__)
     return __builtin_ia32_vfmaddps(a, b, c);
@@ -1704,140 +1704,140 @@ TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_fma4(tribox_impl_f4 a, tribox_impl_f4 
 #endif
 }
 
-TRIBOX_IMPL_FN int tribox_impl_any(tribox_impl_i4 mask)
+TBX_FN int tbx_any(tbx_i4 mask)
 {
-    return tribox_impl_signs(mask) != 0;
+    return tbx_signs(mask) != 0;
 }
 
-TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_magnitude(tribox_impl_f4 a)
+TBX_FN tbx_i4 tbx_magnitude(tbx_f4 a)
 {
-    return (tribox_impl_i4)a & tribox_impl_splat_int(0x7fffffff);
+    return (tbx_i4)a & tbx_splat_int(0x7fffffff);
 }
 
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_abs4(tribox_impl_f4 a)
+TBX_FN tbx_f4 tbx_abs4(tbx_f4 a)
 {
-    return (tribox_impl_f4)tribox_impl_magnitude(a);
+    return (tbx_f4)tbx_magnitude(a);
 }
 
 /* Towards zero, as floats; magnitudes below 2^31. */
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_truncate(tribox_impl_f4 a)
+TBX_FN tbx_f4 tbx_truncate(tbx_f4 a)
 {
-    return __builtin_convertvector(__builtin_convertvector(a, tribox_impl_i4), tribox_impl_f4);
+    return __builtin_convertvector(__builtin_convertvector(a, tbx_i4), tbx_f4);
 }
 
 /* r_i = |e_b| h_c + |e_c| h_b, as z, x, y; e absolute */
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_radius4(tribox_impl_f4 e, tribox_impl_f4 h, tribox_impl_f4 h_yzx)
+TBX_FN tbx_f4 tbx_radius4(tbx_f4 e, tbx_f4 h, tbx_f4 h_yzx)
 {
-    return e * h_yzx + tribox_impl_yzx(e) * h;
+    return e * h_yzx + tbx_yzx(e) * h;
 }
 
 /* The sums of three lanes of a and of b, in lanes 0 and 1. */
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_sums3(tribox_impl_f4 a, tribox_impl_f4 b)
+TBX_FN tbx_f4 tbx_sums3(tbx_f4 a, tbx_f4 b)
 {
-    const tribox_impl_f4 low = TRIBOX_IMPL_LANES(a, b, 0, 4, 1, 5);
-    const tribox_impl_f4 high = TRIBOX_IMPL_LANES(a, b, 2, 6, 3, 7);
-    return low + TRIBOX_IMPL_LANES(low, low, 2, 3, 2, 3) + high;
+    const tbx_f4 low = TBX_LANES(a, b, 0, 4, 1, 5);
+    const tbx_f4 high = TBX_LANES(a, b, 2, 6, 3, 7);
+    return low + TBX_LANES(low, low, 2, 3, 2, 3) + high;
 }
 
 /* Sign bits: lanes whose magnitude, given by its bits, exceeds the float with bits `most`;
  * NaN exceeds all. */
-TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_above(tribox_impl_f4 magnitude, int32_t most)
+TBX_FN tbx_i4 tbx_above(tbx_f4 magnitude, int32_t most)
 {
-    return tribox_impl_splat_int(most) - (tribox_impl_i4)magnitude;
+    return tbx_splat_int(most) - (tbx_i4)magnitude;
 }
 
 /* Sign bits: lanes that are not 0 and whose magnitude is below the float with bits `least`. */
-TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_below(tribox_impl_f4 magnitude, int32_t least)
+TBX_FN tbx_i4 tbx_below(tbx_f4 magnitude, int32_t least)
 {
-    const tribox_impl_i4 bits = (tribox_impl_i4)magnitude;
-    return (bits - tribox_impl_splat_int(least)) & -bits;
+    const tbx_i4 bits = (tbx_i4)magnitude;
+    return (bits - tbx_splat_int(least)) & -bits;
 }
 
 /* Floats of at least 2^-100 are multiples of 2^-123, and so are their differences:
  * none is flushed to zero. */
-TRIBOX_IMPL_FN int tribox_impl_may_flush(const float v[3])
+TBX_FN int tbx_may_flush(const float v[3])
 {
-    return tribox_impl_any(tribox_impl_below(tribox_impl_abs4(tribox_impl_load3(v)), 0x0d800000));
+    return tbx_any(tbx_below(tbx_abs4(tbx_load3(v)), 0x0d800000));
 }
 
 /* An edge's value less |n|, as z, x, y: |e_b| h_c + |e_c| h_b - |s|. e: absolute. */
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_edge4(tribox_impl_f4 e, tribox_impl_f4 e_yzx, tribox_impl_f4 h,
-                                                tribox_impl_f4 h_yzx, tribox_impl_f4 s)
+TBX_FN tbx_f4 tbx_edge4(tbx_f4 e, tbx_f4 e_yzx, tbx_f4 h,
+                                                tbx_f4 h_yzx, tbx_f4 s)
 {
-    return e * h_yzx + (e_yzx * h - tribox_impl_abs4(s));
+    return e * h_yzx + (e_yzx * h - tbx_abs4(s));
 }
 
 /* The verdict of the float filter. rule: the box is not closed, so equality at a face is unsure. */
-TRIBOX_IMPL_FN int tribox_impl_filter4(const float v0[3], const float v1[3], const float v2[3],
+TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3],
                                        const float box_min[3], const float box_max[3], int rule)
 {
-    const tribox_impl_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f };       /* 2^-149 */
-    const tribox_impl_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
-    const tribox_impl_f4 ulps = tribox_impl_splat(TRIBOX_IMPL_ULPS * TRIBOX_IMPL_U32);
-    const tribox_impl_f4 p0 = tribox_impl_load3(v0);
-    const tribox_impl_f4 p1 = tribox_impl_load3(v1);
-    const tribox_impl_f4 p2 = tribox_impl_load3(v2);
-    const tribox_impl_f4 lo = tribox_impl_load3(box_min);
-    const tribox_impl_f4 hi = tribox_impl_load3(box_max);
-    const tribox_impl_f4 t_min = tribox_impl_min4(tribox_impl_min4(p0, p1), p2);
-    const tribox_impl_f4 t_max = tribox_impl_max4(tribox_impl_max4(p0, p1), p2);
-    const tribox_impl_f4 lower = tribox_impl_max4(lo, t_min);
-    const tribox_impl_f4 upper = tribox_impl_min4(hi, t_max);
-    tribox_impl_f4 a1 = p1 - p0;
-    tribox_impl_f4 a2 = p2 - p0;
-    tribox_impl_f4 l = lower - p0;
-    tribox_impl_f4 h = upper - lower;
-    tribox_impl_f4 span = hi - lo;
-    TRIBOX_IMPL_KEEP4(a1);
-    TRIBOX_IMPL_KEEP4(a2);
-    TRIBOX_IMPL_KEEP4(l);
-    TRIBOX_IMPL_KEEP4(h);
-    TRIBOX_IMPL_KEEP4(span);
+    const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f };       /* 2^-149 */
+    const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
+    const tbx_f4 ulps = tbx_splat(TBX_ULPS * TBX_U32);
+    const tbx_f4 p0 = tbx_load3(v0);
+    const tbx_f4 p1 = tbx_load3(v1);
+    const tbx_f4 p2 = tbx_load3(v2);
+    const tbx_f4 lo = tbx_load3(box_min);
+    const tbx_f4 hi = tbx_load3(box_max);
+    const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
+    const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
+    const tbx_f4 lower = tbx_max4(lo, t_min);
+    const tbx_f4 upper = tbx_min4(hi, t_max);
+    tbx_f4 a1 = p1 - p0;
+    tbx_f4 a2 = p2 - p0;
+    tbx_f4 l = lower - p0;
+    tbx_f4 h = upper - lower;
+    tbx_f4 span = hi - lo;
+    TBX_KEEP4(a1);
+    TBX_KEEP4(a2);
+    TBX_KEEP4(l);
+    TBX_KEEP4(h);
+    TBX_KEEP4(span);
     {
-        const tribox_impl_f4 m = l * tribox_impl_splat(2.0f) + h;
-        const tribox_impl_f4 e0 = tribox_impl_abs4(a1);
-        const tribox_impl_f4 e1 = tribox_impl_abs4(a2 - a1);
-        const tribox_impl_f4 e2 = tribox_impl_abs4(a2);
-        const tribox_impl_f4 m_yzx = tribox_impl_yzx(m);
-        const tribox_impl_f4 h_yzx = tribox_impl_yzx(h);
-        const tribox_impl_f4 a1_yzx = tribox_impl_yzx(a1);
-        const tribox_impl_f4 a2_yzx = tribox_impl_yzx(a2);
-        const tribox_impl_f4 c0 = a1 * m_yzx - a1_yzx * m;
-        const tribox_impl_f4 c2 = m * a2_yzx - m_yzx * a2;
-        const tribox_impl_f4 n = a1 * a2_yzx - a1_yzx * a2;
-        const tribox_impl_f4 n_xyz = tribox_impl_yzx(n);
-        const tribox_impl_f4 sums = tribox_impl_sums3(n_xyz * m, tribox_impl_abs4(n_xyz) * h);
-        const tribox_impl_f4 s0 = n - c0;
-        const tribox_impl_f4 s2 = n - c2;
-        const tribox_impl_f4 s1 = c0 - s2;
+        const tbx_f4 m = l * tbx_splat(2.0f) + h;
+        const tbx_f4 e0 = tbx_abs4(a1);
+        const tbx_f4 e1 = tbx_abs4(a2 - a1);
+        const tbx_f4 e2 = tbx_abs4(a2);
+        const tbx_f4 m_yzx = tbx_yzx(m);
+        const tbx_f4 h_yzx = tbx_yzx(h);
+        const tbx_f4 a1_yzx = tbx_yzx(a1);
+        const tbx_f4 a2_yzx = tbx_yzx(a2);
+        const tbx_f4 c0 = a1 * m_yzx - a1_yzx * m;
+        const tbx_f4 c2 = m * a2_yzx - m_yzx * a2;
+        const tbx_f4 n = a1 * a2_yzx - a1_yzx * a2;
+        const tbx_f4 n_xyz = tbx_yzx(n);
+        const tbx_f4 sums = tbx_sums3(n_xyz * m, tbx_abs4(n_xyz) * h);
+        const tbx_f4 s0 = n - c0;
+        const tbx_f4 s2 = n - c2;
+        const tbx_f4 s1 = c0 - s2;
         /* lane 3: -|n.m| here, and |n|.h in place of |n| make it the plane */
-        const tribox_impl_f4 g0 = tribox_impl_edge4(e0, tribox_impl_abs4(a1_yzx), h, h_yzx,
-                                                    TRIBOX_IMPL_JOIN(s0, sums, 0));
-        const tribox_impl_f4 g1 = tribox_impl_edge4(e1, tribox_impl_yzx(e1), h, h_yzx, s1);
-        const tribox_impl_f4 g2 = tribox_impl_edge4(e2, tribox_impl_abs4(a2_yzx), h, h_yzx, s2);
-        const tribox_impl_f4 g = tribox_impl_min4(tribox_impl_min4(g1, g2), g0);
-        const tribox_impl_f4 value = g + TRIBOX_IMPL_JOIN(tribox_impl_abs4(n), sums, 1);
+        const tbx_f4 g0 = tbx_edge4(e0, tbx_abs4(a1_yzx), h, h_yzx,
+                                                    TBX_JOIN(s0, sums, 0));
+        const tbx_f4 g1 = tbx_edge4(e1, tbx_yzx(e1), h, h_yzx, s1);
+        const tbx_f4 g2 = tbx_edge4(e2, tbx_abs4(a2_yzx), h, h_yzx, s2);
+        const tbx_f4 g = tbx_min4(tbx_min4(g1, g2), g0);
+        const tbx_f4 value = g + TBX_JOIN(tbx_abs4(n), sums, 1);
         /* from X to 2X; NaN, or beyond the range, where a corner is */
-        const tribox_impl_f4 x = e0 + e2;
-        const tribox_impl_f4 x_yzx = tribox_impl_yzx(x);
-        const tribox_impl_f4 area = x * x_yzx;
-        const tribox_impl_f4 volume = area * tribox_impl_yzx(x_yzx);
-        const tribox_impl_f4 size = TRIBOX_IMPL_JOIN(area, volume, 0);
+        const tbx_f4 x = e0 + e2;
+        const tbx_f4 x_yzx = tbx_yzx(x);
+        const tbx_f4 area = x * x_yzx;
+        const tbx_f4 volume = area * tbx_yzx(x_yzx);
+        const tbx_f4 size = TBX_JOIN(area, volume, 0);
         /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as zero */
-        const int refused = tribox_impl_signs(tribox_impl_above(x, 0x53000000) |
-                                              tribox_impl_above(tribox_impl_abs4(span), 0x7f800000) |
-                                              tribox_impl_below(x + tiny, 0x30800000));
+        const int refused = tbx_signs(tbx_above(x, 0x53000000) |
+                                              tbx_above(tbx_abs4(span), 0x7f800000) |
+                                              tbx_below(x + tiny, 0x30800000));
         /* h < 0: a face parts them, or min > max. Far apart, values overflow to NaN: never min them with h */
-        const int miss = tribox_impl_signs((h < zero) | (value + ulps * size < zero)) != 0;
-        const int at_face = rule ? tribox_impl_signs((lo >= t_max) | (t_min >= hi) | (lo >= hi)) & 7 : 0;
-        const int doubt = (tribox_impl_signs((tribox_impl_i4)(value - ulps * size)) | at_face) != 0;
+        const int miss = tbx_signs((h < zero) | (value + ulps * size < zero)) != 0;
+        const int at_face = rule ? tbx_signs((lo >= t_max) | (t_min >= hi) | (lo >= hi)) & 7 : 0;
+        const int doubt = (tbx_signs((tbx_i4)(value - ulps * size)) | at_face) != 0;
         const int open = doubt & !miss;
         /* one branch, hardly ever taken: miss alone is a coin toss */
-        if (TRIBOX_IMPL_RARELY((refused != 8) | open)) {
-            if (open || (refused & 7) != 0 || tribox_impl_may_flush(v0) || tribox_impl_may_flush(v1) ||
-                tribox_impl_may_flush(v2) || tribox_impl_may_flush(box_min) ||
-                tribox_impl_may_flush(box_max)) {
-                return TRIBOX_IMPL_UNSURE;
+        if (TBX_RARELY((refused != 8) | open)) {
+            if (open || (refused & 7) != 0 || tbx_may_flush(v0) || tbx_may_flush(v1) ||
+                tbx_may_flush(v2) || tbx_may_flush(box_min) ||
+                tbx_may_flush(box_max)) {
+                return TBX_UNSURE;
             }
         }
         return !miss;
@@ -1846,221 +1846,221 @@ TRIBOX_IMPL_FN int tribox_impl_filter4(const float v0[3], const float v1[3], con
 
 /* The same filter in double. What each axis does alone: x and y in two lanes, then z and 0. The planes:
  * edges 0 and 2 in two lanes, edge 1 in both. */
-typedef int64_t tribox_impl_l2 __attribute__((vector_size(16)));
+typedef int64_t tbx_l2 __attribute__((vector_size(16)));
 
 #if defined(__clang__)
-#define TRIBOX_IMPL_PAIR(a, b, i, j) __builtin_shufflevector(a, b, i, j)
+#define TBX_PAIR(a, b, i, j) __builtin_shufflevector(a, b, i, j)
 #else
-TRIBOX_IMPL_FN tribox_impl_l2 tribox_impl_order2(int64_t i, int64_t j)
+TBX_FN tbx_l2 tbx_order2(int64_t i, int64_t j)
 {
-    const tribox_impl_l2 r = { i, j };
+    const tbx_l2 r = { i, j };
     return r;
 }
-#define TRIBOX_IMPL_PAIR(a, b, i, j) __builtin_shuffle(a, b, tribox_impl_order2(i, j))
+#define TBX_PAIR(a, b, i, j) __builtin_shuffle(a, b, tbx_order2(i, j))
 #endif
 
-TRIBOX_IMPL_FN tribox_impl_d2 tribox_impl_pair(double x, double y)
+TBX_FN tbx_d2 tbx_pair(double x, double y)
 {
-    const tribox_impl_d2 r = { x, y };
+    const tbx_d2 r = { x, y };
     return r;
 }
 
-TRIBOX_IMPL_FN tribox_impl_d2 tribox_impl_load2(const double v[2])
+TBX_FN tbx_d2 tbx_load2(const double v[2])
 {
-    tribox_impl_d2 r;
-    TRIBOX_IMPL_COPY(&r, v, sizeof r);
+    tbx_d2 r;
+    TBX_COPY(&r, v, sizeof r);
     return r;
 }
 
-TRIBOX_IMPL_FN tribox_impl_l2 tribox_impl_splat_long(int64_t x)
+TBX_FN tbx_l2 tbx_splat_long(int64_t x)
 {
-    const tribox_impl_l2 r = { x, x };
+    const tbx_l2 r = { x, x };
     return r;
 }
 
-TRIBOX_IMPL_FN tribox_impl_d2 tribox_impl_swap(tribox_impl_d2 a)
+TBX_FN tbx_d2 tbx_swap(tbx_d2 a)
 {
-    return TRIBOX_IMPL_PAIR(a, a, 1, 0);
+    return TBX_PAIR(a, a, 1, 0);
 }
 
-TRIBOX_IMPL_FN tribox_impl_d2 tribox_impl_abs2(tribox_impl_d2 a)
+TBX_FN tbx_d2 tbx_abs2(tbx_d2 a)
 {
-    return (tribox_impl_d2)((tribox_impl_l2)a & tribox_impl_splat_long((int64_t)0x7fffffffffffffffu));
+    return (tbx_d2)((tbx_l2)a & tbx_splat_long((int64_t)0x7fffffffffffffffu));
 }
 
 #if defined(__SSE2__)
-TRIBOX_IMPL_FN tribox_impl_d2 tribox_impl_min2(tribox_impl_d2 a, tribox_impl_d2 b)
+TBX_FN tbx_d2 tbx_min2(tbx_d2 a, tbx_d2 b)
 {
     return __builtin_ia32_minpd(a, b);
 }
 
-TRIBOX_IMPL_FN tribox_impl_d2 tribox_impl_max2(tribox_impl_d2 a, tribox_impl_d2 b)
+TBX_FN tbx_d2 tbx_max2(tbx_d2 a, tbx_d2 b)
 {
     return __builtin_ia32_maxpd(a, b);
 }
 
-TRIBOX_IMPL_FN int tribox_impl_signs2(tribox_impl_l2 mask)
+TBX_FN int tbx_signs2(tbx_l2 mask)
 {
-    return __builtin_ia32_movmskpd((tribox_impl_d2)mask);
+    return __builtin_ia32_movmskpd((tbx_d2)mask);
 }
 #else
-TRIBOX_IMPL_FN tribox_impl_d2 tribox_impl_min2(tribox_impl_d2 a, tribox_impl_d2 b)
+TBX_FN tbx_d2 tbx_min2(tbx_d2 a, tbx_d2 b)
 {
-    const tribox_impl_l2 less = a < b;
-    return (tribox_impl_d2)(((tribox_impl_l2)a & less) | ((tribox_impl_l2)b & ~less));
+    const tbx_l2 less = a < b;
+    return (tbx_d2)(((tbx_l2)a & less) | ((tbx_l2)b & ~less));
 }
 
-TRIBOX_IMPL_FN tribox_impl_d2 tribox_impl_max2(tribox_impl_d2 a, tribox_impl_d2 b)
+TBX_FN tbx_d2 tbx_max2(tbx_d2 a, tbx_d2 b)
 {
-    const tribox_impl_l2 more = a > b;
-    return (tribox_impl_d2)(((tribox_impl_l2)a & more) | ((tribox_impl_l2)b & ~more));
+    const tbx_l2 more = a > b;
+    return (tbx_d2)(((tbx_l2)a & more) | ((tbx_l2)b & ~more));
 }
 
-TRIBOX_IMPL_FN int tribox_impl_signs2(tribox_impl_l2 mask)
+TBX_FN int tbx_signs2(tbx_l2 mask)
 {
     return (mask[0] < 0) | (mask[1] < 0) << 1;
 }
 #endif
 
-/* Two axes of the question; names as in tribox_impl_filter4. */
-typedef struct tribox_impl_axes {
-    tribox_impl_d2 a1;
-    tribox_impl_d2 a2;
-    tribox_impl_d2 m;
-    tribox_impl_d2 h;
-    tribox_impl_d2 x;
-    tribox_impl_l2 refused;     /* sign bits */
-    tribox_impl_l2 at_face;
-} tribox_impl_axes;
+/* Two axes of the question; names as in tbx_filter4. */
+typedef struct tbx_axes {
+    tbx_d2 a1;
+    tbx_d2 a2;
+    tbx_d2 m;
+    tbx_d2 h;
+    tbx_d2 x;
+    tbx_l2 refused;     /* sign bits */
+    tbx_l2 at_face;
+} tbx_axes;
 
 /* tiny: 0, or 2^-1074 in a lane without a coordinate: refused unless this processor reads or writes
  * subnormals as zero. */
-TRIBOX_IMPL_FN void tribox_impl_axes_set(tribox_impl_axes *r, tribox_impl_d2 p0, tribox_impl_d2 p1,
-                                         tribox_impl_d2 p2, tribox_impl_d2 lo, tribox_impl_d2 hi,
-                                         tribox_impl_d2 tiny)
+TBX_FN void tbx_axes_set(tbx_axes *r, tbx_d2 p0, tbx_d2 p1,
+                                         tbx_d2 p2, tbx_d2 lo, tbx_d2 hi,
+                                         tbx_d2 tiny)
 {
-    const tribox_impl_l2 infinite = tribox_impl_splat_long((int64_t)2047 << 52);
-    const tribox_impl_l2 most = tribox_impl_splat_long((int64_t)(1023 + 300) << 52);
-    const tribox_impl_l2 least = tribox_impl_splat_long((int64_t)(1023 - 300) << 52);
-    const tribox_impl_d2 t_min = tribox_impl_min2(tribox_impl_min2(p0, p1), p2);
-    const tribox_impl_d2 t_max = tribox_impl_max2(tribox_impl_max2(p0, p1), p2);
-    const tribox_impl_d2 lower = tribox_impl_max2(lo, t_min);
-    const tribox_impl_d2 upper = tribox_impl_min2(hi, t_max);
-    tribox_impl_d2 a1 = p1 - p0;
-    tribox_impl_d2 a2 = p2 - p0;
-    tribox_impl_d2 l = lower - p0;
-    tribox_impl_d2 h = upper - lower;
-    tribox_impl_d2 span = hi - lo;
-    TRIBOX_IMPL_KEEP4(a1);
-    TRIBOX_IMPL_KEEP4(a2);
-    TRIBOX_IMPL_KEEP4(l);
-    TRIBOX_IMPL_KEEP4(h);
-    TRIBOX_IMPL_KEEP4(span);
+    const tbx_l2 infinite = tbx_splat_long((int64_t)2047 << 52);
+    const tbx_l2 most = tbx_splat_long((int64_t)(1023 + 300) << 52);
+    const tbx_l2 least = tbx_splat_long((int64_t)(1023 - 300) << 52);
+    const tbx_d2 t_min = tbx_min2(tbx_min2(p0, p1), p2);
+    const tbx_d2 t_max = tbx_max2(tbx_max2(p0, p1), p2);
+    const tbx_d2 lower = tbx_max2(lo, t_min);
+    const tbx_d2 upper = tbx_min2(hi, t_max);
+    tbx_d2 a1 = p1 - p0;
+    tbx_d2 a2 = p2 - p0;
+    tbx_d2 l = lower - p0;
+    tbx_d2 h = upper - lower;
+    tbx_d2 span = hi - lo;
+    TBX_KEEP4(a1);
+    TBX_KEEP4(a2);
+    TBX_KEEP4(l);
+    TBX_KEEP4(h);
+    TBX_KEEP4(span);
     {
-        const tribox_impl_d2 x = tribox_impl_abs2(a1) + tribox_impl_abs2(a2);
-        const tribox_impl_l2 bits = (tribox_impl_l2)(x + tiny);
+        const tbx_d2 x = tbx_abs2(a1) + tbx_abs2(a2);
+        const tbx_l2 bits = (tbx_l2)(x + tiny);
         r->a1 = a1;
         r->a2 = a2;
-        r->m = l * tribox_impl_pair(2.0, 2.0) + h;
+        r->m = l * tbx_pair(2.0, 2.0) + h;
         r->h = h;
         r->x = x;
         r->refused = (most - bits) | ((bits - least) & -bits) |
-                     (infinite - (tribox_impl_l2)tribox_impl_abs2(span));
+                     (infinite - (tbx_l2)tbx_abs2(span));
         r->at_face = (lo >= t_max) | (t_min >= hi) | (lo >= hi);
     }
 }
 
 /* One axis of a plane. */
-typedef struct tribox_impl_side {
-    tribox_impl_d2 a;       /* a_1, a_2 */
-    tribox_impl_d2 a_swap;
-    tribox_impl_d2 e;       /* absolute edges 0 and 2 */
-    tribox_impl_d2 e1;      /* twice the same, as all below */
-    tribox_impl_d2 m;
-    tribox_impl_d2 h;
-    tribox_impl_d2 x;
-} tribox_impl_side;
+typedef struct tbx_side {
+    tbx_d2 a;       /* a_1, a_2 */
+    tbx_d2 a_swap;
+    tbx_d2 e;       /* absolute edges 0 and 2 */
+    tbx_d2 e1;      /* twice the same, as all below */
+    tbx_d2 m;
+    tbx_d2 h;
+    tbx_d2 x;
+} tbx_side;
 
-TRIBOX_IMPL_FN void tribox_impl_side_set(tribox_impl_side *r, tribox_impl_d2 a, tribox_impl_d2 m,
-                                         tribox_impl_d2 h, tribox_impl_d2 x)
+TBX_FN void tbx_side_set(tbx_side *r, tbx_d2 a, tbx_d2 m,
+                                         tbx_d2 h, tbx_d2 x)
 {
     r->a = a;
-    r->a_swap = tribox_impl_swap(a);
-    r->e = tribox_impl_abs2(a);
-    r->e1 = tribox_impl_abs2(a - r->a_swap);
+    r->a_swap = tbx_swap(a);
+    r->e = tbx_abs2(a);
+    r->e1 = tbx_abs2(a - r->a_swap);
     r->m = m;
     r->h = h;
     r->x = x;
 }
 
 /* The lesser values of edges 0 and 1, and of 2 and 1. out_n: the normal's component, and its negative. */
-TRIBOX_IMPL_FN tribox_impl_d2 tribox_impl_edges2(const tribox_impl_side *b, const tribox_impl_side *c,
-                                                 tribox_impl_d2 *out_n)
+TBX_FN tbx_d2 tbx_edges2(const tbx_side *b, const tbx_side *c,
+                                                 tbx_d2 *out_n)
 {
-    const tribox_impl_d2 product = b->a * c->a_swap;
-    const tribox_impl_d2 n = product - tribox_impl_swap(product);
-    const tribox_impl_d2 line = b->a * c->m - c->a * b->m;      /* c_0, -c_2 */
-    const tribox_impl_d2 s = n - line;                          /* s_0, -s_2 */
-    const tribox_impl_d2 s1 = line + tribox_impl_swap(s);
-    const tribox_impl_d2 g = b->e * c->h + (c->e * b->h - tribox_impl_abs2(s));
-    const tribox_impl_d2 g1 = b->e1 * c->h + (c->e1 * b->h - tribox_impl_abs2(s1));
+    const tbx_d2 product = b->a * c->a_swap;
+    const tbx_d2 n = product - tbx_swap(product);
+    const tbx_d2 line = b->a * c->m - c->a * b->m;      /* c_0, -c_2 */
+    const tbx_d2 s = n - line;                          /* s_0, -s_2 */
+    const tbx_d2 s1 = line + tbx_swap(s);
+    const tbx_d2 g = b->e * c->h + (c->e * b->h - tbx_abs2(s));
+    const tbx_d2 g1 = b->e1 * c->h + (c->e1 * b->h - tbx_abs2(s1));
     *out_n = n;
-    return tribox_impl_min2(g, g1) + tribox_impl_abs2(n);
+    return tbx_min2(g, g1) + tbx_abs2(n);
 }
 
-/* The verdict of the double filter. rule as in tribox_impl_filter4. */
-TRIBOX_IMPL_FN int tribox_impl_filter2(const double v0[3], const double v1[3], const double v2[3],
+/* The verdict of the double filter. rule as in tbx_filter4. */
+TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3],
                                        const double box_min[3], const double box_max[3], int rule)
 {
-    const tribox_impl_d2 zero = { 0.0, 0.0 };
-    const tribox_impl_d2 tiny = { 0.0, 4.9406564584124654e-324 };
-    const double ulp = TRIBOX_IMPL_ULPS * TRIBOX_IMPL_U64;
-    const tribox_impl_d2 ulps = tribox_impl_pair(ulp, ulp);
-    tribox_impl_axes xy;
-    tribox_impl_axes z;
-    tribox_impl_side sx;
-    tribox_impl_side sy;
-    tribox_impl_side sz;
-    tribox_impl_d2 n_x;
-    tribox_impl_d2 n_y;
-    tribox_impl_d2 n_z;
-    tribox_impl_axes_set(&xy, tribox_impl_load2(v0), tribox_impl_load2(v1), tribox_impl_load2(v2),
-                         tribox_impl_load2(box_min), tribox_impl_load2(box_max), zero);
-    tribox_impl_axes_set(&z, tribox_impl_pair(v0[2], 0.0), tribox_impl_pair(v1[2], 0.0),
-                         tribox_impl_pair(v2[2], 0.0), tribox_impl_pair(box_min[2], 0.0),
-                         tribox_impl_pair(box_max[2], 0.0), tiny);
-    tribox_impl_side_set(&sx, TRIBOX_IMPL_PAIR(xy.a1, xy.a2, 0, 2), TRIBOX_IMPL_PAIR(xy.m, xy.m, 0, 0),
-                         TRIBOX_IMPL_PAIR(xy.h, xy.h, 0, 0), TRIBOX_IMPL_PAIR(xy.x, xy.x, 0, 0));
-    tribox_impl_side_set(&sy, TRIBOX_IMPL_PAIR(xy.a1, xy.a2, 1, 3), TRIBOX_IMPL_PAIR(xy.m, xy.m, 1, 1),
-                         TRIBOX_IMPL_PAIR(xy.h, xy.h, 1, 1), TRIBOX_IMPL_PAIR(xy.x, xy.x, 1, 1));
-    tribox_impl_side_set(&sz, TRIBOX_IMPL_PAIR(z.a1, z.a2, 0, 2), TRIBOX_IMPL_PAIR(z.m, z.m, 0, 0),
-                         TRIBOX_IMPL_PAIR(z.h, z.h, 0, 0), TRIBOX_IMPL_PAIR(z.x, z.x, 0, 0));
+    const tbx_d2 zero = { 0.0, 0.0 };
+    const tbx_d2 tiny = { 0.0, 4.9406564584124654e-324 };
+    const double ulp = TBX_ULPS * TBX_U64;
+    const tbx_d2 ulps = tbx_pair(ulp, ulp);
+    tbx_axes xy;
+    tbx_axes z;
+    tbx_side sx;
+    tbx_side sy;
+    tbx_side sz;
+    tbx_d2 n_x;
+    tbx_d2 n_y;
+    tbx_d2 n_z;
+    tbx_axes_set(&xy, tbx_load2(v0), tbx_load2(v1), tbx_load2(v2),
+                         tbx_load2(box_min), tbx_load2(box_max), zero);
+    tbx_axes_set(&z, tbx_pair(v0[2], 0.0), tbx_pair(v1[2], 0.0),
+                         tbx_pair(v2[2], 0.0), tbx_pair(box_min[2], 0.0),
+                         tbx_pair(box_max[2], 0.0), tiny);
+    tbx_side_set(&sx, TBX_PAIR(xy.a1, xy.a2, 0, 2), TBX_PAIR(xy.m, xy.m, 0, 0),
+                         TBX_PAIR(xy.h, xy.h, 0, 0), TBX_PAIR(xy.x, xy.x, 0, 0));
+    tbx_side_set(&sy, TBX_PAIR(xy.a1, xy.a2, 1, 3), TBX_PAIR(xy.m, xy.m, 1, 1),
+                         TBX_PAIR(xy.h, xy.h, 1, 1), TBX_PAIR(xy.x, xy.x, 1, 1));
+    tbx_side_set(&sz, TBX_PAIR(z.a1, z.a2, 0, 2), TBX_PAIR(z.m, z.m, 0, 0),
+                         TBX_PAIR(z.h, z.h, 0, 0), TBX_PAIR(z.x, z.x, 0, 0));
     {
-        const tribox_impl_d2 g_x = tribox_impl_edges2(&sy, &sz, &n_x);
-        const tribox_impl_d2 g_y = tribox_impl_edges2(&sz, &sx, &n_y);
-        const tribox_impl_d2 g_z = tribox_impl_edges2(&sx, &sy, &n_z);
-        const tribox_impl_d2 support = tribox_impl_abs2(n_x) * sx.h + tribox_impl_abs2(n_y) * sy.h +
-                                       tribox_impl_abs2(n_z) * sz.h;
-        const tribox_impl_d2 plane = support - tribox_impl_abs2(n_x * sx.m + n_y * sy.m + n_z * sz.m);
-        const tribox_impl_d2 area_x = sy.x * sz.x;
-        const tribox_impl_d2 area_y = sz.x * sx.x;
-        const tribox_impl_d2 area_z = sx.x * sy.x;
-        const tribox_impl_d2 volume = area_z * sz.x;
-        const tribox_impl_d2 edges_xy = tribox_impl_min2(g_x + ulps * area_x, g_y + ulps * area_y);
-        const tribox_impl_d2 rest = tribox_impl_min2(g_z + ulps * area_z, plane + ulps * volume);
-        const tribox_impl_l2 axes = tribox_impl_min2(edges_xy, rest) < zero;
-        const tribox_impl_l2 faces = tribox_impl_min2(xy.h, z.h) < zero;
-        const tribox_impl_l2 below =
-            (tribox_impl_l2)(g_x - ulps * area_x) | (tribox_impl_l2)(g_y - ulps * area_y) |
-            (tribox_impl_l2)(g_z - ulps * area_z) | (tribox_impl_l2)(plane - ulps * volume);
-        const int refused = tribox_impl_signs2(z.refused) | tribox_impl_signs2(xy.refused) << 2;
-        const int miss = tribox_impl_signs2(faces | axes) != 0;
-        const int at_face = rule ? tribox_impl_signs2(xy.at_face) | (tribox_impl_signs2(z.at_face) & 1) : 0;
-        const int doubt = (tribox_impl_signs2(below) | at_face) != 0;
+        const tbx_d2 g_x = tbx_edges2(&sy, &sz, &n_x);
+        const tbx_d2 g_y = tbx_edges2(&sz, &sx, &n_y);
+        const tbx_d2 g_z = tbx_edges2(&sx, &sy, &n_z);
+        const tbx_d2 support = tbx_abs2(n_x) * sx.h + tbx_abs2(n_y) * sy.h +
+                                       tbx_abs2(n_z) * sz.h;
+        const tbx_d2 plane = support - tbx_abs2(n_x * sx.m + n_y * sy.m + n_z * sz.m);
+        const tbx_d2 area_x = sy.x * sz.x;
+        const tbx_d2 area_y = sz.x * sx.x;
+        const tbx_d2 area_z = sx.x * sy.x;
+        const tbx_d2 volume = area_z * sz.x;
+        const tbx_d2 edges_xy = tbx_min2(g_x + ulps * area_x, g_y + ulps * area_y);
+        const tbx_d2 rest = tbx_min2(g_z + ulps * area_z, plane + ulps * volume);
+        const tbx_l2 axes = tbx_min2(edges_xy, rest) < zero;
+        const tbx_l2 faces = tbx_min2(xy.h, z.h) < zero;
+        const tbx_l2 below =
+            (tbx_l2)(g_x - ulps * area_x) | (tbx_l2)(g_y - ulps * area_y) |
+            (tbx_l2)(g_z - ulps * area_z) | (tbx_l2)(plane - ulps * volume);
+        const int refused = tbx_signs2(z.refused) | tbx_signs2(xy.refused) << 2;
+        const int miss = tbx_signs2(faces | axes) != 0;
+        const int at_face = rule ? tbx_signs2(xy.at_face) | (tbx_signs2(z.at_face) & 1) : 0;
+        const int doubt = (tbx_signs2(below) | at_face) != 0;
         const int open = doubt & !miss;
-        if (TRIBOX_IMPL_RARELY((refused != 2) | open)) {
-            if (open || (refused & ~2) != 0 || tribox_impl_may_flush64(v0, v1, v2, box_min, box_max)) {
-                return TRIBOX_IMPL_UNSURE;
+        if (TBX_RARELY((refused != 2) | open)) {
+            if (open || (refused & ~2) != 0 || tbx_may_flush64(v0, v1, v2, box_min, box_max)) {
+                return TBX_UNSURE;
             }
         }
         return !miss;
@@ -2071,68 +2071,68 @@ TRIBOX_IMPL_FN int tribox_impl_filter2(const double v0[3], const double v1[3], c
 TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
                                       const double box_min[3], const double box_max[3], unsigned flags)
 {
-    const unsigned rule = tribox_impl_rule(flags);
+    const unsigned rule = tbx_rule(flags);
 #if TRIBOX_SIMD
-    const int verdict = tribox_impl_filter2(v0, v1, v2, box_min, box_max, rule != 0);
-    if (verdict != TRIBOX_IMPL_UNSURE) {
+    const int verdict = tbx_filter2(v0, v1, v2, box_min, box_max, rule != 0);
+    if (verdict != TBX_UNSURE) {
         return verdict;
     }
 #endif
-    return tribox_impl_overlap(v0, v1, v2, box_min, box_max, rule);
+    return tbx_overlap(v0, v1, v2, box_min, box_max, rule);
 }
 
 TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const double v2[3],
                                  const double box_min[3], const double box_max[3])
 {
 #if TRIBOX_SIMD
-    const int verdict = tribox_impl_filter2(v0, v1, v2, box_min, box_max, 0);
-    if (verdict != TRIBOX_IMPL_UNSURE) {
+    const int verdict = tbx_filter2(v0, v1, v2, box_min, box_max, 0);
+    if (verdict != TBX_UNSURE) {
         return verdict;
     }
 #endif
-    return tribox_impl_overlap(v0, v1, v2, box_min, box_max, 0);
+    return tbx_overlap(v0, v1, v2, box_min, box_max, 0);
 }
 
 /* The float entry of the scalar body. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
+TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
                                                      const float box_min[3], const float box_max[3],
                                                      unsigned flags)
 {
     double wide[5][3];
     int k;
     for (k = 0; k < 3; k++) {
-        wide[0][k] = tribox_impl_widen(v0 + k);
-        wide[1][k] = tribox_impl_widen(v1 + k);
-        wide[2][k] = tribox_impl_widen(v2 + k);
-        wide[3][k] = tribox_impl_widen(box_min + k);
-        wide[4][k] = tribox_impl_widen(box_max + k);
+        wide[0][k] = tbx_widen(v0 + k);
+        wide[1][k] = tbx_widen(v1 + k);
+        wide[2][k] = tbx_widen(v2 + k);
+        wide[3][k] = tbx_widen(box_min + k);
+        wide[4][k] = tbx_widen(box_max + k);
     }
-    return tribox_impl_overlap(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
+    return tbx_overlap(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
 }
 
 TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
                              const float box_min[3], const float box_max[3])
 {
 #if TRIBOX_SIMD
-    const int verdict = tribox_impl_filter4(v0, v1, v2, box_min, box_max, 0);
-    if (verdict != TRIBOX_IMPL_UNSURE) {
+    const int verdict = tbx_filter4(v0, v1, v2, box_min, box_max, 0);
+    if (verdict != TBX_UNSURE) {
         return verdict;
     }
 #endif
-    return tribox_impl_overlap_widened(v0, v1, v2, box_min, box_max, 0);
+    return tbx_overlap_widened(v0, v1, v2, box_min, box_max, 0);
 }
 
 TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const float v2[3],
                                   const float box_min[3], const float box_max[3], unsigned flags)
 {
-    const unsigned rule = tribox_impl_rule(flags);
+    const unsigned rule = tbx_rule(flags);
 #if TRIBOX_SIMD
-    const int verdict = tribox_impl_filter4(v0, v1, v2, box_min, box_max, rule != 0);
-    if (verdict != TRIBOX_IMPL_UNSURE) {
+    const int verdict = tbx_filter4(v0, v1, v2, box_min, box_max, rule != 0);
+    if (verdict != TBX_UNSURE) {
         return verdict;
     }
 #endif
-    return tribox_impl_overlap_widened(v0, v1, v2, box_min, box_max, rule);
+    return tbx_overlap_widened(v0, v1, v2, box_min, box_max, rule);
 }
 
 /* [AM01] in plain float: box at the origin, nine cross-product axes, three faces, the plane. */
@@ -2165,15 +2165,15 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
             const int c = (a + 2) % 3;
             const float p0 = e[i][b] * v[i][c] - e[i][c] * v[i][b];
             const float p1 = e[i][b] * v[j][c] - e[i][c] * v[j][b];
-            r = tribox_impl_absf(e[i][c]) * h[b] + tribox_impl_absf(e[i][b]) * h[c];
-            if (tribox_impl_minf(p0, p1) > r || tribox_impl_maxf(p0, p1) < -r) {
+            r = tbx_absf(e[i][c]) * h[b] + tbx_absf(e[i][b]) * h[c];
+            if (tbx_minf(p0, p1) > r || tbx_maxf(p0, p1) < -r) {
                 return 0;
             }
         }
     }
     for (a = 0; a < 3; a++) {
-        if (tribox_impl_minf(tribox_impl_minf(v[0][a], v[1][a]), v[2][a]) > h[a] ||
-            tribox_impl_maxf(tribox_impl_maxf(v[0][a], v[1][a]), v[2][a]) < -h[a]) {
+        if (tbx_minf(tbx_minf(v[0][a], v[1][a]), v[2][a]) > h[a] ||
+            tbx_maxf(tbx_maxf(v[0][a], v[1][a]), v[2][a]) < -h[a]) {
             return 0;
         }
     }
@@ -2181,7 +2181,7 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
         n[a] = e[0][(a + 1) % 3] * e[1][(a + 2) % 3] - e[0][(a + 2) % 3] * e[1][(a + 1) % 3];
     }
     d = n[0] * v[0][0] + n[1] * v[0][1] + n[2] * v[0][2];
-    r = tribox_impl_absf(n[0]) * h[0] + tribox_impl_absf(n[1]) * h[1] + tribox_impl_absf(n[2]) * h[2];
+    r = tbx_absf(n[0]) * h[0] + tbx_absf(n[1]) * h[1] + tbx_absf(n[2]) * h[2];
     return d <= r && d >= -r;
 }
 
@@ -2217,29 +2217,29 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
  * leaves room for rounding h and itself, and for underflow; beyond, |x| grows faster than its error. */
 
 /* Orders as floats do; +0 and -0 are 0. */
-TRIBOX_IMPL_FN int32_t tribox_impl_key32(const float *x)
+TBX_FN int32_t tbx_key32(const float *x)
 {
-    const uint32_t bits = tribox_impl_bits32(x);
+    const uint32_t bits = tbx_bits32(x);
     const int32_t magnitude = (int32_t)(bits & 0x7fffffffu);
     return (bits >> 31) != 0 ? -magnitude : magnitude;
 }
 
-#define TRIBOX_IMPL_KEY32_MAX 0x7f7fffff    /* FLT_MAX */
+#define TBX_KEY32_MAX 0x7f7fffff    /* FLT_MAX */
 
 /* The key of the largest finite float <= x, x finite: by truncation of x's bits. */
-TRIBOX_IMPL_FN int32_t tribox_impl_key32_below(double x)
+TBX_FN int32_t tbx_key32_below(double x)
 {
-    const uint64_t bits = tribox_impl_bits64(&x) & 0x7fffffffffffffffu;
-    const int negative = tribox_impl_sign(x) < 0;
+    const uint64_t bits = tbx_bits64(&x) & 0x7fffffffffffffffu;
+    const int negative = tbx_sign(x) < 0;
     const int exponent = (int)(bits >> 52) - (1023 - 127);      /* of the float, if normal */
     const uint64_t mantissa = (bits & 0x000fffffffffffffu) | 0x0010000000000000u;
-    uint64_t magnitude = (uint64_t)TRIBOX_IMPL_KEY32_MAX;
+    uint64_t magnitude = (uint64_t)TBX_KEY32_MAX;
     int inexact = 1;
     if (bits == 0) {
         return 0;
     }
     if (exponent >= 255) {
-        return negative ? -TRIBOX_IMPL_KEY32_MAX - 1 : TRIBOX_IMPL_KEY32_MAX;
+        return negative ? -TBX_KEY32_MAX - 1 : TBX_KEY32_MAX;
     }
     if (exponent >= 1) {
         magnitude = ((uint64_t)exponent << 23) | ((bits >> 29) & 0x007fffffu);
@@ -2253,39 +2253,39 @@ TRIBOX_IMPL_FN int32_t tribox_impl_key32_below(double x)
 }
 
 /* The float of a key, moved into the finite range. */
-TRIBOX_IMPL_FN float tribox_impl_key32_float(int32_t key)
+TBX_FN float tbx_key32_float(int32_t key)
 {
     const int32_t magnitude = key < 0 ? -key : key;
-    const uint32_t bits = (uint32_t)(magnitude < TRIBOX_IMPL_KEY32_MAX ? magnitude : TRIBOX_IMPL_KEY32_MAX) |
+    const uint32_t bits = (uint32_t)(magnitude < TBX_KEY32_MAX ? magnitude : TBX_KEY32_MAX) |
                           (key < 0 ? 0x80000000u : 0u);
     float x;
-    TRIBOX_IMPL_COPY(&x, &bits, sizeof x);
+    TBX_COPY(&x, &bits, sizeof x);
     return x;
 }
 
-TRIBOX_IMPL_FN double tribox_impl_key32_value(int32_t key)
+TBX_FN double tbx_key32_value(int32_t key)
 {
-    const float x = tribox_impl_key32_float(key);
-    return tribox_impl_widen(&x);
+    const float x = tbx_key32_float(key);
+    return tbx_widen(&x);
 }
 
 /* The sign of p + size - t, in real numbers; size >= 0, may be infinite. Rounding is monotone, in every mode:
  * p - t rounds to above -size, a double, only from above it, so a sum other than 0 has the sign of the
  * true one. So it is in any order of summation. Two numbers that are read as zero are less than a normal
  * third. */
-TRIBOX_IMPL_FN int tribox_impl_far_face(double p, double size, double t)
+TBX_FN int tbx_far_face(double p, double size, double t)
 {
     const double sum = (p - t) + size;
-    const double terms = tribox_impl_abs(p) + tribox_impl_abs(t) + size;
-    if (!tribox_impl_is_finite(size)) {
+    const double terms = tbx_abs(p) + tbx_abs(t) + size;
+    if (!tbx_is_finite(size)) {
         return 1;
     }
-    if (tribox_impl_is_finite(terms) && terms > 1e-290 && (sum > 0.0 || sum < 0.0)) {
+    if (tbx_is_finite(terms) && terms > 1e-290 && (sum > 0.0 || sum < 0.0)) {
         return sum > 0.0 ? 1 : -1;
     } else {
-        const tribox_impl_coord face = tribox_impl_at(p, size, 2);
-        const tribox_impl_coord plane = tribox_impl_at(t, 0.0, 0);
-        return tribox_impl_compare(&face, &plane);
+        const tbx_coord face = tbx_at(p, size, 2);
+        const tbx_coord plane = tbx_at(t, 0.0, 0);
+        return tbx_compare(&face, &plane);
     }
 }
 
@@ -2293,7 +2293,7 @@ TRIBOX_IMPL_FN int tribox_impl_far_face(double p, double size, double t)
  * float is -2^31 + its magnitude, so that positive floats above `most` are the largest integers. All other
  * integers to refuse follow one another, if -2^31 is taken to follow 2^31 - 1: `shift` moves the last of them
  * to 2^31 - 1, and they are what is above `span`. */
-TRIBOX_IMPL_FN void tribox_impl_tri_faces(tribox_tri *tri, int k, int32_t least, int32_t most)
+TBX_FN void tbx_tri_faces(tribox_tri *tri, int k, int32_t least, int32_t most)
 {
     const int32_t zero = -2147483647 - 1;       /* -0 */
     if (least > most) {
@@ -2316,32 +2316,32 @@ TRIBOX_IMPL_FN void tribox_impl_tri_faces(tribox_tri *tri, int k, int32_t least,
 }
 
 /* Finds the keys of the floats p for which the faces of axis k hold. */
-TRIBOX_IMPL_FN void tribox_impl_tri_keys(tribox_tri *tri, int k, int lo_is_open, int hi_is_open)
+TBX_FN void tbx_tri_keys(tribox_tri *tri, int k, int lo_is_open, int hi_is_open)
 {
     const double t_min = tri->t_min[k];
     const double t_max = tri->t_max[k];
     const double size = tri->size[k];
-    int32_t least = -TRIBOX_IMPL_KEY32_MAX;
-    int32_t most = tribox_impl_key32_below(t_max);
-    if (lo_is_open && tribox_impl_key64(tribox_impl_key32_value(most)) == tribox_impl_key64(t_max)) {
+    int32_t least = -TBX_KEY32_MAX;
+    int32_t most = tbx_key32_below(t_max);
+    if (lo_is_open && tbx_key64(tbx_key32_value(most)) == tbx_key64(t_max)) {
         most--;
     }
-    if (tribox_impl_is_finite(size)) {
+    if (tbx_is_finite(size)) {
         /* the rounded difference is a float or two below the least p, or is it: rounding is monotone */
-        if (tribox_impl_is_finite(t_min - size)) {
-            least = tribox_impl_key32_below(t_min - size);
-            least = least < -TRIBOX_IMPL_KEY32_MAX ? -TRIBOX_IMPL_KEY32_MAX : least;
+        if (tbx_is_finite(t_min - size)) {
+            least = tbx_key32_below(t_min - size);
+            least = least < -TBX_KEY32_MAX ? -TBX_KEY32_MAX : least;
         }
-        while (least <= TRIBOX_IMPL_KEY32_MAX &&
-               tribox_impl_far_face(tribox_impl_key32_value(least), size, t_min) < hi_is_open) {
+        while (least <= TBX_KEY32_MAX &&
+               tbx_far_face(tbx_key32_value(least), size, t_min) < hi_is_open) {
             least++;
         }
     }
-    tribox_impl_tri_faces(tri, k, least, most);
+    tbx_tri_faces(tri, k, least, most);
 }
 
 /* The faces of axis k as octants have them. */
-TRIBOX_IMPL_FN void tribox_impl_tri_middle(tribox_tri *tri, int k)
+TBX_FN void tbx_tri_middle(tribox_tri *tri, int k)
 {
     const double least = 8.673617379884035e-19;     /* 2^-60 */
     const double size = tri->size[k];
@@ -2352,51 +2352,51 @@ TRIBOX_IMPL_FN void tribox_impl_tri_middle(tribox_tri *tri, int k)
     float out;
     double t_min = tri->t_min[k] - (double)tri->ref[k];
     double t_max = tri->t_max[k] - (double)tri->ref[k];
-    TRIBOX_IMPL_KEEP(t_min);
-    TRIBOX_IMPL_KEEP(t_max);
+    TBX_KEEP(t_min);
+    TBX_KEEP(t_max);
     middle = (t_min + t_max - size) * 0.5;
     half = (t_max - t_min + size) * 0.5;
-    bound = half + tribox_impl_abs(middle) + size;
-    bound = 8.0 * (double)TRIBOX_IMPL_U32 * (bound > least ? bound : least);
+    bound = half + tbx_abs(middle) + size;
+    bound = 8.0 * (double)TBX_U32 * (bound > least ? bound : least);
     in = (float)(half - bound);
     out = (float)(half + bound);
     tri->step[k] = (float)size;
     tri->middle[k] = (float)middle;
-    tri->face_in[k] = half > bound ? (int32_t)tribox_impl_bits32(&in) : -1;
-    tri->face_out[k] = (int32_t)tribox_impl_bits32(&out);
+    tri->face_in[k] = half > bound ? (int32_t)tbx_bits32(&in) : -1;
+    tri->face_out[k] = (int32_t)tbx_bits32(&out);
 }
 
-TRIBOX_IMPL_COLD int tribox_impl_normal_sign_exact(const double v0[3], const double v1[3],
+TBX_COLD int tbx_normal_sign_exact(const double v0[3], const double v1[3],
                                                    const double v2[3], int b, int c)
 {
-    tribox_impl_exact f;
+    tbx_exact f;
     int row;
-    tribox_impl_exact_corners(&f, v0, v1, v2);
-    for (row = TRIBOX_IMPL_LO; row < TRIBOX_IMPL_ROWS; row++) {     /* unused */
+    tbx_exact_corners(&f, v0, v1, v2);
+    for (row = TBX_LO; row < TBX_ROWS; row++) {     /* unused */
         f.x[row][0] = f.x[0][0];
         f.x[row][1] = f.x[0][1];
         f.x[row][2] = f.x[0][2];
     }
-    tribox_impl_exact_finish(&f);
-    return tribox_impl_orient2(&f, b, c, 0, 1, 2, 2);
+    tbx_exact_finish(&f);
+    return tbx_orient2(&f, b, c, 0, 1, 2, 2);
 }
 
 /* The triangle's edges: differences, and their signs, which are exact. */
-typedef struct tribox_impl_edges {
+typedef struct tbx_edges {
     double e[3][3];
     int    e_sign[3][3];
     int    n_sign[3];       /* of n_a = e0_b e1_c - e0_c e1_b: exact too */
-} tribox_impl_edges;
+} tbx_edges;
 
 /* n's sign from the difference where that is certain, else exactly. A product with a zero factor is zero. */
-TRIBOX_IMPL_FN void tribox_impl_edges_init(tribox_impl_edges *t, const double v0[3], const double v1[3],
+TBX_FN void tbx_edges_init(tbx_edges *t, const double v0[3], const double v1[3],
                                            const double v2[3])
 {
     int a;
     for (a = 0; a < 3; a++) {
-        const int64_t k0 = tribox_impl_key64(v0[a]);
-        const int64_t k1 = tribox_impl_key64(v1[a]);
-        const int64_t k2 = tribox_impl_key64(v2[a]);
+        const int64_t k0 = tbx_key64(v0[a]);
+        const int64_t k1 = tbx_key64(v1[a]);
+        const int64_t k2 = tbx_key64(v2[a]);
         t->e[0][a] = v1[a] - v0[a];
         t->e[1][a] = v2[a] - v1[a];
         t->e[2][a] = v0[a] - v2[a];
@@ -2404,50 +2404,50 @@ TRIBOX_IMPL_FN void tribox_impl_edges_init(tribox_impl_edges *t, const double v0
         t->e_sign[1][a] = (k2 > k1) - (k2 < k1);
         t->e_sign[2][a] = (k0 > k2) - (k0 < k2);
     }
-    TRIBOX_IMPL_KEEP(t->e);
+    TBX_KEEP(t->e);
     for (a = 0; a < 3; a++) {
         const int b = (a + 1) % 3;
         const int c = (a + 2) % 3;
         const double p = t->e[0][b] * t->e[1][c];
         const double q = t->e[0][c] * t->e[1][b];
-        const double error = (tribox_impl_abs(p) + tribox_impl_abs(q)) * (8.0 * TRIBOX_IMPL_U64);
+        const double error = (tbx_abs(p) + tbx_abs(q)) * (8.0 * TBX_U64);
         if ((t->e_sign[0][b] == 0 || t->e_sign[1][c] == 0) &&
             (t->e_sign[0][c] == 0 || t->e_sign[1][b] == 0)) {
             t->n_sign[a] = 0;
         } else if (error > 1e-280 && error < 1e280 && (p - q > error || p - q < -error)) {
             t->n_sign[a] = p - q > 0.0 ? 1 : -1;
         } else {
-            t->n_sign[a] = tribox_impl_normal_sign_exact(v0, v1, v2, b, c);
+            t->n_sign[a] = tbx_normal_sign_exact(v0, v1, v2, b, c);
         }
     }
 }
 
 /* What setup knows of the triangle, in a frame at ref. */
-typedef struct tribox_impl_setup {
-    tribox_impl_edges t;
+typedef struct tbx_setup {
+    tbx_edges t;
     double v[3][3];         /* corners - ref */
     double half[3];         /* half the boxes' size */
     double reach[3];        /* R */
     int    thin;
-} tribox_impl_setup;
+} tbx_setup;
 
 /* A condition before scaling: A.(p - ref) + D >= 0, and the magnitudes M of what A and D were made of. */
-typedef struct tribox_impl_condition {
+typedef struct tbx_condition {
     double a[3];
     double m[3];
     double d;
     double m_d;
     int    holds;           /* 1: wherever the faces do, and all else is 0 */
-} tribox_impl_condition;
+} tbx_condition;
 
 /* Adds the box's support along A, to its centre and on: sum |A| h, or max |A| h for thin [SS10]. */
-TRIBOX_IMPL_FN void tribox_impl_add_support(tribox_impl_condition *c, const tribox_impl_setup *s)
+TBX_FN void tbx_add_support(tbx_condition *c, const tbx_setup *s)
 {
     double sum = 0.0;
     double largest = 0.0;
     int k;
     for (k = 0; k < 3; k++) {
-        const double along = tribox_impl_abs(c->a[k]) * s->half[k];
+        const double along = tbx_abs(c->a[k]) * s->half[k];
         sum += along;
         largest = along > largest ? along : largest;
         c->d += c->a[k] * s->half[k];
@@ -2457,21 +2457,21 @@ TRIBOX_IMPL_FN void tribox_impl_add_support(tribox_impl_condition *c, const trib
 }
 
 /* The sums of the magnitudes in the conditions of a plane. */
-TRIBOX_IMPL_FN void tribox_impl_add_magnitudes(tribox_impl_condition *sum, const tribox_impl_condition *c)
+TBX_FN void tbx_add_magnitudes(tbx_condition *sum, const tbx_condition *c)
 {
     int k;
     for (k = 0; k < 3; k++) {
-        sum->a[k] += tribox_impl_abs(c->a[k]);
+        sum->a[k] += tbx_abs(c->a[k]);
         sum->m[k] += c->m[k];
     }
-    sum->d += tribox_impl_abs(c->d);
+    sum->d += tbx_abs(c->d);
     sum->m_d += c->m_d;
 }
 
 /* The power of two that scales the bound below 1, for such sums; 0 where the bound does not hold.
  * Reaches are within [0, most], so M <= 48 most^2, terms and made <= 2^9 most^3, the bound below 2^900. */
-TRIBOX_IMPL_FN double tribox_impl_condition_scale(const tribox_impl_condition *sum,
-                                                  const tribox_impl_setup *s, double u, double least,
+TBX_FN double tbx_condition_scale(const tbx_condition *sum,
+                                                  const tbx_setup *s, double u, double least,
                                                   double most)
 {
     double terms = sum->d;
@@ -2485,30 +2485,30 @@ TRIBOX_IMPL_FN double tribox_impl_condition_scale(const tribox_impl_condition *s
         terms += sum->a[k] * reach;
         made += sum->m[k] * reach;
     }
-    bound = 20.0 * u * terms + 16.0 * TRIBOX_IMPL_U64 * made;
+    bound = 20.0 * u * terms + 16.0 * TBX_U64 * made;
     if (!(in_range && bound >= 2.409919865102884e-181)) {      /* 2^-600 */
         return 0.0;
     }
-    return tribox_impl_from_bits64((uint64_t)(2045 - (tribox_impl_bits64(&bound) >> 52)) << 52);
+    return tbx_from_bits64((uint64_t)(2045 - (tbx_bits64(&bound) >> 52)) << 52);
 }
 
 /* A condition that is unsure everywhere. */
-TRIBOX_IMPL_FN void tribox_impl_store_zero(tribox_tri *tri, int i)
+TBX_FN void tbx_store_zero(tribox_tri *tri, int i)
 {
     tri->n_x_f64[i] = tri->n_y_f64[i] = tri->n_z_f64[i] = tri->d_f64[i] = 0.0;
 }
 
 /* A condition that holds wherever the faces do. */
-TRIBOX_IMPL_FN void tribox_impl_store_true(tribox_tri *tri, int i)
+TBX_FN void tbx_store_true(tribox_tri *tri, int i)
 {
-    tribox_impl_store_zero(tri, i);
+    tbx_store_zero(tri, i);
     tri->d_f64[i] = 2.0;
 }
 
 /* Condition i, scaled by g. */
-TRIBOX_IMPL_FN void tribox_impl_store(tribox_tri *tri, int i, const tribox_impl_condition *c, double g)
+TBX_FN void tbx_store(tribox_tri *tri, int i, const tbx_condition *c, double g)
 {
-    tribox_impl_store_zero(tri, i);
+    tbx_store_zero(tri, i);
     if (g > 0.0) {
         tri->n_x_f64[i] = c->a[0] * g;
         tri->n_y_f64[i] = c->a[1] * g;
@@ -2519,14 +2519,14 @@ TRIBOX_IMPL_FN void tribox_impl_store(tribox_tri *tri, int i, const tribox_impl_
 
 /* Lane k of the float test: the conditions of a plane, scaled by f. The third, given by its place, is minus
  * the other two in its linear part, or holds. */
-TRIBOX_IMPL_FN void tribox_impl_store_lane(tribox_tri *tri, int k, const tribox_impl_condition conditions[3],
+TBX_FN void tbx_store_lane(tribox_tri *tri, int k, const tbx_condition conditions[3],
                                            int third, double f)
 {
     const int b = k < 3 ? (k + 1) % 3 : 0;
     const int c = k < 3 ? (k + 2) % 3 : 1;
-    const tribox_impl_condition *first = &conditions[(third + 2) % 3];
-    const tribox_impl_condition *second = &conditions[(third + 1) % 3];
-    const tribox_impl_condition *last = &conditions[third];
+    const tbx_condition *first = &conditions[(third + 2) % 3];
+    const tbx_condition *second = &conditions[(third + 1) % 3];
+    const tbx_condition *last = &conditions[third];
     const double first_d = first->holds ? 2.0 : first->d * f;
     const double second_d = second->holds ? 2.0 : second->d * f;
     tri->first_b[k] = (float)(first->a[b] * f);
@@ -2542,8 +2542,8 @@ TRIBOX_IMPL_FN void tribox_impl_store_lane(tribox_tri *tri, int k, const tribox_
 
 /* Edge i in the plane across axis a: w.(q - v_i), w = (-e_c, e_b), turned inward by the sign of n_a. An edge
  * parallel to b or c bounds what a face bounds: it stays as it was. */
-TRIBOX_IMPL_FN void tribox_impl_set_edge(tribox_impl_condition *edge, tribox_tri *tri,
-                                         const tribox_impl_setup *s, int a, int i)
+TBX_FN void tbx_set_edge(tbx_condition *edge, tribox_tri *tri,
+                                         const tbx_setup *s, int a, int i)
 {
     const int b = (a + 1) % 3;
     const int c = (a + 2) % 3;
@@ -2554,18 +2554,18 @@ TRIBOX_IMPL_FN void tribox_impl_set_edge(tribox_impl_condition *edge, tribox_tri
     edge->holds = 0;
     edge->a[b] = -inward * s->t.e[i][c];
     edge->a[c] = inward * s->t.e[i][b];
-    edge->m[b] = tribox_impl_abs(edge->a[b]);
-    edge->m[c] = tribox_impl_abs(edge->a[c]);
+    edge->m[b] = tbx_abs(edge->a[b]);
+    edge->m[c] = tbx_abs(edge->a[c]);
     edge->d = -(edge->a[b] * s->v[i][b] + edge->a[c] * s->v[i][c]);
-    edge->m_d = edge->m[b] * tribox_impl_abs(s->v[i][b]) + edge->m[c] * tribox_impl_abs(s->v[i][c]);
-    tribox_impl_add_support(edge, s);
+    edge->m_d = edge->m[b] * tbx_abs(s->v[i][b]) + edge->m[c] * tbx_abs(s->v[i][c]);
+    tbx_add_support(edge, s);
     tri->strict |= (unsigned)((tri->flags & TRIBOX_OPEN) != 0 || ((tri->flags & TRIBOX_HALF_OPEN) != 0 &&
                               (edge->a[b] > 0.0 || edge->a[c] > 0.0))) << (3 * a + i);
 }
 
 /* side * n.(q - v0) >= 0. */
-TRIBOX_IMPL_FN void tribox_impl_set_side(tribox_impl_condition *plane, tribox_tri *tri,
-                                         const tribox_impl_setup *s, int side)
+TBX_FN void tbx_set_side(tbx_condition *plane, tribox_tri *tri,
+                                         const tbx_setup *s, int side)
 {
     int positive = 0;
     int k;
@@ -2576,12 +2576,12 @@ TRIBOX_IMPL_FN void tribox_impl_set_side(tribox_impl_condition *plane, tribox_tr
         const double p = s->t.e[0][b] * s->t.e[1][c];
         const double q = s->t.e[0][c] * s->t.e[1][b];
         plane->a[k] = side * (p - q);
-        plane->m[k] = tribox_impl_abs(p) + tribox_impl_abs(q);
+        plane->m[k] = tbx_abs(p) + tbx_abs(q);
         plane->d -= plane->a[k] * s->v[0][k];
-        plane->m_d += plane->m[k] * tribox_impl_abs(s->v[0][k]);
+        plane->m_d += plane->m[k] * tbx_abs(s->v[0][k]);
         positive |= side * s->t.n_sign[k] > 0;
     }
-    tribox_impl_add_support(plane, s);
+    tbx_add_support(plane, s);
     tri->strict |= (unsigned)((tri->flags & TRIBOX_OPEN) != 0 ||
                               ((tri->flags & TRIBOX_HALF_OPEN) != 0 && positive)) << (side > 0 ? 9 : 10);
 }
@@ -2590,47 +2590,47 @@ TRIBOX_IMPL_FN void tribox_impl_set_side(tribox_impl_condition *plane, tribox_tr
  * from the other two is an edge that holds by itself, or the last, and the plane's far side. The plane along
  * axis a (n_a = 0) bounds what the edges across a bound: there they lie on one line, and ask about both its
  * sides. Along two axes it bounds what a face bounds; n = 0 bounds nothing. */
-TRIBOX_IMPL_FN void tribox_impl_store_plane(tribox_tri *tri, const tribox_impl_setup *s, int k)
+TBX_FN void tbx_store_plane(tribox_tri *tri, const tbx_setup *s, int k)
 {
     const double two_60 = 1152921504606846976.0;
     const double two_300 = 2.037035976334486e+90;
-    const tribox_impl_condition none = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.0, 0.0, 1 };
-    tribox_impl_condition sum = none;
-    tribox_impl_condition c[3];
+    const tbx_condition none = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.0, 0.0, 1 };
+    tbx_condition sum = none;
+    tbx_condition c[3];
     double f;
     double g;
     int third;
     int i;
     c[0] = c[1] = c[2] = none;
     if (k < 3) {
-        tribox_impl_set_edge(&c[0], tri, s, k, 0);
-        tribox_impl_set_edge(&c[1], tri, s, k, 1);
-        tribox_impl_set_edge(&c[2], tri, s, k, 2);
+        tbx_set_edge(&c[0], tri, s, k, 0);
+        tbx_set_edge(&c[1], tri, s, k, 1);
+        tbx_set_edge(&c[2], tri, s, k, 2);
     } else if (s->t.n_sign[0] != 0 && s->t.n_sign[1] != 0 && s->t.n_sign[2] != 0) {
-        tribox_impl_set_side(&c[0], tri, s, 1);
-        tribox_impl_set_side(&c[1], tri, s, -1);
+        tbx_set_side(&c[0], tri, s, 1);
+        tbx_set_side(&c[1], tri, s, -1);
     }
     for (i = 0; i < 3; i++) {
-        tribox_impl_add_magnitudes(&sum, &c[i]);
+        tbx_add_magnitudes(&sum, &c[i]);
     }
-    f = tribox_impl_condition_scale(&sum, s, (double)TRIBOX_IMPL_U32, 1.0 / two_60, two_60);
-    g = tribox_impl_condition_scale(&sum, s, TRIBOX_IMPL_U64, 1.0 / two_300, two_300);
+    f = tbx_condition_scale(&sum, s, (double)TBX_U32, 1.0 / two_60, two_60);
+    g = tbx_condition_scale(&sum, s, TBX_U64, 1.0 / two_300, two_300);
     for (i = 0; i < 3; i++) {
         if (c[i].holds) {
-            tribox_impl_store_true(tri, 3 * k + i);
+            tbx_store_true(tri, 3 * k + i);
         } else {
-            tribox_impl_store(tri, 3 * k + i, &c[i], g);
+            tbx_store(tri, 3 * k + i, &c[i], g);
         }
     }
     third = k == 3 || (c[1].holds && !c[0].holds) ? 1 : c[0].holds ? 0 : 2;
     if (f > 0.0 || (c[0].holds && c[1].holds && c[2].holds)) {
-        tribox_impl_store_lane(tri, k, c, third, f);
+        tbx_store_lane(tri, k, c, third, f);
     }
 }
 
 /* 2^14 and more units in the longest reach, if all that conditions are made of is whole in them; else 0. Sums
  * of products of three numbers below 2^15, and of half units, are exact in double. */
-TRIBOX_IMPL_FN double tribox_impl_tri_lattice(const tribox_tri *tri, const tribox_impl_setup *s)
+TBX_FN double tbx_tri_lattice(const tribox_tri *tri, const tbx_setup *s)
 {
     double longest = s->reach[0] > s->reach[1] ? s->reach[0] : s->reach[1];
     double scale;
@@ -2641,14 +2641,14 @@ TRIBOX_IMPL_FN double tribox_impl_tri_lattice(const tribox_tri *tri, const tribo
     if (!(longest > 1e-40 && longest < 1e40)) {      /* so that no condition was left zero by its range */
         return 0.0;
     }
-    scale = tribox_impl_lattice_scale(longest);
+    scale = tbx_lattice_scale(longest);
     whole = 1;
     for (k = 0; k < 3; k++) {
         for (i = 0; i < 3; i++) {
-            whole &= tribox_impl_on_lattice(tri->v[i][k], scale);
+            whole &= tbx_on_lattice(tri->v[i][k], scale);
         }
-        whole &= tribox_impl_on_lattice(tri->size[k], scale * 0.5);
-        whole &= tribox_impl_on_lattice((double)tri->ref[k], scale);
+        whole &= tbx_on_lattice(tri->size[k], scale * 0.5);
+        whole &= tbx_on_lattice((double)tri->ref[k], scale);
     }
     return whole ? scale : 0.0;
 }
@@ -2657,28 +2657,28 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
                                    const double v2[3], const double size[3], unsigned flags)
 {
     const double limit = 288230376151711744.0;      /* 2^58: no p - ref is beyond 2^60, or else ref is 0 */
-    const int finite = tribox_impl_finite3(size);
+    const int finite = tbx_finite3(size);
     int float_range = 1;
-    tribox_impl_setup s;
+    tbx_setup s;
     unsigned rule;
     int i;
     int k;
     s.thin = finite && (flags & TRIBOX_THIN) != 0;
-    rule = s.thin ? (unsigned)TRIBOX_THIN : tribox_impl_rule(flags);
+    rule = s.thin ? (unsigned)TRIBOX_THIN : tbx_rule(flags);
     tri->asked = flags;
     tri->flags = rule;
     tri->strict = 0;
     tri->lattice = 0.0;
-    tri->empty = !tribox_impl_corners_finite(v0, v1, v2);
+    tri->empty = !tbx_corners_finite(v0, v1, v2);
     for (i = 0; i < 12; i++) {
-        tribox_impl_store_true(tri, i);
+        tbx_store_true(tri, i);
     }
     for (k = 0; k < 4; k++) {
         tri->first_b[k] = tri->first_c[k] = tri->first_z[k] = 0.0f;     /* unsure, in every rounding mode */
         tri->second_b[k] = tri->second_c[k] = 0.0f;
         tri->first_d[k] = tri->second_d[k] = 1.0f;
         tri->third_d[k] = 3.0f;
-        tribox_impl_tri_faces(tri, k, 1, 0);    /* none */
+        tbx_tri_faces(tri, k, 1, 0);    /* none */
         tri->ref[k] = tri->step[k] = tri->middle[k] = 0.0f;
         tri->face_in[k] = tri->face_out[k] = -1;
     }
@@ -2687,57 +2687,57 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
         tri->v[1][k] = v1[k];
         tri->v[2][k] = v2[k];
         tri->size[k] = size[k];
-        tri->t_min[k] = tribox_impl_min(tribox_impl_min(v0[k], v1[k]), v2[k]);
-        tri->t_max[k] = tribox_impl_max(tribox_impl_max(v0[k], v1[k]), v2[k]);
-        tri->empty |= tribox_impl_is_nan(size[k]) || tribox_impl_sign(size[k]) < 0 ||
-                      (tribox_impl_sign(size[k]) == 0 && (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
+        tri->t_min[k] = tbx_min(tbx_min(v0[k], v1[k]), v2[k]);
+        tri->t_max[k] = tbx_max(tbx_max(v0[k], v1[k]), v2[k]);
+        tri->empty |= tbx_is_nan(size[k]) || tbx_sign(size[k]) < 0 ||
+                      (tbx_sign(size[k]) == 0 && (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
     }
     if (tri->empty) {
         return;
     }
     for (k = 0; k < 3; k++) {
-        float_range &= tribox_impl_less(tri->t_max[k], limit) & tribox_impl_less(-limit, tri->t_min[k]) &
-                       tribox_impl_less(size[k], limit);
+        float_range &= tbx_less(tri->t_max[k], limit) & tbx_less(-limit, tri->t_min[k]) &
+                       tbx_less(size[k], limit);
     }
     tri->huge = !float_range;
     for (k = 0; k < 3; k++) {
-        tribox_impl_tri_keys(tri, k, (rule & TRIBOX_OPEN) != 0,
+        tbx_tri_keys(tri, k, (rule & TRIBOX_OPEN) != 0,
                              (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
-        if (float_range && tribox_impl_less(1e-30, tribox_impl_abs(v0[k]))) {   /* never subnormal */
-            tri->ref[k] = tribox_impl_key32_float(tribox_impl_key32_below(v0[k]));
+        if (float_range && tbx_less(1e-30, tbx_abs(v0[k]))) {   /* never subnormal */
+            tri->ref[k] = tbx_key32_float(tbx_key32_below(v0[k]));
         }
         tri->face_out[k] = 2147483647;      /* unsure even of NaN */
         if (float_range) {
-            tribox_impl_tri_middle(tri, k);
+            tbx_tri_middle(tri, k);
         }
         for (i = 0; i < 3; i++) {
             s.v[i][k] = tri->v[i][k] - (double)tri->ref[k];
         }
     }
-    TRIBOX_IMPL_KEEP(s.v);
+    TBX_KEEP(s.v);
     tri->ref[3] = tri->ref[2];
     tri->face_most[3] = tri->face_most[2];
     tri->face_shift[3] = tri->face_shift[2];
     tri->face_span[3] = tri->face_span[2];
-    tribox_impl_edges_init(&s.t, v0, v1, v2);
+    tbx_edges_init(&s.t, v0, v1, v2);
     for (k = 0; k < 3; k++) {
-        const double r0 = tribox_impl_abs(s.v[0][k]);
-        const double r1 = tribox_impl_abs(s.v[1][k]);
-        const double r2 = tribox_impl_abs(s.v[2][k]);
+        const double r0 = tbx_abs(s.v[0][k]);
+        const double r1 = tbx_abs(s.v[1][k]);
+        const double r2 = tbx_abs(s.v[2][k]);
         const double r = r0 > r1 ? r0 : r1;
         s.half[k] = size[k] * 0.5;
         s.reach[k] = (r > r2 ? r : r2) + size[k];
     }
-    if (!finite || !tribox_impl_finite3(s.reach)) {
+    if (!finite || !tbx_finite3(s.reach)) {
         for (i = 0; i < 11; i++) {
-            tribox_impl_store_zero(tri, i);
+            tbx_store_zero(tri, i);
         }
         return;
     }
     for (k = 0; k < 4; k++) {
-        tribox_impl_store_plane(tri, &s, k);
+        tbx_store_plane(tri, &s, k);
     }
-    tri->lattice = tribox_impl_tri_lattice(tri, &s);
+    tri->lattice = tbx_tri_lattice(tri, &s);
 }
 
 TRIBOX_FN void tribox_tri_init(tribox_tri *tri, const float v0[3], const float v1[3], const float v2[3],
@@ -2746,30 +2746,30 @@ TRIBOX_FN void tribox_tri_init(tribox_tri *tri, const float v0[3], const float v
     double wide[4][3];
     int k;
     for (k = 0; k < 3; k++) {
-        wide[0][k] = tribox_impl_widen(v0 + k);
-        wide[1][k] = tribox_impl_widen(v1 + k);
-        wide[2][k] = tribox_impl_widen(v2 + k);
-        wide[3][k] = tribox_impl_widen(size + k);
+        wide[0][k] = tbx_widen(v0 + k);
+        wide[1][k] = tbx_widen(v1 + k);
+        wide[2][k] = tbx_widen(v2 + k);
+        wide[3][k] = tbx_widen(size + k);
     }
     tribox_tri_init_f64(tri, wide[0], wide[1], wide[2], wide[3], flags);
 }
 
-TRIBOX_IMPL_COLD int tribox_impl_tri_exact(const tribox_tri *tri, const double p[3])
+TBX_COLD int tbx_tri_exact(const tribox_tri *tri, const double p[3])
 {
-    tribox_impl_exact f;
+    tbx_exact f;
     int k;
-    tribox_impl_exact_corners(&f, tri->v[0], tri->v[1], tri->v[2]);
+    tbx_exact_corners(&f, tri->v[0], tri->v[1], tri->v[2]);
     for (k = 0; k < 3; k++) {
-        f.x[TRIBOX_IMPL_LO][k] = tribox_impl_at(p[k], 0.0, 0);
-        f.x[TRIBOX_IMPL_MID][k] = tribox_impl_at(p[k], tri->size[k], 1);
+        f.x[TBX_LO][k] = tbx_at(p[k], 0.0, 0);
+        f.x[TBX_MID][k] = tbx_at(p[k], tri->size[k], 1);
         /* an infinite step is read as 2^1024; four of them from any p lie beyond every corner */
-        f.x[TRIBOX_IMPL_HI][k] = tribox_impl_at(p[k], tri->size[k],
-                                                tribox_impl_is_finite(tri->size[k]) ? 2 : 8);
+        f.x[TBX_HI][k] = tbx_at(p[k], tri->size[k],
+                                                tbx_is_finite(tri->size[k]) ? 2 : 8);
     }
-    return tribox_impl_exact_overlap(&f, tri->flags);
+    return tbx_exact_overlap(&f, tri->flags);
 }
 
-TRIBOX_IMPL_NOINLINE int tribox_impl_tri_test(const tribox_tri *tri, const double p[3])
+TBX_NOINLINE int tbx_tri_test(const tribox_tri *tri, const double p[3])
 {
     const int lo_is_open = (tri->flags & TRIBOX_OPEN) != 0;
     const int hi_is_open = (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
@@ -2778,17 +2778,17 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_tri_test(const tribox_tri *tri, const doubl
     unsigned doubt = 0;
     int i;
     int k;
-    if (tri->empty || !tribox_impl_finite3(p)) {
+    if (tri->empty || !tbx_finite3(p)) {
         return 0;
     }
     for (k = 0; k < 3; k++) {
-        if (tribox_impl_key64(p[k]) + lo_is_open > tribox_impl_key64(tri->t_max[k]) ||
-            tribox_impl_far_face(p[k], tri->size[k], tri->t_min[k]) < hi_is_open) {
+        if (tbx_key64(p[k]) + lo_is_open > tbx_key64(tri->t_max[k]) ||
+            tbx_far_face(p[k], tri->size[k], tri->t_min[k]) < hi_is_open) {
             return 0;
         }
         q[k] = p[k] - (double)tri->ref[k];
     }
-    TRIBOX_IMPL_KEEP(q);
+    TBX_KEEP(q);
     for (i = 0; i < 12; i++) {
         value[i] = tri->n_x_f64[i] * q[0] + tri->n_y_f64[i] * q[1] + tri->n_z_f64[i] * q[2] + tri->d_f64[i];
     }
@@ -2801,8 +2801,8 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_tri_test(const tribox_tri *tri, const doubl
     if (doubt == 0) {
         return 1;
     }
-    if (tri->lattice > 0.0 && tribox_impl_on_lattice(p[0], tri->lattice) &&
-        tribox_impl_on_lattice(p[1], tri->lattice) && tribox_impl_on_lattice(p[2], tri->lattice)) {
+    if (tri->lattice > 0.0 && tbx_on_lattice(p[0], tri->lattice) &&
+        tbx_on_lattice(p[1], tri->lattice) && tbx_on_lattice(p[2], tri->lattice)) {
         for (i = 0; i < 12; i++) {
             if (value[i] < 0.0 || (value[i] <= 0.0 && ((tri->strict >> i) & 1u) != 0)) {
                 return 0;
@@ -2810,48 +2810,48 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_tri_test(const tribox_tri *tri, const doubl
         }
         return 1;
     }
-    return tribox_impl_tri_exact(tri, p);
+    return tbx_tri_exact(tri, p);
 }
 
 TRIBOX_FN int tribox_tri_test_f64(const tribox_tri *tri, const double p[3])
 {
-    return tribox_impl_tri_test(tri, p);
+    return tbx_tri_test(tri, p);
 }
 
 /* The float entry of the scalar body. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_tri_test_widened(const tribox_tri *tri, const float p[3])
+TBX_NOINLINE int tbx_tri_test_widened(const tribox_tri *tri, const float p[3])
 {
     double q[3];
-    q[0] = tribox_impl_widen(p);
-    q[1] = tribox_impl_widen(p + 1);
-    q[2] = tribox_impl_widen(p + 2);
-    return tribox_impl_tri_test(tri, q);
+    q[0] = tbx_widen(p);
+    q[1] = tbx_widen(p + 1);
+    q[2] = tbx_widen(p + 2);
+    return tbx_tri_test(tri, q);
 }
 
 #if TRIBOX_SIMD
 /* x, y, z, z of p; one by one: p was often written just before. */
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_load_xyzz(const float p[3])
+TBX_FN tbx_f4 tbx_load_xyzz(const float p[3])
 {
-    tribox_impl_f4 x = { 0.0f, 0.0f, 0.0f, 0.0f };
-    tribox_impl_f4 y = x;
-    tribox_impl_f4 z = x;
+    tbx_f4 x = { 0.0f, 0.0f, 0.0f, 0.0f };
+    tbx_f4 y = x;
+    tbx_f4 z = x;
     x[0] = p[0];
     y[0] = p[1];
     z[0] = p[2];
-    TRIBOX_IMPL_KEEP4(x);       /* of two shuffles gcc would make three: 1.04x */
-    return TRIBOX_IMPL_LANES(TRIBOX_IMPL_LANES(x, y, 0, 4, 1, 5), z, 0, 1, 4, 4);
+    TBX_KEEP4(x);       /* of two shuffles gcc would make three: 1.04x */
+    return TBX_LANES(TBX_LANES(x, y, 0, 4, 1, 5), z, 0, 1, 4, 4);
 }
 
 /* Sign bits: faces that do not hold, as one always does not where p is NaN or infinite. gcc would go by mask
  * registers for AVX-512; kept in vectors, the test gains 1.04x. */
-TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_faces_refuse(const tribox_tri *tri, tribox_impl_f4 x)
+TBX_FN tbx_i4 tbx_faces_refuse(const tribox_tri *tri, tbx_f4 x)
 {
-    const tribox_impl_i4 moved = (tribox_impl_i4)((tribox_impl_u4)x +
-                                                  (tribox_impl_u4)tribox_impl_load4i(tri->face_shift));
-    tribox_impl_i4 faces = (tribox_impl_i4)x > tribox_impl_load4i(tri->face_most);
-    TRIBOX_IMPL_KEEP4(faces);
-    faces |= moved > tribox_impl_load4i(tri->face_span);
-    TRIBOX_IMPL_KEEP4(faces);
+    const tbx_i4 moved = (tbx_i4)((tbx_u4)x +
+                                                  (tbx_u4)tbx_load4i(tri->face_shift));
+    tbx_i4 faces = (tbx_i4)x > tbx_load4i(tri->face_most);
+    TBX_KEEP4(faces);
+    faces |= moved > tbx_load4i(tri->face_span);
+    TBX_KEEP4(faces);
     return faces;
 }
 #endif
@@ -2859,45 +2859,45 @@ TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_faces_refuse(const tribox_tri *tri, tr
 TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3])
 {
 #if TRIBOX_SIMD
-    const tribox_impl_f4 x = tribox_impl_load_xyzz(p);
-    const tribox_impl_i4 faces = tribox_impl_faces_refuse(tri, x);
-    tribox_impl_f4 q = x - tribox_impl_load4(tri->ref);
-    TRIBOX_IMPL_KEEP4(q);
+    const tbx_f4 x = tbx_load_xyzz(p);
+    const tbx_i4 faces = tbx_faces_refuse(tri, x);
+    tbx_f4 q = x - tbx_load4(tri->ref);
+    TBX_KEEP4(q);
     {
-        const tribox_impl_f4 q_b = TRIBOX_IMPL_LANES(q, q, 1, 2, 0, 0);
-        const tribox_impl_f4 q_c = TRIBOX_IMPL_LANES(q, q, 2, 0, 1, 1);
-        const tribox_impl_f4 first =
-            tribox_impl_fma4(tribox_impl_load4(tri->first_b), q_b,
-            tribox_impl_fma4(tribox_impl_load4(tri->first_c), q_c,
-            tribox_impl_fma4(tribox_impl_load4(tri->first_z), q, tribox_impl_load4(tri->first_d))));
-        const tribox_impl_f4 second =
-            tribox_impl_fma4(tribox_impl_load4(tri->second_b), q_b,
-            tribox_impl_fma4(tribox_impl_load4(tri->second_c), q_c, tribox_impl_load4(tri->second_d)));
-        const tribox_impl_f4 third = tribox_impl_load4(tri->third_d) - (first + second);
-        const tribox_impl_f4 least = tribox_impl_min4(tribox_impl_min4(first, second), third);
+        const tbx_f4 q_b = TBX_LANES(q, q, 1, 2, 0, 0);
+        const tbx_f4 q_c = TBX_LANES(q, q, 2, 0, 1, 1);
+        const tbx_f4 first =
+            tbx_fma4(tbx_load4(tri->first_b), q_b,
+            tbx_fma4(tbx_load4(tri->first_c), q_c,
+            tbx_fma4(tbx_load4(tri->first_z), q, tbx_load4(tri->first_d))));
+        const tbx_f4 second =
+            tbx_fma4(tbx_load4(tri->second_b), q_b,
+            tbx_fma4(tbx_load4(tri->second_c), q_c, tbx_load4(tri->second_d)));
+        const tbx_f4 third = tbx_load4(tri->third_d) - (first + second);
+        const tbx_f4 least = tbx_min4(tbx_min4(first, second), third);
         /* by their sign bits: least <= 0 or a face, and least < 2; the conditions have 1 added */
-        const int miss = tribox_impl_signs((tribox_impl_i4)least | faces);
-        const int doubt = tribox_impl_signs((tribox_impl_i4)(least - tribox_impl_splat(2.0f)));
+        const int miss = tbx_signs((tbx_i4)least | faces);
+        const int doubt = tbx_signs((tbx_i4)(least - tbx_splat(2.0f)));
         const unsigned verdict = ((unsigned)miss << 4 | (unsigned)doubt) - 1u;     /* a hit wraps round */
-        if (TRIBOX_IMPL_RARELY(verdict < 15u)) {       /* no miss, but doubt */
-            return tribox_impl_tri_test_widened(tri, p);
+        if (TBX_RARELY(verdict < 15u)) {       /* no miss, but doubt */
+            return tbx_tri_test_widened(tri, p);
         }
         return (int)(verdict >> 31);
     }
 #else
-    return tribox_impl_tri_test_widened(tri, p);
+    return tbx_tri_test_widened(tri, p);
 #endif
 }
 
 /* ---- 12. Implementation: grids ------------------------------------------------------------------------- */
 
 /* The grid's region holds voxels: finite origin and size, size > 0, lo < hi. */
-TRIBOX_IMPL_FN int tribox_impl_grid_valid(const tribox_grid *grid)
+TBX_FN int tbx_grid_valid(const tribox_grid *grid)
 {
     int k;
     for (k = 0; k < 3; k++) {
-        if (!tribox_impl_is_finite(grid->origin[k]) || !tribox_impl_is_finite(grid->size[k]) ||
-            tribox_impl_sign(grid->size[k]) <= 0 || grid->lo[k] >= grid->hi[k]) {
+        if (!tbx_is_finite(grid->origin[k]) || !tbx_is_finite(grid->size[k]) ||
+            tbx_sign(grid->size[k]) <= 0 || grid->lo[k] >= grid->hi[k]) {
             return 0;
         }
     }
@@ -2905,23 +2905,23 @@ TRIBOX_IMPL_FN int tribox_impl_grid_valid(const tribox_grid *grid)
 }
 
 /* The sign of grid plane i of axis k against x, |i| < 2^33. */
-TRIBOX_IMPL_FN int tribox_impl_plane_compare(const tribox_grid *grid, int k, int64_t i, double x)
+TBX_FN int tbx_plane_compare(const tribox_grid *grid, int k, int64_t i, double x)
 {
     const double along = (double)i * grid->size[k];
     const double value = (grid->origin[k] - x) + along;
-    const double error = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(x) + tribox_impl_abs(along)) *
-                         (8.0 * TRIBOX_IMPL_U64);
-    if (tribox_impl_is_finite(error) && error > 1e-290 && (value > error || value < -error)) {
+    const double error = (tbx_abs(grid->origin[k]) + tbx_abs(x) + tbx_abs(along)) *
+                         (8.0 * TBX_U64);
+    if (tbx_is_finite(error) && error > 1e-290 && (value > error || value < -error)) {
         return value > 0.0 ? 1 : -1;
     } else {
-        const tribox_impl_coord plane = tribox_impl_at(grid->origin[k], grid->size[k], 2 * i);
-        const tribox_impl_coord point = tribox_impl_at(x, 0.0, 0);
-        return tribox_impl_compare(&plane, &point);
+        const tbx_coord plane = tbx_at(grid->origin[k], grid->size[k], 2 * i);
+        const tbx_coord point = tbx_at(x, 0.0, 0);
+        return tbx_compare(&plane, &point);
     }
 }
 
 /* The integer at or below x, moved into [lo, hi]. Only ever a guess: any x, from any division, will do. */
-TRIBOX_IMPL_FN int64_t tribox_impl_guess(double x, int64_t lo, int64_t hi)
+TBX_FN int64_t tbx_guess(double x, int64_t lo, int64_t hi)
 {
     int64_t i = lo;
     if (x >= (double)hi) {
@@ -2935,16 +2935,16 @@ TRIBOX_IMPL_FN int64_t tribox_impl_guess(double x, int64_t lo, int64_t hi)
 }
 
 /* The least plane i in [lo, hi] with plane(i) > x (strict) or >= x; hi if none below hi. */
-TRIBOX_IMPL_FN int64_t tribox_impl_plane_search(const tribox_grid *grid, int k, int64_t lo, int64_t hi,
+TBX_FN int64_t tbx_plane_search(const tribox_grid *grid, int k, int64_t lo, int64_t hi,
                                                 double x, int strict)
 {
     const double size = grid->size[k];      /* a subnormal may be read as 0 */
-    int64_t i = tribox_impl_guess(size > 0.0 ? (x - grid->origin[k]) / size + 1.0 : 0.0, lo, hi);
+    int64_t i = tbx_guess(size > 0.0 ? (x - grid->origin[k]) / size + 1.0 : 0.0, lo, hi);
     int steps;
     for (steps = 0; steps < 3; steps++) {
-        if (i < hi && tribox_impl_plane_compare(grid, k, i, x) < strict) {
+        if (i < hi && tbx_plane_compare(grid, k, i, x) < strict) {
             lo = ++i;
-        } else if (i > lo && tribox_impl_plane_compare(grid, k, i - 1, x) >= strict) {
+        } else if (i > lo && tbx_plane_compare(grid, k, i - 1, x) >= strict) {
             hi = --i;
         } else {
             return i;
@@ -2952,7 +2952,7 @@ TRIBOX_IMPL_FN int64_t tribox_impl_plane_search(const tribox_grid *grid, int k, 
     }
     while (lo < hi) {       /* a far guess: numbers of very different size */
         const int64_t mid = lo + (hi - lo) / 2;
-        if (tribox_impl_plane_compare(grid, k, mid, x) < strict) {
+        if (tbx_plane_compare(grid, k, mid, x) < strict) {
             lo = mid + 1;
         } else {
             hi = mid;
@@ -2961,14 +2961,14 @@ TRIBOX_IMPL_FN int64_t tribox_impl_plane_search(const tribox_grid *grid, int k, 
     return lo;
 }
 
-TRIBOX_IMPL_FN size_t tribox_impl_saturating_add(size_t a, size_t b)
+TBX_FN size_t tbx_saturating_add(size_t a, size_t b)
 {
     return a + b < a ? (size_t)-1 : a + b;
 }
 
 /* One condition on voxels, A.index + D >= 0, or > 0 if strict; index counts from the walk's base. Edge
  * conditions have no term in their plane's axis. Beyond +-bound the value's sign is certain. */
-typedef struct tribox_impl_limit {
+typedef struct tbx_limit {
     double a[3];
     double d;
     double bound;
@@ -2976,17 +2976,17 @@ typedef struct tribox_impl_limit {
     int    axis;            /* the index it limits */
     int    sign;            /* of a[axis], exact: -1 or 1 */
     int    id;              /* 3*plane + edge; 9, 10: the two sides of the triangle's plane */
-} tribox_impl_limit;
+} tbx_limit;
 
 /* A triangle over a region of a grid, cut to the triangle's index box. */
-typedef struct tribox_impl_walk {
+typedef struct tbx_walk {
     const tribox_grid *grid;
     const double      *corner[3];
     unsigned           flags;
     int64_t            base[3];     /* the box's first voxel */
     int64_t            count[3];    /* voxels per axis */
     int                n_sign[3];
-    int                on_lattice;  /* all values are exact, and shifted off zero: see tribox_impl_walk_add */
+    int                on_lattice;  /* all values are exact, and shifted off zero: see tbx_walk_add */
     double             size[3];
     double             v[3][3];     /* corners from the base's minimum corner */
     double             slack[3];    /* bound of error of a coordinate difference, also of the few u of its
@@ -2996,35 +2996,35 @@ typedef struct tribox_impl_walk {
     int                limits;
     int                first[5];    /* limits first[g]..first[g+1]-1: edges of xy, zx, yz;
                                      * the plane's sides */
-    tribox_impl_limit  limit[11];
-} tribox_impl_walk;
+    tbx_limit  limit[11];
+} tbx_walk;
 
 /* The exact sign behind a limit. */
-TRIBOX_IMPL_COLD int tribox_impl_walk_exact(const tribox_impl_walk *w, int id, const int64_t index[3])
+TBX_COLD int tbx_walk_exact(const tbx_walk *w, int id, const int64_t index[3])
 {
     const tribox_grid *grid = w->grid;
     const unsigned open_lo = (w->flags & TRIBOX_OPEN) != 0 ? 7u : 0u;
     const unsigned open_hi = (w->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0 ? 7u : 0u;
-    tribox_impl_exact f;
+    tbx_exact f;
     int k;
-    tribox_impl_exact_corners(&f, w->corner[0], w->corner[1], w->corner[2]);
+    tbx_exact_corners(&f, w->corner[0], w->corner[1], w->corner[2]);
     for (k = 0; k < 3; k++) {
         const int64_t half = 2 * (w->base[k] + index[k]);
-        f.x[TRIBOX_IMPL_LO][k] = tribox_impl_at(grid->origin[k], grid->size[k], half);
-        f.x[TRIBOX_IMPL_MID][k] = tribox_impl_at(grid->origin[k], grid->size[k], half + 1);
-        f.x[TRIBOX_IMPL_HI][k] = tribox_impl_at(grid->origin[k], grid->size[k], half + 2);
+        f.x[TBX_LO][k] = tbx_at(grid->origin[k], grid->size[k], half);
+        f.x[TBX_MID][k] = tbx_at(grid->origin[k], grid->size[k], half + 1);
+        f.x[TBX_HI][k] = tbx_at(grid->origin[k], grid->size[k], half + 2);
     }
-    tribox_impl_exact_finish(&f);
+    tbx_exact_finish(&f);
     if ((w->flags & TRIBOX_THIN) != 0) {
-        return id < 9 ? tribox_impl_exact_thin_edge(&f, id / 3, id % 3, w->n_sign[id / 3])
-                      : tribox_impl_exact_thin_plane(&f, w->n_sign, id == 9 ? 1 : -1);
+        return id < 9 ? tbx_exact_thin_edge(&f, id / 3, id % 3, w->n_sign[id / 3])
+                      : tbx_exact_thin_plane(&f, w->n_sign, id == 9 ? 1 : -1);
     }
-    return id < 9 ? tribox_impl_exact_edge(&f, id / 3, id % 3, w->n_sign[id / 3], open_lo, open_hi)
-                  : tribox_impl_exact_plane(&f, w->n_sign, id == 9 ? 1 : -1, open_lo, open_hi);
+    return id < 9 ? tbx_exact_edge(&f, id / 3, id % 3, w->n_sign[id / 3], open_lo, open_hi)
+                  : tbx_exact_plane(&f, w->n_sign, id == 9 ? 1 : -1, open_lo, open_hi);
 }
 
 /* Does the limit hold at this voxel? */
-TRIBOX_IMPL_FN int tribox_impl_limit_holds(const tribox_impl_walk *w, const tribox_impl_limit *c,
+TBX_FN int tbx_limit_holds(const tbx_walk *w, const tbx_limit *c,
                                            const int64_t index[3])
 {
     const double value = c->a[0] * (double)index[0] + c->a[1] * (double)index[1] +
@@ -3035,12 +3035,12 @@ TRIBOX_IMPL_FN int tribox_impl_limit_holds(const tribox_impl_walk *w, const trib
     if (value < -c->bound) {
         return 0;
     }
-    return tribox_impl_walk_exact(w, c->id, index);
+    return tbx_walk_exact(w, c->id, index);
 }
 
 /* Narrows [*lo, *hi] to the indices along c->axis that the limit allows, the other two being index[]. The
  * quotient is a guess; what counts is that the value is certain on both sides of it. */
-TRIBOX_IMPL_FN void tribox_impl_limit_narrow(const tribox_impl_walk *w, const tribox_impl_limit *c,
+TBX_FN void tbx_limit_narrow(const tbx_walk *w, const tbx_limit *c,
                                              int64_t index[3], int64_t *lo, int64_t *hi)
 {
     const double a = c->a[c->axis];
@@ -3051,7 +3051,7 @@ TRIBOX_IMPL_FN void tribox_impl_limit_narrow(const tribox_impl_walk *w, const tr
     int64_t i;
     index[c->axis] = 0;
     rest = c->a[0] * (double)index[0] + c->a[1] * (double)index[1] + c->a[2] * (double)index[2] + c->d;
-    i = tribox_impl_guess(a != 0.0 ? 1.0 - rest / a : 0.0, least, end);
+    i = tbx_guess(a != 0.0 ? 1.0 - rest / a : 0.0, least, end);
     /* i should be the first index at which the limit's truth is (sign > 0),
      * the last but one being the other */
     value = rest + a * (double)i;
@@ -3066,7 +3066,7 @@ TRIBOX_IMPL_FN void tribox_impl_limit_narrow(const tribox_impl_walk *w, const tr
     }
     while (least < end) {
         index[c->axis] = least + (end - least) / 2;
-        if (tribox_impl_limit_holds(w, c, index) == (c->sign > 0)) {
+        if (tbx_limit_holds(w, c, index) == (c->sign > 0)) {
             end = index[c->axis];
         } else {
             least = index[c->axis] + 1;
@@ -3082,12 +3082,12 @@ TRIBOX_IMPL_FN void tribox_impl_limit_narrow(const tribox_impl_walk *w, const tr
 /* Completes a limit whose a holds n in units per length and d the value at the base's minimum corner: adds
  * the voxel's support, goes over to indices, and bounds the error (m: magnitudes that a was made of).
  *
- * Bound: sum m_k slack_k, see tribox_impl_walk_frame. On the lattice all this is exact; half a quantum up
+ * Bound: sum m_k slack_k, see tbx_walk_frame. On the lattice all this is exact; half a quantum up
  * (or down, where zero does not satisfy the limit) and no value is zero. */
-TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, int sign, const double n[3],
+TBX_FN void tbx_walk_add(tbx_walk *w, int id, int axis, int sign, const double n[3],
                                          const double m[3], double d)
 {
-    tribox_impl_limit *c = &w->limit[w->limits++];
+    tbx_limit *c = &w->limit[w->limits++];
     double sum = 0.0;
     double largest = 0.0;
     int up = 0;
@@ -3095,7 +3095,7 @@ TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, 
     c->bound = 0.0;
     for (k = 0; k < 3; k++) {
         const double along = n[k] * w->size[k];
-        const double half = tribox_impl_abs(along) * 0.5;
+        const double half = tbx_abs(along) * 0.5;
         c->a[k] = along;
         d += along * 0.5;
         sum += half;
@@ -3131,7 +3131,7 @@ TRIBOX_IMPL_FN void tribox_impl_walk_add(tribox_impl_walk *w, int id, int axis, 
  * In range, reaches are in [2^-300, 2^301), and slack is finite, so that m_k = 0 adds 0. Where m_k is not 0,
  * the corners differ on axis k, by at most 2^303, so |x| is below 2^357, or the one corner would be lost in
  * the other's spacing; |base| is below 2^333, |origin| below 2^358: no bound reaches 2^920. */
-TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
+TBX_FN void tbx_walk_frame(tbx_walk *w)
 {
     const tribox_grid *grid = w->grid;
     double longest = 0.0;
@@ -3145,22 +3145,22 @@ TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
         for (i = 0; i < 3; i++) {
             const double x = w->corner[i][k];
             w->v[i][k] = (x - grid->origin[k]) - base;
-            farthest = tribox_impl_abs(x) > farthest ? tribox_impl_abs(x) : farthest;
+            farthest = tbx_abs(x) > farthest ? tbx_abs(x) : farthest;
         }
-        w->slack[k] = (farthest + tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(base)) *
-                      (4.0 * TRIBOX_IMPL_U64);
+        w->slack[k] = (farthest + tbx_abs(grid->origin[k]) + tbx_abs(base)) *
+                      (4.0 * TBX_U64);
     }
-    TRIBOX_IMPL_KEEP(w->v);
+    TBX_KEEP(w->v);
     w->in_range = 1;
     for (k = 0; k < 3; k++) {
         double reach = (double)(w->count[k] + 1) * w->size[k];
         for (i = 0; i < 3; i++) {
-            reach = tribox_impl_abs(w->v[i][k]) > reach ? tribox_impl_abs(w->v[i][k]) : reach;
+            reach = tbx_abs(w->v[i][k]) > reach ? tbx_abs(w->v[i][k]) : reach;
         }
         longest = reach > longest ? reach : longest;
-        w->slack[k] += reach * (32.0 * TRIBOX_IMPL_U64);
-        w->in_range &= tribox_impl_extent_in_range(reach) & (reach > 0.0) &
-                       tribox_impl_is_finite(w->slack[k]);
+        w->slack[k] += reach * (32.0 * TBX_U64);
+        w->in_range &= tbx_extent_in_range(reach) & (reach > 0.0) &
+                       tbx_is_finite(w->slack[k]);
     }
     w->on_lattice = 0;
     if (!(longest > 1e-80 && longest < 1e80)) {
@@ -3168,23 +3168,23 @@ TRIBOX_IMPL_FN void tribox_impl_walk_frame(tribox_impl_walk *w)
     }
     /* half units, for the centres of thin voxels: differences are below 2^15,
      * degree-3 values below 2^51 of them */
-    scale = tribox_impl_lattice_scale(longest);
+    scale = tbx_lattice_scale(longest);
     w->quantum = 1.0 / scale;
     w->on_lattice = 1;
     for (k = 0; k < 3 && w->on_lattice; k++) {
         /* so base*size is whole too: below 2^15 * 2^32 units, rounded nowhere */
-        w->on_lattice = tribox_impl_on_lattice(grid->origin[k], scale) &&
-                        tribox_impl_on_lattice(grid->size[k], scale * 0.5);
+        w->on_lattice = tbx_on_lattice(grid->origin[k], scale) &&
+                        tbx_on_lattice(grid->size[k], scale * 0.5);
         for (i = 0; i < 3; i++) {
-            w->on_lattice &= tribox_impl_on_lattice(w->corner[i][k], scale);
+            w->on_lattice &= tbx_on_lattice(w->corner[i][k], scale);
         }
     }
 }
 
 /* All limits but those that the index box implies: edges parallel to an axis; and those that edges imply:
- * a plane along an axis, see tribox_impl_store_plane. In the order in which the walk asks them: per row y,
+ * a plane along an axis, see tbx_store_plane. In the order in which the walk asks them: per row y,
  * per layer z (first x, then y), per row and layer. */
-TRIBOX_IMPL_FN void tribox_impl_walk_limits(tribox_impl_walk *w, const tribox_impl_edges *t)
+TBX_FN void tbx_walk_limits(tbx_walk *w, const tbx_edges *t)
 {
     int *first = w->first;
     int group;
@@ -3208,9 +3208,9 @@ TRIBOX_IMPL_FN void tribox_impl_walk_limits(tribox_impl_walk *w, const tribox_im
             n[b] = -inward * t->e[i][c];
             n[c] = inward * t->e[i][b];
             for (k = 0; k < 3; k++) {
-                m[k] = tribox_impl_abs(n[k]);
+                m[k] = tbx_abs(n[k]);
             }
-            tribox_impl_walk_add(w, 3 * a + i, axis, (t->n_sign[a] >= 0 ? 1 : -1) *
+            tbx_walk_add(w, 3 * a + i, axis, (t->n_sign[a] >= 0 ? 1 : -1) *
                                  (axis == b ? -t->e_sign[i][c] : t->e_sign[i][b]), n, m,
                                  -(n[b] * w->v[i][b] + n[c] * w->v[i][c]));
         }
@@ -3228,17 +3228,17 @@ TRIBOX_IMPL_FN void tribox_impl_walk_limits(tribox_impl_walk *w, const tribox_im
                 const double p = t->e[0][b] * t->e[1][c];
                 const double q = t->e[0][c] * t->e[1][b];
                 n[k] = side * (p - q);
-                m[k] = tribox_impl_abs(p) + tribox_impl_abs(q);
+                m[k] = tbx_abs(p) + tbx_abs(q);
                 d -= n[k] * w->v[0][k];
             }
-            tribox_impl_walk_add(w, side > 0 ? 9 : 10, 0, side * t->n_sign[0], n, m, d);
+            tbx_walk_add(w, side > 0 ? 9 : 10, 0, side * t->n_sign[0], n, m, d);
         }
     }
     first[4] = w->limits;
 }
 
 /* Cuts the region to the voxels whose faces hold. Returns 0 if none is left. */
-TRIBOX_IMPL_FN int tribox_impl_walk_box(tribox_impl_walk *w)
+TBX_FN int tbx_walk_box(tbx_walk *w)
 {
     const int lo_is_open = (w->flags & TRIBOX_OPEN) != 0;
     const int hi_is_open = (w->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
@@ -3249,11 +3249,11 @@ TRIBOX_IMPL_FN int tribox_impl_walk_box(tribox_impl_walk *w)
         const double x2 = w->corner[2][k];
         const int64_t lo = w->grid->lo[k];
         const int64_t hi = w->grid->hi[k];
-        w->base[k] = tribox_impl_plane_search(w->grid, k, lo + 1, hi + 1,
-                                              tribox_impl_min(tribox_impl_min(x0, x1), x2),
+        w->base[k] = tbx_plane_search(w->grid, k, lo + 1, hi + 1,
+                                              tbx_min(tbx_min(x0, x1), x2),
                                               hi_is_open) - 1;
-        w->count[k] = tribox_impl_plane_search(w->grid, k, lo, hi,
-                                               tribox_impl_max(tribox_impl_max(x0, x1), x2),
+        w->count[k] = tbx_plane_search(w->grid, k, lo, hi,
+                                               tbx_max(tbx_max(x0, x1), x2),
                                                !lo_is_open) - w->base[k];
         if (w->count[k] <= 0) {
             return 0;
@@ -3263,45 +3263,45 @@ TRIBOX_IMPL_FN int tribox_impl_walk_box(tribox_impl_walk *w)
 }
 
 /* Sets out over a valid grid. Returns 0 if no voxel's faces hold. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_walk_start(tribox_impl_walk *w, const tribox_grid *grid,
+TBX_NOINLINE int tbx_walk_start(tbx_walk *w, const tribox_grid *grid,
                                                 const double v0[3], const double v1[3], const double v2[3])
 {
-    tribox_impl_edges t;
+    tbx_edges t;
     int k;
     w->grid = grid;
     w->flags = (grid->flags & TRIBOX_THIN) != 0 ? (unsigned)TRIBOX_THIN : grid->flags;
     w->corner[0] = v0;
     w->corner[1] = v1;
     w->corner[2] = v2;
-    if (!tribox_impl_corners_finite(v0, v1, v2) || !tribox_impl_walk_box(w)) {
+    if (!tbx_corners_finite(v0, v1, v2) || !tbx_walk_box(w)) {
         return 0;
     }
-    tribox_impl_edges_init(&t, v0, v1, v2);
+    tbx_edges_init(&t, v0, v1, v2);
     for (k = 0; k < 3; k++) {
         w->n_sign[k] = t.n_sign[k];
     }
-    tribox_impl_walk_frame(w);
-    tribox_impl_walk_limits(w, &t);
+    tbx_walk_frame(w);
+    tbx_walk_limits(w, &t);
     return 1;
 }
 
 /* The bit array of a fill. */
-typedef struct tribox_impl_target {
+typedef struct tbx_target {
     uint64_t *bits;
     int       lo[3];        /* the region's first voxel */
     size_t    row_words;
     size_t    ny;
-} tribox_impl_target;
+} tbx_target;
 
 /* Sets bits from..to of a row. */
-TRIBOX_IMPL_FN void tribox_impl_set_run(const tribox_impl_target *t, uint64_t *row, size_t from, size_t to)
+TBX_FN void tbx_set_run(const tbx_target *t, uint64_t *row, size_t from, size_t to)
 {
     const uint64_t head = ~(uint64_t)0 << (from & 63);
     const uint64_t tail = ~(uint64_t)0 >> (63 - (to & 63));
     size_t word = from >> 6;
     const size_t last = to >> 6;
     /* the next layer's */
-    TRIBOX_IMPL_PREFETCH((uintptr_t)(row + word) + sizeof *row * t->ny * t->row_words);
+    TBX_PREFETCH((uintptr_t)(row + word) + sizeof *row * t->ny * t->row_words);
     if (word == last) {
         row[word] |= head & tail;
         return;
@@ -3314,40 +3314,40 @@ TRIBOX_IMPL_FN void tribox_impl_set_run(const tribox_impl_target *t, uint64_t *r
 }
 
 /* Where spans go: into a bit array, or, counted, to a callback. */
-typedef struct tribox_impl_sink {
-    const tribox_impl_target *target;   /* NULL: the callback */
+typedef struct tbx_sink {
+    const tbx_target *target;   /* NULL: the callback */
     tribox_span_fn            emit;
     void                     *user;
     size_t                    count;
-} tribox_impl_sink;
+} tbx_sink;
 
-TRIBOX_IMPL_FN void tribox_impl_walk_emit(const tribox_impl_walk *w, int64_t lo, int64_t hi, int64_t y,
-                                          int64_t z, tribox_impl_sink *sink)
+TBX_FN void tbx_walk_emit(const tbx_walk *w, int64_t lo, int64_t hi, int64_t y,
+                                          int64_t z, tbx_sink *sink)
 {
-    const tribox_impl_target *t = sink->target;
+    const tbx_target *t = sink->target;
     if (t != NULL) {
         uint64_t *row = t->bits + ((size_t)(w->base[2] + z - t->lo[2]) * t->ny +
                                    (size_t)(w->base[1] + y - t->lo[1])) * t->row_words;
         const int64_t start = w->base[0] - t->lo[0];
-        tribox_impl_set_run(t, row, (size_t)(start + lo), (size_t)(start + hi));
+        tbx_set_run(t, row, (size_t)(start + lo), (size_t)(start + hi));
         return;
     }
-    sink->count = tribox_impl_saturating_add(sink->count, (size_t)(hi - lo + 1));
+    sink->count = tbx_saturating_add(sink->count, (size_t)(hi - lo + 1));
     if (sink->emit != NULL) {
         sink->emit(sink->user, (int)(w->base[0] + lo), (int)(w->base[0] + hi), (int)(w->base[1] + y),
                    (int)(w->base[2] + z));
     }
 }
 
-#define TRIBOX_IMPL_TILE 64     /* rows y, and layers z, whose bounds are kept at once */
+#define TBX_TILE 64     /* rows y, and layers z, whose bounds are kept at once */
 
 /* The row walk: for a fixed row (y, z) every limit is a bound on x, so the voxels of a row are one
  * span. The xy edges bound x per y, the zx edges x per z, the yz edges y per z; only the plane's
  * two sides depend on both. */
-TRIBOX_IMPL_FN void tribox_impl_walk_rows(const tribox_impl_walk *w, tribox_impl_sink *sink)
+TBX_FN void tbx_walk_rows(const tbx_walk *w, tbx_sink *sink)
 {
-    int64_t tile_lo[TRIBOX_IMPL_TILE];
-    int64_t tile_hi[TRIBOX_IMPL_TILE];
+    int64_t tile_lo[TBX_TILE];
+    int64_t tile_hi[TBX_TILE];
     int64_t tile = -1;          /* the rows that these are of */
     int64_t index[3];
     int64_t y;
@@ -3362,26 +3362,26 @@ TRIBOX_IMPL_FN void tribox_impl_walk_rows(const tribox_impl_walk *w, tribox_impl
         index[1] = 0;
         index[2] = z;
         for (i = w->first[1]; i < w->first[2]; i++) {
-            tribox_impl_limit_narrow(w, &w->limit[i], index, &z_lo, &z_hi);
+            tbx_limit_narrow(w, &w->limit[i], index, &z_lo, &z_hi);
         }
         for (i = w->first[2]; i < w->first[3]; i++) {
-            tribox_impl_limit_narrow(w, &w->limit[i], index, &y_lo, &y_hi);
+            tbx_limit_narrow(w, &w->limit[i], index, &y_lo, &y_hi);
         }
         for (y = y_lo; y <= y_hi && z_lo <= z_hi; y++) {
-            const int row = (int)(y % TRIBOX_IMPL_TILE);
+            const int row = (int)(y % TBX_TILE);
             int64_t lo;
             int64_t hi;
-            if (y / TRIBOX_IMPL_TILE != tile) {
+            if (y / TBX_TILE != tile) {
                 int64_t tile_y = y - row;
                 int r;
-                tile = y / TRIBOX_IMPL_TILE;
-                for (r = 0; r < TRIBOX_IMPL_TILE && tile_y < w->count[1]; r++, tile_y++) {
+                tile = y / TBX_TILE;
+                for (r = 0; r < TBX_TILE && tile_y < w->count[1]; r++, tile_y++) {
                     tile_lo[r] = 0;
                     tile_hi[r] = w->count[0] - 1;
                     index[0] = 0;
                     index[1] = tile_y;
                     for (i = w->first[0]; i < w->first[1]; i++) {
-                        tribox_impl_limit_narrow(w, &w->limit[i], index, &tile_lo[r], &tile_hi[r]);
+                        tbx_limit_narrow(w, &w->limit[i], index, &tile_lo[r], &tile_hi[r]);
                     }
                 }
             }
@@ -3389,10 +3389,10 @@ TRIBOX_IMPL_FN void tribox_impl_walk_rows(const tribox_impl_walk *w, tribox_impl
             hi = tile_hi[row] < z_hi ? tile_hi[row] : z_hi;
             index[1] = y;
             for (i = w->first[3]; i < w->first[4] && lo <= hi; i++) {
-                tribox_impl_limit_narrow(w, &w->limit[i], index, &lo, &hi);
+                tbx_limit_narrow(w, &w->limit[i], index, &lo, &hi);
             }
             if (lo <= hi) {
-                tribox_impl_walk_emit(w, lo, hi, y, z, sink);
+                tbx_walk_emit(w, lo, hi, y, z, sink);
             }
         }
     }
@@ -3406,7 +3406,7 @@ TRIBOX_IMPL_FN void tribox_impl_walk_rows(const tribox_impl_walk *w, tribox_impl
  * quanta all is exact, and no value is zero. The root's quotient is a guess m, within one of the root: the
  * values at m and at its neighbour towards the other sign must both be certain. A limit too flat along i to
  * have a root takes its value at 0 for the whole line, up to |alpha| * count. */
-typedef struct tribox_impl_lines {
+typedef struct tbx_lines {
     double scale;
     float  alpha;
     float  beta;
@@ -3416,69 +3416,69 @@ typedef struct tribox_impl_lines {
     float  hi_off;          /* far up if it limits from below */
     float  bound;
     float  room;            /* |alpha| - bound, against the value at m */
-} tribox_impl_lines;
+} tbx_lines;
 
-#define TRIBOX_IMPL_FAR 16777216.0f     /* 2^24, beyond every index in lanes */
+#define TBX_FAR 16777216.0f     /* 2^24, beyond every index in lanes */
 
-TRIBOX_IMPL_FN void tribox_impl_lines_init(tribox_impl_lines *q, const tribox_impl_walk *w,
-                                           const tribox_impl_limit *c, int line_axis)
+TBX_FN void tbx_lines_init(tbx_lines *q, const tbx_walk *w,
+                                           const tbx_limit *c, int line_axis)
 {
-    const double terms = tribox_impl_abs(c->a[0]) * (double)w->count[0] +
-                         tribox_impl_abs(c->a[1]) * (double)w->count[1] +
-                         tribox_impl_abs(c->a[2]) * (double)w->count[2] + tribox_impl_abs(c->d) + c->bound;
-    const double scale = tribox_impl_from_bits64((uint64_t)(2045 - (tribox_impl_bits64(&terms) >> 52)) << 52);
-    const double along = tribox_impl_abs(c->a[c->axis]) * scale;
+    const double terms = tbx_abs(c->a[0]) * (double)w->count[0] +
+                         tbx_abs(c->a[1]) * (double)w->count[1] +
+                         tbx_abs(c->a[2]) * (double)w->count[2] + tbx_abs(c->d) + c->bound;
+    const double scale = tbx_from_bits64((uint64_t)(2045 - (tbx_bits64(&terms) >> 52)) << 52);
+    const double along = tbx_abs(c->a[c->axis]) * scale;
     double bound = 0.0;
     int flat;
     if (c->bound > 0.0 || terms > c->quantum * 8388608.0) {     /* 2^23 */
-        bound = c->bound * scale + (double)(8.0f * TRIBOX_IMPL_U32);
+        bound = c->bound * scale + (double)(8.0f * TBX_U32);
     }
     flat = along <= 4.0 * bound;
     q->scale = scale;
     q->alpha = flat ? 0.0f : (float)(c->a[c->axis] * scale);
     q->beta = (float)(c->a[line_axis] * scale);
     q->inverse = flat ? 0.0f : -1.0f / q->alpha;
-    q->step = flat ? TRIBOX_IMPL_FAR : c->sign > 0 ? 1.0f : -1.0f;
-    q->lo_off = flat || c->sign > 0 ? 0.0f : -TRIBOX_IMPL_FAR;
-    q->hi_off = flat || c->sign > 0 ? TRIBOX_IMPL_FAR : 0.0f;
+    q->step = flat ? TBX_FAR : c->sign > 0 ? 1.0f : -1.0f;
+    q->lo_off = flat || c->sign > 0 ? 0.0f : -TBX_FAR;
+    q->hi_off = flat || c->sign > 0 ? TBX_FAR : 0.0f;
     bound = (bound + (flat ? along * (double)w->count[c->axis] : 0.0)) * 1.0001;
     q->bound = (float)bound;
-    q->room = flat ? TRIBOX_IMPL_FAR : (float)(along - bound);
+    q->room = flat ? TBX_FAR : (float)(along - bound);
 }
 
 /* Narrows four lines. Returns the lanes in which the limit is not certain. */
-TRIBOX_IMPL_FN tribox_impl_i4 tribox_impl_lines_narrow(const tribox_impl_lines *q, tribox_impl_f4 line,
-                                                       float rest, tribox_impl_f4 count,
-                                                       tribox_impl_f4 *lo, tribox_impl_f4 *hi)
+TBX_FN tbx_i4 tbx_lines_narrow(const tbx_lines *q, tbx_f4 line,
+                                                       float rest, tbx_f4 count,
+                                                       tbx_f4 *lo, tbx_f4 *hi)
 {
-    const tribox_impl_f4 at_0 = tribox_impl_splat(q->beta) * line + tribox_impl_splat(rest);
-    const tribox_impl_f4 root = at_0 * tribox_impl_splat(q->inverse);
-    const tribox_impl_f4 inside = tribox_impl_min4(tribox_impl_max4(root, tribox_impl_splat(-1.0f)), count);
-    const tribox_impl_f4 m = tribox_impl_truncate(inside);
-    const tribox_impl_f4 value = tribox_impl_splat(q->alpha) * m + at_0;
-    const tribox_impl_f4 size = tribox_impl_abs4(value);
-    const tribox_impl_i4 is_false = value < tribox_impl_splat(0.0f);
-    const tribox_impl_f4 edge = m + (tribox_impl_f4)(is_false & (tribox_impl_i4)tribox_impl_splat(q->step));
-    *lo = tribox_impl_max4(*lo, edge + tribox_impl_splat(q->lo_off));
-    *hi = tribox_impl_min4(*hi, edge + tribox_impl_splat(q->hi_off));
-    return (size < tribox_impl_splat(q->bound)) | ((size > tribox_impl_splat(q->room)) & (root == inside));
+    const tbx_f4 at_0 = tbx_splat(q->beta) * line + tbx_splat(rest);
+    const tbx_f4 root = at_0 * tbx_splat(q->inverse);
+    const tbx_f4 inside = tbx_min4(tbx_max4(root, tbx_splat(-1.0f)), count);
+    const tbx_f4 m = tbx_truncate(inside);
+    const tbx_f4 value = tbx_splat(q->alpha) * m + at_0;
+    const tbx_f4 size = tbx_abs4(value);
+    const tbx_i4 is_false = value < tbx_splat(0.0f);
+    const tbx_f4 edge = m + (tbx_f4)(is_false & (tbx_i4)tbx_splat(q->step));
+    *lo = tbx_max4(*lo, edge + tbx_splat(q->lo_off));
+    *hi = tbx_min4(*hi, edge + tbx_splat(q->hi_off));
+    return (size < tbx_splat(q->bound)) | ((size > tbx_splat(q->room)) & (root == inside));
 }
 
 /* Bounds lo[i]..hi[i] of the lines of one tile; empty where lo > hi. */
-typedef struct tribox_impl_bounds {
-    float lo[TRIBOX_IMPL_TILE];
-    float hi[TRIBOX_IMPL_TILE];
-} tribox_impl_bounds;
+typedef struct tbx_bounds {
+    float lo[TBX_TILE];
+    float hi[TBX_TILE];
+} tbx_bounds;
 
 /* One line's bounds, narrowed by a group of limits one by one: what the lanes leave open. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_line_exact(const tribox_impl_walk *w, int group, int64_t index[3],
+TBX_NOINLINE void tbx_line_exact(const tbx_walk *w, int group, int64_t index[3],
                                                  float *lo, float *hi)
 {
     int64_t first = (int64_t)*lo;
     int64_t last = (int64_t)*hi;
     int i;
     for (i = w->first[group]; i < w->first[group + 1] && first <= last; i++) {
-        tribox_impl_limit_narrow(w, &w->limit[i], index, &first, &last);
+        tbx_limit_narrow(w, &w->limit[i], index, &first, &last);
     }
     *lo = (float)first;
     *hi = (float)last;
@@ -3486,66 +3486,66 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_line_exact(const tribox_impl_walk *w, int 
 
 /* Bounds along `axis` of the tile of lines that starts at `start`, counted by line_axis,
  * by the edges of a group. */
-TRIBOX_IMPL_FN void tribox_impl_tile_bounds(const tribox_impl_walk *w, const tribox_impl_lines *lines,
+TBX_FN void tbx_tile_bounds(const tbx_walk *w, const tbx_lines *lines,
                                             int group, int axis, int line_axis, int64_t start,
-                                            tribox_impl_bounds *out)
+                                            tbx_bounds *out)
 {
-    const tribox_impl_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
-    const tribox_impl_f4 count = tribox_impl_splat((float)w->count[axis]);
+    const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
+    const tbx_f4 count = tbx_splat((float)w->count[axis]);
     const float last = (float)(w->count[axis] - 1);
     int j;
-    for (j = 0; j < TRIBOX_IMPL_TILE && start + j < w->count[line_axis]; j += 4) {
-        const tribox_impl_f4 line = tribox_impl_splat((float)(start + j)) + four;
-        tribox_impl_f4 lo = tribox_impl_splat(0.0f);
-        tribox_impl_f4 hi = tribox_impl_splat(last);
-        tribox_impl_i4 doubt = tribox_impl_splat_int(0);
+    for (j = 0; j < TBX_TILE && start + j < w->count[line_axis]; j += 4) {
+        const tbx_f4 line = tbx_splat((float)(start + j)) + four;
+        tbx_f4 lo = tbx_splat(0.0f);
+        tbx_f4 hi = tbx_splat(last);
+        tbx_i4 doubt = tbx_splat_int(0);
         int doubts;
         int i;
         for (i = w->first[group]; i < w->first[group + 1]; i++) {
             const float rest = (float)(w->limit[i].d * lines[i].scale);
-            doubt |= tribox_impl_lines_narrow(&lines[i], line, rest, count, &lo, &hi);
+            doubt |= tbx_lines_narrow(&lines[i], line, rest, count, &lo, &hi);
         }
-        TRIBOX_IMPL_COPY(out->lo + j, &lo, sizeof lo);
-        TRIBOX_IMPL_COPY(out->hi + j, &hi, sizeof hi);
-        doubts = tribox_impl_signs(doubt);
+        TBX_COPY(out->lo + j, &lo, sizeof lo);
+        TBX_COPY(out->hi + j, &hi, sizeof hi);
+        doubts = tbx_signs(doubt);
         for (i = j; doubts != 0; i++, doubts >>= 1) {
             if ((doubts & 1) != 0) {
                 int64_t index[3] = { 0, 0, 0 };
                 index[line_axis] = start + i;
                 out->lo[i] = 0.0f;
                 out->hi[i] = last;
-                tribox_impl_line_exact(w, group, index, &out->lo[i], &out->hi[i]);
+                tbx_line_exact(w, group, index, &out->lo[i], &out->hi[i]);
             }
         }
     }
 }
 
 /* The row walk, four rows at a time. Floats hold every index: counts are below 2^20. */
-TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_impl_sink *sink)
+TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink)
 {
-    const tribox_impl_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
-    const tribox_impl_f4 count = tribox_impl_splat((float)w->count[0]);
-    tribox_impl_lines lines[11];
-    tribox_impl_bounds x_of_y;
-    tribox_impl_bounds x_of_z;
-    tribox_impl_bounds y_of_z;
-    const tribox_impl_target *t = sink->target;
+    const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
+    const tbx_f4 count = tbx_splat((float)w->count[0]);
+    tbx_lines lines[11];
+    tbx_bounds x_of_y;
+    tbx_bounds x_of_z;
+    tbx_bounds y_of_z;
+    const tbx_target *t = sink->target;
     const size_t start_x = t != NULL ? (size_t)(w->base[0] - t->lo[0]) : 0;
     int64_t y_start = -1;       /* the tiles that these are of */
     int64_t z;
     int i;
     for (i = 0; i < w->limits; i++) {
-        tribox_impl_lines_init(&lines[i], w, &w->limit[i], i >= w->first[1] && i < w->first[3] ? 2 : 1);
+        tbx_lines_init(&lines[i], w, &w->limit[i], i >= w->first[1] && i < w->first[3] ? 2 : 1);
     }
     for (z = 0; z < w->count[2]; z++) {
-        const int layer = (int)(z % TRIBOX_IMPL_TILE);
+        const int layer = (int)(z % TBX_TILE);
         const size_t layer_words = t != NULL ? (size_t)(w->base[2] + z - t->lo[2]) * t->ny * t->row_words : 0;
         float rest[2] = { 0.0f, 0.0f };
         int64_t y;
         int64_t y_end;
         if (layer == 0) {
-            tribox_impl_tile_bounds(w, lines, 1, 0, 2, z, &x_of_z);
-            tribox_impl_tile_bounds(w, lines, 2, 1, 2, z, &y_of_z);
+            tbx_tile_bounds(w, lines, 1, 0, 2, z, &x_of_z);
+            tbx_tile_bounds(w, lines, 2, 1, 2, z, &y_of_z);
         }
         if (!(x_of_z.lo[layer] <= x_of_z.hi[layer])) {
             continue;
@@ -3555,15 +3555,15 @@ TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_imp
         }
         y_end = (int64_t)y_of_z.hi[layer];
         for (y = (int64_t)y_of_z.lo[layer] & ~(int64_t)3; y <= y_end; y += 4) {
-            const int row = (int)(y % TRIBOX_IMPL_TILE);
-            const tribox_impl_f4 line = tribox_impl_splat((float)y) + four;
-            const tribox_impl_i4 outside = (line < tribox_impl_splat(y_of_z.lo[layer])) |
-                                           (line > tribox_impl_splat(y_of_z.hi[layer]));
-            tribox_impl_i4 doubt = tribox_impl_splat_int(0);
-            tribox_impl_f4 lo;
-            tribox_impl_f4 hi;
-            tribox_impl_f4 lo_edges;
-            tribox_impl_f4 hi_edges;
+            const int row = (int)(y % TBX_TILE);
+            const tbx_f4 line = tbx_splat((float)y) + four;
+            const tbx_i4 outside = (line < tbx_splat(y_of_z.lo[layer])) |
+                                           (line > tbx_splat(y_of_z.hi[layer]));
+            tbx_i4 doubt = tbx_splat_int(0);
+            tbx_f4 lo;
+            tbx_f4 hi;
+            tbx_f4 lo_edges;
+            tbx_f4 hi_edges;
             float x_lo[4];
             float x_hi[4];
             uint64_t *row_bits = NULL;
@@ -3571,21 +3571,21 @@ TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_imp
             int rows;
             if (y - row != y_start) {
                 y_start = y - row;
-                tribox_impl_tile_bounds(w, lines, 0, 0, 1, y_start, &x_of_y);
+                tbx_tile_bounds(w, lines, 0, 0, 1, y_start, &x_of_y);
             }
-            lo_edges = tribox_impl_max4(tribox_impl_load4(x_of_y.lo + row),
-                                        tribox_impl_splat(x_of_z.lo[layer]));
-            hi_edges = tribox_impl_min4(tribox_impl_load4(x_of_y.hi + row),
-                                        tribox_impl_splat(x_of_z.hi[layer]));
+            lo_edges = tbx_max4(tbx_load4(x_of_y.lo + row),
+                                        tbx_splat(x_of_z.lo[layer]));
+            hi_edges = tbx_min4(tbx_load4(x_of_y.hi + row),
+                                        tbx_splat(x_of_z.hi[layer]));
             lo = lo_edges;
             hi = hi_edges;
             for (i = w->first[3]; i < w->first[4]; i++) {
-                doubt |= tribox_impl_lines_narrow(&lines[i], line, rest[i - w->first[3]], count, &lo, &hi);
+                doubt |= tbx_lines_narrow(&lines[i], line, rest[i - w->first[3]], count, &lo, &hi);
             }
-            TRIBOX_IMPL_COPY(x_lo, &lo, sizeof lo);
-            TRIBOX_IMPL_COPY(x_hi, &hi, sizeof hi);
-            doubts = tribox_impl_signs(doubt & ~(outside | (lo_edges > hi_edges)));
-            rows = tribox_impl_signs(~(outside | (lo > hi))) | doubts;
+            TBX_COPY(x_lo, &lo, sizeof lo);
+            TBX_COPY(x_hi, &hi, sizeof hi);
+            doubts = tbx_signs(doubt & ~(outside | (lo_edges > hi_edges)));
+            rows = tbx_signs(~(outside | (lo > hi))) | doubts;
             if (t != NULL) {
                 row_bits = t->bits + layer_words + (size_t)(w->base[1] + y - t->lo[1]) * t->row_words;
             }
@@ -3600,17 +3600,17 @@ TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_imp
                     index[2] = z;
                     x_lo[i] = lo_edges[i];
                     x_hi[i] = hi_edges[i];
-                    tribox_impl_line_exact(w, 3, index, &x_lo[i], &x_hi[i]);
+                    tbx_line_exact(w, 3, index, &x_lo[i], &x_hi[i]);
                     if (x_lo[i] > x_hi[i]) {
                         continue;
                     }
                 }
                 if (t != NULL) {
-                    tribox_impl_set_run(t, row_bits + (size_t)i * t->row_words,
+                    tbx_set_run(t, row_bits + (size_t)i * t->row_words,
                                         start_x + (size_t)(int32_t)x_lo[i],
                                         start_x + (size_t)(int32_t)x_hi[i]);
                 } else {
-                    tribox_impl_walk_emit(w, (int64_t)x_lo[i], (int64_t)x_hi[i], y + i, z, sink);
+                    tbx_walk_emit(w, (int64_t)x_lo[i], (int64_t)x_hi[i], y + i, z, sink);
                 }
             }
         }
@@ -3619,32 +3619,32 @@ TRIBOX_IMPL_FN void tribox_impl_walk_lanes(const tribox_impl_walk *w, tribox_imp
 #endif
 
 /* All spans of a triangle over a valid grid. */
-TRIBOX_IMPL_FN void tribox_impl_spans(const tribox_grid *grid, const double v0[3], const double v1[3],
-                                      const double v2[3], tribox_impl_sink *sink)
+TBX_FN void tbx_spans(const tribox_grid *grid, const double v0[3], const double v1[3],
+                                      const double v2[3], tbx_sink *sink)
 {
-    tribox_impl_walk w;
-    if (!tribox_impl_walk_start(&w, grid, v0, v1, v2)) {
+    tbx_walk w;
+    if (!tbx_walk_start(&w, grid, v0, v1, v2)) {
         return;
     }
 #if TRIBOX_SIMD
     if (w.count[0] < 1048576 && w.count[1] < 1048576 && w.count[2] < 1048576) {
-        tribox_impl_walk_lanes(&w, sink);
+        tbx_walk_lanes(&w, sink);
         return;
     }
 #endif
-    tribox_impl_walk_rows(&w, sink);
+    tbx_walk_rows(&w, sink);
 }
 
 TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
                                        const double v2[3], tribox_span_fn emit, void *user)
 {
-    tribox_impl_sink sink;
+    tbx_sink sink;
     sink.target = NULL;
     sink.emit = emit;
     sink.user = user;
     sink.count = 0;
-    if (tribox_impl_grid_valid(grid)) {
-        tribox_impl_spans(grid, v0, v1, v2, &sink);
+    if (tbx_grid_valid(grid)) {
+        tbx_spans(grid, v0, v1, v2, &sink);
     }
     return sink.count;
 }
@@ -3655,9 +3655,9 @@ TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], c
     double v[3][3];
     int k;
     for (k = 0; k < 3; k++) {
-        v[0][k] = tribox_impl_widen(v0 + k);
-        v[1][k] = tribox_impl_widen(v1 + k);
-        v[2][k] = tribox_impl_widen(v2 + k);
+        v[0][k] = tbx_widen(v0 + k);
+        v[1][k] = tbx_widen(v1 + k);
+        v[2][k] = tbx_widen(v2 + k);
     }
     return tribox_grid_spans_f64(grid, v[0], v[1], v[2], emit, user);
 }
@@ -3667,7 +3667,7 @@ TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid)
     const size_t most = (size_t)-1 / sizeof(uint64_t);
     size_t words;
     int k;
-    if (!tribox_impl_grid_valid(grid)) {
+    if (!tbx_grid_valid(grid)) {
         return 0;
     }
     words = (size_t)(((uint64_t)((int64_t)grid->hi[0] - grid->lo[0]) + 63) / 64);
@@ -3682,20 +3682,20 @@ TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid)
 }
 
 /* Corner c of the mesh's triangle t. */
-TRIBOX_IMPL_FN const void *tribox_impl_corner(const tribox_mesh *mesh, size_t t, int c)
+TBX_FN const void *tbx_corner(const tribox_mesh *mesh, size_t t, int c)
 {
     const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
     const size_t at = 3 * t + (size_t)c;
     return (const char *)mesh->positions + (mesh->indices != NULL ? (size_t)mesh->indices[at] : at) * stride;
 }
 
-TRIBOX_IMPL_FN void tribox_impl_mesh_corner(const tribox_mesh *mesh, size_t t, int c, double out_v[3])
+TBX_FN void tbx_mesh_corner(const tribox_mesh *mesh, size_t t, int c, double out_v[3])
 {
     float x[3];
     int k;
-    TRIBOX_IMPL_COPY(x, tribox_impl_corner(mesh, t, c), sizeof x);
+    TBX_COPY(x, tbx_corner(mesh, t, c), sizeof x);
     for (k = 0; k < 3; k++) {
-        out_v[k] = tribox_impl_widen(x + k);
+        out_v[k] = tbx_widen(x + k);
     }
 }
 
@@ -3713,19 +3713,19 @@ TRIBOX_IMPL_FN void tribox_impl_mesh_corner(const tribox_mesh *mesh, size_t t, i
  * |n_x|. A triangle is a segment in a plane if all its corners are level on an axis, or an edge is a point
  * there. Its edges run to and fro then, and whatever sign the area has, bound it from both sides; the plane
  * says what they say. */
-#define TRIBOX_IMPL_FINE 64
+#define TBX_FINE 64
 
 /* A region, in double. */
-typedef struct tribox_impl_fine {
+typedef struct tbx_fine {
     double origin[3];
     double inverse[3];
     double delta;       /* D */
     int    n[3];
     int    thin;
     int    on;          /* 0: its numbers are out of range */
-} tribox_impl_fine;
+} tbx_fine;
 
-TRIBOX_IMPL_FN void tribox_impl_fine_init(tribox_impl_fine *f, const tribox_grid *grid)
+TBX_FN void tbx_fine_init(tbx_fine *f, const tribox_grid *grid)
 {
     int k;
     f->on = 1;
@@ -3736,8 +3736,8 @@ TRIBOX_IMPL_FN void tribox_impl_fine_init(tribox_impl_fine *f, const tribox_grid
         const double offset = (double)grid->lo[k] * size;
         const double n = (double)grid->hi[k] - (double)grid->lo[k];
         const double units = size > 1e-18 ? 1.0 / size : 0.0;
-        const double reach = (tribox_impl_abs(grid->origin[k]) + tribox_impl_abs(offset)) * units + n + 64.0;
-        const double delta = 8.0 * TRIBOX_IMPL_U64 * reach;
+        const double reach = (tbx_abs(grid->origin[k]) + tbx_abs(offset)) * units + n + 64.0;
+        const double delta = 8.0 * TBX_U64 * reach;
         f->on &= size > 1e-18 && size < 1e18 && n <= 65536.0 && delta < 1e-4;
         f->origin[k] = grid->origin[k] + offset;
         f->inverse[k] = units;
@@ -3747,21 +3747,21 @@ TRIBOX_IMPL_FN void tribox_impl_fine_init(tribox_impl_fine *f, const tribox_grid
 }
 
 /* What bounds the voxels of row r: M = at + slope * r, floor(M - half) and floor(M + half). */
-typedef struct tribox_impl_fine_line {
+typedef struct tbx_fine_line {
     double at;
     double slope;
     double half;
     double error;
     int    bounds_lo;
     int    bounds_hi;
-} tribox_impl_fine_line;
+} tbx_fine_line;
 
-TRIBOX_IMPL_FN void tribox_impl_fine_line_set(tribox_impl_fine_line *l, const tribox_impl_fine *f, double v_b,
+TBX_FN void tbx_fine_line_set(tbx_fine_line *l, const tbx_fine *f, double v_b,
                                               double v_r, double e_b, double e_r, double area)
 {
     const int has = e_r != 0.0;
     const double slope = has ? e_b / e_r : 0.0;
-    const double steep = tribox_impl_abs(slope);
+    const double steep = tbx_abs(slope);
     const int below = (area < 0.0) != (e_r < 0.0);
     l->at = v_b + slope * (0.5 - v_r);
     l->slope = slope;
@@ -3771,7 +3771,7 @@ TRIBOX_IMPL_FN void tribox_impl_fine_line_set(tribox_impl_fine_line *l, const tr
     l->bounds_hi = has && !below;
 }
 
-TRIBOX_IMPL_FN int tribox_impl_fine_floor(double x)
+TBX_FN int tbx_fine_floor(double x)
 {
     const double most = 536870912.0;        /* 2^29: differences fit, too */
     const double clamped = x < -most ? -most : x > most ? most : x;
@@ -3780,20 +3780,20 @@ TRIBOX_IMPL_FN int tribox_impl_fine_floor(double x)
 }
 
 /* Cuts voxels first..last of row r to what is within bounds. Returns 0 if unsure. */
-TRIBOX_IMPL_FN int tribox_impl_fine_narrow(const tribox_impl_fine_line *l, int r, int *first, int *last)
+TBX_FN int tbx_fine_narrow(const tbx_fine_line *l, int r, int *first, int *last)
 {
     const double middle = l->at + l->slope * (double)r;
     if (l->bounds_lo) {
-        const int least = tribox_impl_fine_floor(middle - l->half - l->error);
-        const int most = tribox_impl_fine_floor(middle - l->half + l->error);
+        const int least = tbx_fine_floor(middle - l->half - l->error);
+        const int most = tbx_fine_floor(middle - l->half + l->error);
         if (least != most && most > *first && least <= *last) {
             return 0;
         }
         *first = most > *first ? most : *first;
     }
     if (l->bounds_hi) {
-        const int least = tribox_impl_fine_floor(middle + l->half - l->error);
-        const int most = tribox_impl_fine_floor(middle + l->half + l->error);
+        const int least = tbx_fine_floor(middle + l->half - l->error);
+        const int most = tbx_fine_floor(middle + l->half + l->error);
         if (least != most && least < *last && most >= *first) {
             return 0;
         }
@@ -3803,14 +3803,14 @@ TRIBOX_IMPL_FN int tribox_impl_fine_narrow(const tribox_impl_fine_line *l, int r
 }
 
 /* The lines of a triangle: xy, xz, yz, three edges each, and the plane, whose line is that of layer 0. */
-typedef struct tribox_impl_fine_tri {
-    tribox_impl_fine_line edge[3][3];
-    tribox_impl_fine_line plane;
+typedef struct tbx_fine_tri {
+    tbx_fine_line edge[3][3];
+    tbx_fine_line plane;
     double                slope_z;
-} tribox_impl_fine_tri;
+} tbx_fine_tri;
 
 /* x: corners in voxels from the region, e: edges, m: the longest. Returns 0 if unsure. */
-TRIBOX_IMPL_FN int tribox_impl_fine_tri_set(tribox_impl_fine_tri *t, const tribox_impl_fine *f,
+TBX_FN int tbx_fine_tri_set(tbx_fine_tri *t, const tbx_fine *f,
                                             double x[3][3], double e[3][3], double m)
 {
     double n[3];
@@ -3825,54 +3825,54 @@ TRIBOX_IMPL_FN int tribox_impl_fine_tri_set(tribox_impl_fine_tri *t, const tribo
             flat |= e[i][b] == 0.0 && e[i][c] == 0.0;
         }
         n[k] = e[0][b] * e[1][c] - e[0][c] * e[1][b];
-        if (!flat && !(tribox_impl_abs(n[k]) > 64.0 * TRIBOX_IMPL_U64 * m * m)) {
+        if (!flat && !(tbx_abs(n[k]) > 64.0 * TBX_U64 * m * m)) {
             return 0;
         }
         is_flat |= flat;
     }
     for (i = 0; i < 3; i++) {
-        tribox_impl_fine_line_set(&t->edge[0][i], f, x[i][0], x[i][1], e[i][0], e[i][1], n[2]);
-        tribox_impl_fine_line_set(&t->edge[1][i], f, x[i][0], x[i][2], e[i][0], e[i][2], -n[1]);
-        tribox_impl_fine_line_set(&t->edge[2][i], f, x[i][1], x[i][2], e[i][1], e[i][2], n[0]);
+        tbx_fine_line_set(&t->edge[0][i], f, x[i][0], x[i][1], e[i][0], e[i][1], n[2]);
+        tbx_fine_line_set(&t->edge[1][i], f, x[i][0], x[i][2], e[i][0], e[i][2], -n[1]);
+        tbx_fine_line_set(&t->edge[2][i], f, x[i][1], x[i][2], e[i][1], e[i][2], n[0]);
     }
     t->plane.bounds_lo = t->plane.bounds_hi = !is_flat;
     t->plane.at = t->plane.slope = t->plane.half = t->plane.error = t->slope_z = 0.0;
     if (!is_flat) {
         const double slope_y = -n[1] / n[0];
         const double slope_z = -n[2] / n[0];
-        const double steep_y = tribox_impl_abs(slope_y);
-        const double steep_z = tribox_impl_abs(slope_z);
+        const double steep_y = tbx_abs(slope_y);
+        const double steep_z = tbx_abs(slope_z);
         const double most = steep_y > steep_z ? steep_y : steep_z;
         t->plane.at = x[0][0] + slope_y * (0.5 - x[0][1]) + slope_z * (0.5 - x[0][2]);
         t->plane.slope = slope_y;
         t->slope_z = slope_z;
         t->plane.half = 0.5 * (!f->thin ? steep_y + steep_z : most > 1.0 ? most - 1.0 : 0.0);
         t->plane.error = (1.0 + steep_y + steep_z) *
-                         (8.0 * f->delta + 64.0 * TRIBOX_IMPL_U64 * m * m * m / tribox_impl_abs(n[0]));
+                         (8.0 * f->delta + 64.0 * TBX_U64 * m * m * m / tbx_abs(n[0]));
     }
     return 1;
 }
 
 /* Sets voxels first..last of a row, none if first > last. */
-TRIBOX_IMPL_FN void tribox_impl_fine_run(const tribox_impl_target *target, int first, int last, int y, int z)
+TBX_FN void tbx_fine_run(const tbx_target *target, int first, int last, int y, int z)
 {
     if (first <= last) {
-        tribox_impl_set_run(target, target->bits + ((size_t)z * target->ny + (size_t)y) * target->row_words,
+        tbx_set_run(target, target->bits + ((size_t)z * target->ny + (size_t)y) * target->row_words,
                             (size_t)first, (size_t)last);
     }
 }
 
 /* Rows y and layers z of a region, first to last. */
-typedef struct tribox_impl_part {
+typedef struct tbx_part {
     int64_t first[2];
     int64_t last[2];
-} tribox_impl_part;
+} tbx_part;
 
 /* A part of a triangle. Returns 0 if unsure; voxels set by then are right. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_fine_fill(const tribox_impl_fine *f, const tribox_impl_target *target,
-                                               double v[3][3], const tribox_impl_part *part)
+TBX_NOINLINE int tbx_fine_fill(const tbx_fine *f, const tbx_target *target,
+                                               double v[3][3], const tbx_part *part)
 {
-    tribox_impl_fine_tri t;
+    tbx_fine_tri t;
     double x[3][3];
     double e[3][3];
     double m = 1.0;
@@ -3886,7 +3886,7 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fine_fill(const tribox_impl_fine *f, const 
     if (!f->on) {
         return 0;
     }
-    if (!tribox_impl_corners_finite(v[0], v[1], v[2])) {
+    if (!tbx_corners_finite(v[0], v[1], v[2])) {
         return 1;
     }
     for (i = 0; i < 3; i++) {
@@ -3895,8 +3895,8 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fine_fill(const tribox_impl_fine *f, const 
             e[i][k] = v[i < 2 ? i + 1 : 0][k] - v[i][k];
         }
     }
-    TRIBOX_IMPL_KEEP(x);
-    TRIBOX_IMPL_KEEP(e);
+    TBX_KEEP(x);
+    TBX_KEEP(e);
     for (k = 0; k < 3; k++) {
         double least;
         double most;
@@ -3908,10 +3908,10 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fine_fill(const tribox_impl_fine *f, const 
         least = least < x[2][k] ? least : x[2][k];
         most = x[0][k] > x[1][k] ? x[0][k] : x[1][k];
         most = most > x[2][k] ? most : x[2][k];
-        first[k] = tribox_impl_fine_floor(least - f->delta);
-        last[k] = tribox_impl_fine_floor(most + f->delta);
-        if (first[k] != tribox_impl_fine_floor(least + f->delta) ||
-            last[k] != tribox_impl_fine_floor(most - f->delta) || last[k] - first[k] >= TRIBOX_IMPL_FINE) {
+        first[k] = tbx_fine_floor(least - f->delta);
+        last[k] = tbx_fine_floor(most + f->delta);
+        if (first[k] != tbx_fine_floor(least + f->delta) ||
+            last[k] != tbx_fine_floor(most - f->delta) || last[k] - first[k] >= TBX_FINE) {
             return 0;
         }
         m = most - least > m ? most - least : m;
@@ -3926,16 +3926,16 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fine_fill(const tribox_impl_fine *f, const 
     if (longer <= 1 && !f->thin) {
         for (z = first[2]; z <= last[2]; z++) {
             for (y = first[1]; y <= last[1]; y++) {
-                tribox_impl_fine_run(target, first[0], last[0], y, z);
+                tbx_fine_run(target, first[0], last[0], y, z);
             }
         }
         return 1;
     }
-    if (!tribox_impl_fine_tri_set(&t, f, x, e, m)) {
+    if (!tbx_fine_tri_set(&t, f, x, e, m)) {
         return 0;
     }
     for (z = first[2]; z <= last[2]; z++) {
-        tribox_impl_fine_line plane = t.plane;
+        tbx_fine_line plane = t.plane;
         int rows[2];
         int layer[2];
         plane.at += t.slope_z * (double)z;
@@ -3944,8 +3944,8 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fine_fill(const tribox_impl_fine *f, const 
         layer[0] = first[0];
         layer[1] = last[0];
         for (i = 0; i < 3; i++) {
-            if (!tribox_impl_fine_narrow(&t.edge[2][i], z, &rows[0], &rows[1]) ||
-                !tribox_impl_fine_narrow(&t.edge[1][i], z, &layer[0], &layer[1])) {
+            if (!tbx_fine_narrow(&t.edge[2][i], z, &rows[0], &rows[1]) ||
+                !tbx_fine_narrow(&t.edge[1][i], z, &layer[0], &layer[1])) {
                 return 0;
             }
         }
@@ -3954,33 +3954,33 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_fine_fill(const tribox_impl_fine *f, const 
             row[0] = layer[0];
             row[1] = layer[1];
             for (i = 0; i < 3; i++) {
-                if (!tribox_impl_fine_narrow(&t.edge[0][i], y, &row[0], &row[1])) {
+                if (!tbx_fine_narrow(&t.edge[0][i], y, &row[0], &row[1])) {
                     return 0;
                 }
             }
-            if (!tribox_impl_fine_narrow(&plane, y, &row[0], &row[1])) {
+            if (!tbx_fine_narrow(&plane, y, &row[0], &row[1])) {
                 return 0;
             }
-            tribox_impl_fine_run(target, row[0], row[1], y, z);
+            tbx_fine_run(target, row[0], row[1], y, z);
         }
     }
     return 1;
 }
 
 /* A part of one triangle, by the row walk where nothing else is sure. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_fill_part(const tribox_grid *grid, const tribox_impl_fine *fine,
+TBX_NOINLINE void tbx_fill_part(const tribox_grid *grid, const tbx_fine *fine,
                                                 const tribox_mesh *mesh, size_t triangle,
-                                                const tribox_impl_part *part,
-                                                const tribox_impl_target *target)
+                                                const tbx_part *part,
+                                                const tbx_target *target)
 {
     tribox_grid cut = *grid;
-    tribox_impl_sink sink;
+    tbx_sink sink;
     double v[3][3];
     int k;
     for (k = 0; k < 3; k++) {
-        tribox_impl_mesh_corner(mesh, triangle, k, v[k]);
+        tbx_mesh_corner(mesh, triangle, k, v[k]);
     }
-    if (tribox_impl_fine_fill(fine, target, v, part)) {
+    if (tbx_fine_fill(fine, target, v, part)) {
         return;
     }
     for (k = 0; k < 2; k++) {
@@ -3991,17 +3991,17 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_fill_part(const tribox_grid *grid, const t
     sink.emit = NULL;
     sink.user = NULL;
     sink.count = 0;
-    tribox_impl_spans(&cut, v[0], v[1], v[2], &sink);
+    tbx_spans(&cut, v[0], v[1], v[2], &sink);
 }
 
 /* The power of two at or below x, x positive and normal. */
-TRIBOX_IMPL_FN double tribox_impl_floor_pow2(double x)
+TBX_FN double tbx_floor_pow2(double x)
 {
-    return tribox_impl_from_bits64(tribox_impl_bits64(&x) & 0x7ff0000000000000u);
+    return tbx_from_bits64(tbx_bits64(&x) & 0x7ff0000000000000u);
 }
 
 /* The multiple of q at or below x; x itself where its own spacing is no finer. */
-TRIBOX_IMPL_FN double tribox_impl_floor_to(double x, double q)
+TBX_FN double tbx_floor_to(double x, double q)
 {
     const double limit = 4503599627370496.0;    /* 2^52 */
     const double units = x / q;
@@ -4025,106 +4025,106 @@ TRIBOX_IMPL_FN double tribox_impl_floor_to(double x, double q)
  *
  * u = 2^-23 bounds a relative rounding error in every mode. Coordinates below are voxels. */
 #if defined(__AVX2__)
-#define TRIBOX_IMPL_WIDE 8
-#define TRIBOX_IMPL_ALL(x) { x, x, x, x, x, x, x, x }
+#define TBX_WIDE 8
+#define TBX_ALL(x) { x, x, x, x, x, x, x, x }
 #else
-#define TRIBOX_IMPL_WIDE 4
-#define TRIBOX_IMPL_ALL(x) { x, x, x, x }
+#define TBX_WIDE 4
+#define TBX_ALL(x) { x, x, x, x }
 #endif
-#define TRIBOX_IMPL_FORCED TRIBOX_IMPL_FN __attribute__((always_inline))
-#define TRIBOX_IMPL_SIGN_BIT (-2147483647 - 1)
-#define TRIBOX_IMPL_MOST_INDEX 268435456.0f     /* 2^28: what follows fits integers */
+#define TBX_FORCED TBX_FN __attribute__((always_inline))
+#define TBX_SIGN_BIT (-2147483647 - 1)
+#define TBX_MOST_INDEX 268435456.0f     /* 2^28: what follows fits integers */
 
-typedef float tribox_impl_fw __attribute__((vector_size(4 * TRIBOX_IMPL_WIDE)));
-typedef int32_t tribox_impl_iw __attribute__((vector_size(4 * TRIBOX_IMPL_WIDE)));
-typedef uint32_t tribox_impl_uw __attribute__((vector_size(4 * TRIBOX_IMPL_WIDE)));
+typedef float tbx_fw __attribute__((vector_size(4 * TBX_WIDE)));
+typedef int32_t tbx_iw __attribute__((vector_size(4 * TBX_WIDE)));
+typedef uint32_t tbx_uw __attribute__((vector_size(4 * TBX_WIDE)));
 
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_all(float x)
+TBX_FORCED tbx_fw tbx_wide_all(float x)
 {
-    const tribox_impl_fw r = TRIBOX_IMPL_ALL(x);
+    const tbx_fw r = TBX_ALL(x);
     return r;
 }
 
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_int(int32_t x)
+TBX_FORCED tbx_iw tbx_wide_int(int32_t x)
 {
-    const tribox_impl_iw r = TRIBOX_IMPL_ALL(x);
+    const tbx_iw r = TBX_ALL(x);
     return r;
 }
 
 #if defined(__AVX2__)
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_min(tribox_impl_fw a, tribox_impl_fw b)
+TBX_FORCED tbx_fw tbx_wide_min(tbx_fw a, tbx_fw b)
 {
     return __builtin_ia32_minps256(a, b);
 }
 
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_max(tribox_impl_fw a, tribox_impl_fw b)
+TBX_FORCED tbx_fw tbx_wide_max(tbx_fw a, tbx_fw b)
 {
     return __builtin_ia32_maxps256(a, b);
 }
 #else
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_min(tribox_impl_fw a, tribox_impl_fw b)
+TBX_FORCED tbx_fw tbx_wide_min(tbx_fw a, tbx_fw b)
 {
-    return (tribox_impl_fw)tribox_impl_min4((tribox_impl_f4)a, (tribox_impl_f4)b);
+    return (tbx_fw)tbx_min4((tbx_f4)a, (tbx_f4)b);
 }
 
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_max(tribox_impl_fw a, tribox_impl_fw b)
+TBX_FORCED tbx_fw tbx_wide_max(tbx_fw a, tbx_fw b)
 {
-    return (tribox_impl_fw)tribox_impl_max4((tribox_impl_f4)a, (tribox_impl_f4)b);
+    return (tbx_fw)tbx_max4((tbx_f4)a, (tbx_f4)b);
 }
 #endif
 
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_abs(tribox_impl_fw a)
+TBX_FORCED tbx_fw tbx_wide_abs(tbx_fw a)
 {
-    return (tribox_impl_fw)((tribox_impl_iw)a & tribox_impl_wide_int(0x7fffffff));
+    return (tbx_fw)((tbx_iw)a & tbx_wide_int(0x7fffffff));
 }
 
 /* All bits of a lane: its sign. */
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_sign(tribox_impl_fw a)
+TBX_FORCED tbx_iw tbx_wide_sign(tbx_fw a)
 {
-    return (tribox_impl_iw)a < tribox_impl_wide_int(0);
+    return (tbx_iw)a < tbx_wide_int(0);
 }
 
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_flip(tribox_impl_fw a, tribox_impl_iw sign)
+TBX_FORCED tbx_fw tbx_wide_flip(tbx_fw a, tbx_iw sign)
 {
-    return (tribox_impl_fw)((tribox_impl_iw)a ^ sign);
+    return (tbx_fw)((tbx_iw)a ^ sign);
 }
 
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_up(tribox_impl_iw a, int bits)
+TBX_FORCED tbx_iw tbx_wide_up(tbx_iw a, int bits)
 {
-    return bits == 0 ? a : a << tribox_impl_wide_int(bits);
+    return bits == 0 ? a : a << tbx_wide_int(bits);
 }
 
 /* Lanes of a where mask, of b elsewhere; lanes of a where mask, 0 elsewhere. */
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_wide_select(tribox_impl_iw mask, tribox_impl_iw a,
-                                                          tribox_impl_iw b)
+TBX_FORCED tbx_iw tbx_wide_select(tbx_iw mask, tbx_iw a,
+                                                          tbx_iw b)
 {
     return (mask & a) | (~mask & b);
 }
 
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_choose(tribox_impl_iw mask, tribox_impl_fw a,
-                                                          tribox_impl_fw b)
+TBX_FORCED tbx_fw tbx_wide_choose(tbx_iw mask, tbx_fw a,
+                                                          tbx_fw b)
 {
-    return (tribox_impl_fw)tribox_impl_wide_select(mask, (tribox_impl_iw)a, (tribox_impl_iw)b);
+    return (tbx_fw)tbx_wide_select(mask, (tbx_iw)a, (tbx_iw)b);
 }
 
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_where(tribox_impl_iw mask, tribox_impl_fw a)
+TBX_FORCED tbx_fw tbx_wide_where(tbx_iw mask, tbx_fw a)
 {
-    return (tribox_impl_fw)(mask & (tribox_impl_iw)a);
+    return (tbx_fw)(mask & (tbx_iw)a);
 }
 
 /* One vector x, y, z for each of WIDE points. */
-typedef struct tribox_impl_points {
-    tribox_impl_fw x;
-    tribox_impl_fw y;
-    tribox_impl_fw z;
-} tribox_impl_points;
+typedef struct tbx_points {
+    tbx_fw x;
+    tbx_fw y;
+    tbx_fw z;
+} tbx_points;
 
 /* A wide vector of parts of four lanes, and its part i: through memory gcc would write twice and read once,
  * which stalls. */
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_of(const tribox_impl_f4 part[TRIBOX_IMPL_WIDE / 4])
+TBX_FORCED tbx_fw tbx_wide_of(const tbx_f4 part[TBX_WIDE / 4])
 {
-#if TRIBOX_IMPL_WIDE == 4
-    return (tribox_impl_fw)part[0];
+#if TBX_WIDE == 4
+    return (tbx_fw)part[0];
 #elif defined(__clang__)
     return __builtin_shufflevector(part[0], part[1], 0, 1, 2, 3, 4, 5, 6, 7);
 #else
@@ -4132,11 +4132,11 @@ TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_wide_of(const tribox_impl_f4 part[
 #endif
 }
 
-TRIBOX_IMPL_FORCED void tribox_impl_wide_parts(tribox_impl_f4 out_part[TRIBOX_IMPL_WIDE / 4],
-                                               tribox_impl_fw a)
+TBX_FORCED void tbx_wide_parts(tbx_f4 out_part[TBX_WIDE / 4],
+                                               tbx_fw a)
 {
-#if TRIBOX_IMPL_WIDE == 4
-    out_part[0] = (tribox_impl_f4)a;
+#if TBX_WIDE == 4
+    out_part[0] = (tbx_f4)a;
 #elif defined(__clang__)
     out_part[0] = __builtin_shufflevector(a, a, 0, 1, 2, 3);
     out_part[1] = __builtin_shufflevector(a, a, 4, 5, 6, 7);
@@ -4146,132 +4146,132 @@ TRIBOX_IMPL_FORCED void tribox_impl_wide_parts(tribox_impl_f4 out_part[TRIBOX_IM
 #endif
 }
 
-TRIBOX_IMPL_FORCED int tribox_impl_wide_any(tribox_impl_iw mask)
+TBX_FORCED int tbx_wide_any(tbx_iw mask)
 {
-    tribox_impl_f4 part[TRIBOX_IMPL_WIDE / 4];
-    tribox_impl_wide_parts(part, (tribox_impl_fw)mask);
-#if TRIBOX_IMPL_WIDE == 4
-    return tribox_impl_any((tribox_impl_i4)part[0]);
+    tbx_f4 part[TBX_WIDE / 4];
+    tbx_wide_parts(part, (tbx_fw)mask);
+#if TBX_WIDE == 4
+    return tbx_any((tbx_i4)part[0]);
 #else
-    return tribox_impl_any((tribox_impl_i4)part[0] | (tribox_impl_i4)part[1]);
+    return tbx_any((tbx_i4)part[0] | (tbx_i4)part[1]);
 #endif
 }
 
 /* Lanes 0..2 of v as points, lane 3 as `last`, and back. */
-TRIBOX_IMPL_FORCED void tribox_impl_points_from(tribox_impl_points *out, tribox_impl_iw *out_last,
-                                                const tribox_impl_i4 *v)
+TBX_FORCED void tbx_points_from(tbx_points *out, tbx_iw *out_last,
+                                                const tbx_i4 *v)
 {
-    tribox_impl_f4 x[TRIBOX_IMPL_WIDE / 4];
-    tribox_impl_f4 y[TRIBOX_IMPL_WIDE / 4];
-    tribox_impl_f4 z[TRIBOX_IMPL_WIDE / 4];
-    tribox_impl_f4 w[TRIBOX_IMPL_WIDE / 4];
+    tbx_f4 x[TBX_WIDE / 4];
+    tbx_f4 y[TBX_WIDE / 4];
+    tbx_f4 z[TBX_WIDE / 4];
+    tbx_f4 w[TBX_WIDE / 4];
     int i;
-    for (i = 0; i < TRIBOX_IMPL_WIDE / 4; i++, v += 4) {
-        const tribox_impl_f4 v0 = (tribox_impl_f4)v[0];
-        const tribox_impl_f4 v1 = (tribox_impl_f4)v[1];
-        const tribox_impl_f4 v2 = (tribox_impl_f4)v[2];
-        const tribox_impl_f4 v3 = (tribox_impl_f4)v[3];
-        const tribox_impl_f4 a = TRIBOX_IMPL_LANES(v0, v1, 0, 4, 1, 5);
-        const tribox_impl_f4 b = TRIBOX_IMPL_LANES(v2, v3, 0, 4, 1, 5);
-        const tribox_impl_f4 c = TRIBOX_IMPL_LANES(v0, v1, 2, 6, 3, 7);
-        const tribox_impl_f4 d = TRIBOX_IMPL_LANES(v2, v3, 2, 6, 3, 7);
-        x[i] = TRIBOX_IMPL_LANES(a, b, 0, 1, 4, 5);
-        y[i] = TRIBOX_IMPL_LANES(a, b, 2, 3, 6, 7);
-        z[i] = TRIBOX_IMPL_LANES(c, d, 0, 1, 4, 5);
-        w[i] = TRIBOX_IMPL_LANES(c, d, 2, 3, 6, 7);
+    for (i = 0; i < TBX_WIDE / 4; i++, v += 4) {
+        const tbx_f4 v0 = (tbx_f4)v[0];
+        const tbx_f4 v1 = (tbx_f4)v[1];
+        const tbx_f4 v2 = (tbx_f4)v[2];
+        const tbx_f4 v3 = (tbx_f4)v[3];
+        const tbx_f4 a = TBX_LANES(v0, v1, 0, 4, 1, 5);
+        const tbx_f4 b = TBX_LANES(v2, v3, 0, 4, 1, 5);
+        const tbx_f4 c = TBX_LANES(v0, v1, 2, 6, 3, 7);
+        const tbx_f4 d = TBX_LANES(v2, v3, 2, 6, 3, 7);
+        x[i] = TBX_LANES(a, b, 0, 1, 4, 5);
+        y[i] = TBX_LANES(a, b, 2, 3, 6, 7);
+        z[i] = TBX_LANES(c, d, 0, 1, 4, 5);
+        w[i] = TBX_LANES(c, d, 2, 3, 6, 7);
     }
-    out->x = tribox_impl_wide_of(x);
-    out->y = tribox_impl_wide_of(y);
-    out->z = tribox_impl_wide_of(z);
-    *out_last = (tribox_impl_iw)tribox_impl_wide_of(w);
+    out->x = tbx_wide_of(x);
+    out->y = tbx_wide_of(y);
+    out->z = tbx_wide_of(z);
+    *out_last = (tbx_iw)tbx_wide_of(w);
 }
 
-TRIBOX_IMPL_FORCED void tribox_impl_points_to(tribox_impl_i4 *out, tribox_impl_iw first,
-                                              tribox_impl_iw second, tribox_impl_iw third,
-                                              tribox_impl_iw last)
+TBX_FORCED void tbx_points_to(tbx_i4 *out, tbx_iw first,
+                                              tbx_iw second, tbx_iw third,
+                                              tbx_iw last)
 {
-    tribox_impl_f4 x[TRIBOX_IMPL_WIDE / 4];
-    tribox_impl_f4 y[TRIBOX_IMPL_WIDE / 4];
-    tribox_impl_f4 z[TRIBOX_IMPL_WIDE / 4];
-    tribox_impl_f4 w[TRIBOX_IMPL_WIDE / 4];
+    tbx_f4 x[TBX_WIDE / 4];
+    tbx_f4 y[TBX_WIDE / 4];
+    tbx_f4 z[TBX_WIDE / 4];
+    tbx_f4 w[TBX_WIDE / 4];
     int i;
-    tribox_impl_wide_parts(x, (tribox_impl_fw)first);
-    tribox_impl_wide_parts(y, (tribox_impl_fw)second);
-    tribox_impl_wide_parts(z, (tribox_impl_fw)third);
-    tribox_impl_wide_parts(w, (tribox_impl_fw)last);
-    for (i = 0; i < TRIBOX_IMPL_WIDE / 4; i++, out += 4) {
-        const tribox_impl_f4 a = TRIBOX_IMPL_LANES(x[i], y[i], 0, 4, 1, 5);
-        const tribox_impl_f4 b = TRIBOX_IMPL_LANES(z[i], w[i], 0, 4, 1, 5);
-        const tribox_impl_f4 c = TRIBOX_IMPL_LANES(x[i], y[i], 2, 6, 3, 7);
-        const tribox_impl_f4 d = TRIBOX_IMPL_LANES(z[i], w[i], 2, 6, 3, 7);
-        out[0] = (tribox_impl_i4)TRIBOX_IMPL_LANES(a, b, 0, 1, 4, 5);
-        out[1] = (tribox_impl_i4)TRIBOX_IMPL_LANES(a, b, 2, 3, 6, 7);
-        out[2] = (tribox_impl_i4)TRIBOX_IMPL_LANES(c, d, 0, 1, 4, 5);
-        out[3] = (tribox_impl_i4)TRIBOX_IMPL_LANES(c, d, 2, 3, 6, 7);
+    tbx_wide_parts(x, (tbx_fw)first);
+    tbx_wide_parts(y, (tbx_fw)second);
+    tbx_wide_parts(z, (tbx_fw)third);
+    tbx_wide_parts(w, (tbx_fw)last);
+    for (i = 0; i < TBX_WIDE / 4; i++, out += 4) {
+        const tbx_f4 a = TBX_LANES(x[i], y[i], 0, 4, 1, 5);
+        const tbx_f4 b = TBX_LANES(z[i], w[i], 0, 4, 1, 5);
+        const tbx_f4 c = TBX_LANES(x[i], y[i], 2, 6, 3, 7);
+        const tbx_f4 d = TBX_LANES(z[i], w[i], 2, 6, 3, 7);
+        out[0] = (tbx_i4)TBX_LANES(a, b, 0, 1, 4, 5);
+        out[1] = (tbx_i4)TBX_LANES(a, b, 2, 3, 6, 7);
+        out[2] = (tbx_i4)TBX_LANES(c, d, 0, 1, 4, 5);
+        out[3] = (tbx_i4)TBX_LANES(c, d, 2, 3, 6, 7);
     }
 }
 
-TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_load_xy(const void *a, const void *b)
+TBX_FORCED tbx_f4 tbx_load_xy(const void *a, const void *b)
 {
-    tribox_impl_d2 r;
+    tbx_d2 r;
     double pair;
-    TRIBOX_IMPL_COPY(&pair, a, sizeof pair);
+    TBX_COPY(&pair, a, sizeof pair);
     r[0] = pair;
-    TRIBOX_IMPL_COPY(&pair, b, sizeof pair);
+    TBX_COPY(&pair, b, sizeof pair);
     r[1] = pair;
-    return (tribox_impl_f4)r;
+    return (tbx_f4)r;
 }
 
-TRIBOX_IMPL_FORCED float tribox_impl_load_z(const void *a)
+TBX_FORCED float tbx_load_z(const void *a)
 {
     float r;
-    TRIBOX_IMPL_COPY(&r, (const char *)a + 2 * sizeof r, sizeof r);
+    TBX_COPY(&r, (const char *)a + 2 * sizeof r, sizeof r);
     return r;
 }
 
-TRIBOX_IMPL_FORCED void tribox_impl_load_points(tribox_impl_f4 *x, tribox_impl_f4 *y, tribox_impl_f4 *z,
+TBX_FORCED void tbx_load_points(tbx_f4 *x, tbx_f4 *y, tbx_f4 *z,
                                                 const void *a, const void *b, const void *c, const void *d)
 {
-    const tribox_impl_f4 ab = tribox_impl_load_xy(a, b);
-    const tribox_impl_f4 cd = tribox_impl_load_xy(c, d);
-    const tribox_impl_f4 third = { tribox_impl_load_z(a), tribox_impl_load_z(b), tribox_impl_load_z(c),
-                                   tribox_impl_load_z(d) };
-    *x = TRIBOX_IMPL_LANES(ab, cd, 0, 2, 4, 6);
-    *y = TRIBOX_IMPL_LANES(ab, cd, 1, 3, 5, 7);
+    const tbx_f4 ab = tbx_load_xy(a, b);
+    const tbx_f4 cd = tbx_load_xy(c, d);
+    const tbx_f4 third = { tbx_load_z(a), tbx_load_z(b), tbx_load_z(c),
+                                   tbx_load_z(d) };
+    *x = TBX_LANES(ab, cd, 0, 2, 4, 6);
+    *y = TBX_LANES(ab, cd, 1, 3, 5, 7);
     *z = third;
 }
 
 /* Corner c of WIDE triangles: those listed, or from the first on if there is no list. */
-TRIBOX_IMPL_FORCED void tribox_impl_load_corner(tribox_impl_points *out, const tribox_mesh *mesh, int indexed,
+TBX_FORCED void tbx_load_corner(tbx_points *out, const tribox_mesh *mesh, int indexed,
                                                 const size_t *list, size_t first, size_t c)
 {
     const char *positions = (const char *)mesh->positions;
     const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
-    tribox_impl_f4 x[TRIBOX_IMPL_WIDE / 4];
-    tribox_impl_f4 y[TRIBOX_IMPL_WIDE / 4];
-    tribox_impl_f4 z[TRIBOX_IMPL_WIDE / 4];
-#define TRIBOX_IMPL_AT(i) (3 * (list != NULL ? list[i] : first + (i)) + c)
-#define TRIBOX_IMPL_POINT(i) \
-    (positions + stride * (indexed ? (size_t)mesh->indices[TRIBOX_IMPL_AT(i)] : TRIBOX_IMPL_AT(i)))
-    tribox_impl_load_points(&x[0], &y[0], &z[0], TRIBOX_IMPL_POINT(0), TRIBOX_IMPL_POINT(1),
-                            TRIBOX_IMPL_POINT(2), TRIBOX_IMPL_POINT(3));
-#if TRIBOX_IMPL_WIDE > 4
-    tribox_impl_load_points(&x[1], &y[1], &z[1], TRIBOX_IMPL_POINT(4), TRIBOX_IMPL_POINT(5),
-                            TRIBOX_IMPL_POINT(6), TRIBOX_IMPL_POINT(7));
+    tbx_f4 x[TBX_WIDE / 4];
+    tbx_f4 y[TBX_WIDE / 4];
+    tbx_f4 z[TBX_WIDE / 4];
+#define TBX_AT(i) (3 * (list != NULL ? list[i] : first + (i)) + c)
+#define TBX_POINT(i) \
+    (positions + stride * (indexed ? (size_t)mesh->indices[TBX_AT(i)] : TBX_AT(i)))
+    tbx_load_points(&x[0], &y[0], &z[0], TBX_POINT(0), TBX_POINT(1),
+                            TBX_POINT(2), TBX_POINT(3));
+#if TBX_WIDE > 4
+    tbx_load_points(&x[1], &y[1], &z[1], TBX_POINT(4), TBX_POINT(5),
+                            TBX_POINT(6), TBX_POINT(7));
 #endif
-#undef TRIBOX_IMPL_POINT
-#undef TRIBOX_IMPL_AT
-    out->x = tribox_impl_wide_of(x);
-    out->y = tribox_impl_wide_of(y);
-    out->z = tribox_impl_wide_of(z);
+#undef TBX_POINT
+#undef TBX_AT
+    out->x = tbx_wide_of(x);
+    out->y = tbx_wide_of(y);
+    out->z = tbx_wide_of(z);
 }
 
-TRIBOX_IMPL_FORCED void tribox_impl_load_corners(tribox_impl_points out[3], const tribox_mesh *mesh,
+TBX_FORCED void tbx_load_corners(tbx_points out[3], const tribox_mesh *mesh,
                                                  int indexed, const size_t *list, size_t first)
 {
-    tribox_impl_load_corner(&out[0], mesh, indexed, list, first, 0);
-    tribox_impl_load_corner(&out[1], mesh, indexed, list, first, 1);
-    tribox_impl_load_corner(&out[2], mesh, indexed, list, first, 2);
+    tbx_load_corner(&out[0], mesh, indexed, list, first, 0);
+    tbx_load_corner(&out[1], mesh, indexed, list, first, 1);
+    tbx_load_corner(&out[2], mesh, indexed, list, first, 2);
 }
 
 /* ---- The fill's grid
@@ -4297,7 +4297,7 @@ TRIBOX_IMPL_FORCED void tribox_impl_load_corners(tribox_impl_points out[3], cons
  *   HALF_OPEN      Closed boxes [i, i + 1 - e], e > 0 as small as you like: touching does not count where it
  *                  takes an upper face.
  *   OPEN           [i + e, i + 1 - e]: it never counts. */
-typedef struct tribox_impl_quick {
+typedef struct tbx_quick {
     float          inverse[3];
     float          shift_down[3];   /* MARGIN - origin, less and plus the bound */
     float          shift_up[3];
@@ -4308,39 +4308,39 @@ typedef struct tribox_impl_quick {
     float          step[3];         /* of the lattice; 0: there is none on this axis */
     int32_t        end[3];          /* the region's last voxel, MARGIN added */
     float          delta_low;
-    const tribox_impl_fine *fine;
+    const tbx_fine *fine;
     size_t         layer_words;
     int            on;              /* 0: this grid's numbers are out of range */
     int            thin;
     int            lattice;         /* some step is not 0 */
     int            upper_open;      /* touching a voxel's upper faces does not count */
     int            lower_open;
-} tribox_impl_quick;
+} tbx_quick;
 
-#define TRIBOX_IMPL_MARGIN 16       /* voxels beyond the region in which X is still used */
-#define TRIBOX_IMPL_PARTS_LOG2 4
-#define TRIBOX_IMPL_PARTS (1 << TRIBOX_IMPL_PARTS_LOG2)     /* of a voxel, in the lattice */
+#define TBX_MARGIN 16       /* voxels beyond the region in which X is still used */
+#define TBX_PARTS_LOG2 4
+#define TBX_PARTS (1 << TBX_PARTS_LOG2)     /* of a voxel, in the lattice */
 
 /* The step of the lattice on axis k, or 0 if there is none. Origins are compared by their bits, subnormals
  * being no 0. */
-TRIBOX_IMPL_FN float tribox_impl_lattice_step(const tribox_grid *grid, int k, double spacing)
+TBX_FN float tbx_lattice_step(const tribox_grid *grid, int k, double spacing)
 {
-    const double step = grid->size[k] * (1.0 / TRIBOX_IMPL_PARTS);
-    const double origin = tribox_impl_abs(grid->origin[k]);
-    const double origin_down = tribox_impl_floor_to(origin, spacing);
+    const double step = grid->size[k] * (1.0 / TBX_PARTS);
+    const double origin = tbx_abs(grid->origin[k]);
+    const double origin_down = tbx_floor_to(origin, spacing);
     const double most = spacing * 1125899906842624.0;       /* 2^50 */
-    int exact = tribox_impl_bits64(&origin) == tribox_impl_bits64(&origin_down);
-    exact &= tribox_impl_floor_to(step, spacing) >= step;
+    int exact = tbx_bits64(&origin) == tbx_bits64(&origin_down);
+    exact &= tbx_floor_to(step, spacing) >= step;
     exact &= origin < most;
-    exact &= tribox_impl_abs((double)grid->lo[k]) * step < most;
+    exact &= tbx_abs((double)grid->lo[k]) * step < most;
     return exact ? (float)step : 0.0f;
 }
 
-TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_grid *grid,
-                                           const tribox_impl_fine *fine, const tribox_impl_target *t)
+TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid,
+                                           const tbx_fine *fine, const tbx_target *t)
 {
-    const double u = (double)TRIBOX_IMPL_U32;
-    const double margin = (double)TRIBOX_IMPL_MARGIN;
+    const double u = (double)TBX_U32;
+    const double margin = (double)TBX_MARGIN;
     int k;
     q->on = 0;
     q->fine = fine;
@@ -4357,12 +4357,12 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         const double origin = fine->origin[k];
         const double n = (double)fine->n[k];
         const double units = fine->inverse[k];
-        const double start = tribox_impl_abs(origin) * units;
-        const double end = tribox_impl_abs(origin * units + n);
+        const double start = tbx_abs(origin) * units;
+        const double end = tbx_abs(origin * units + n);
         const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + 1e-9;
         const double base = origin - (margin - 1.0) * size;
-        const double last = tribox_impl_abs(origin + (n + 2.0 * margin) * size);
-        const double most = tribox_impl_abs(base) > last ? tribox_impl_abs(base) : last;
+        const double last = tbx_abs(origin + (n + 2.0 * margin) * size);
+        const double most = tbx_abs(base) > last ? tbx_abs(base) : last;
         double spacing;
         double base_high;
         double size_high;
@@ -4370,11 +4370,11 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         if (!(slack < 0.125)) {
             return;
         }
-        spacing = tribox_impl_floor_pow2(most) * (1.0 / 4194304.0);     /* 2^-22 */
-        base_high = tribox_impl_floor_to(base, spacing);
-        size_high = tribox_impl_floor_to(size, spacing);
-        TRIBOX_IMPL_KEEP(base_high);
-        TRIBOX_IMPL_KEEP(size_high);
+        spacing = tbx_floor_pow2(most) * (1.0 / 4194304.0);     /* 2^-22 */
+        base_high = tbx_floor_to(base, spacing);
+        size_high = tbx_floor_to(size, spacing);
+        TBX_KEEP(base_high);
+        TBX_KEEP(size_high);
         delta_low = 4.1 * u * spacing * (n + 34.0) * units + 2.0 * fine->delta + 1e-12;
         q->inverse[k] = (float)units;
         q->shift_down[k] = (float)(margin - origin / size - slack);
@@ -4383,9 +4383,9 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
         q->base_low[k] = (float)(base - base_high);
         q->size_high[k] = (float)size_high;
         q->size_low[k] = (float)(size - size_high);
-        q->step[k] = tribox_impl_lattice_step(grid, k, spacing);
+        q->step[k] = tbx_lattice_step(grid, k, spacing);
         q->delta_low = (float)delta_low > q->delta_low ? (float)delta_low : q->delta_low;
-        q->end[k] = TRIBOX_IMPL_MARGIN + fine->n[k] - 1;
+        q->end[k] = TBX_MARGIN + fine->n[k] - 1;
     }
     q->lattice = q->step[0] + q->step[1] + q->step[2] > 0.0f;
     q->on = 1;
@@ -4393,67 +4393,67 @@ TRIBOX_IMPL_FN void tribox_impl_quick_init(tribox_impl_quick *q, const tribox_gr
 
 /* Index boxes as the ways of a fill take them. In the last lane a byte for each extent, that is the voxels
  * less 1, and these: */
-#define TRIBOX_IMPL_ON_LATTICE (1 << 24)
-#define TRIBOX_IMPL_IS_CUT (1 << 25)        /* not all of it is in the region */
-#define TRIBOX_IMPL_OFF (-2)                /* none of it is */
-#define TRIBOX_IMPL_NOT_KNOWN (-1)          /* or it is too large, or too far off the region */
+#define TBX_ON_LATTICE (1 << 24)
+#define TBX_IS_CUT (1 << 25)        /* not all of it is in the region */
+#define TBX_OFF (-2)                /* none of it is */
+#define TBX_NOT_KNOWN (-1)          /* or it is too large, or too far off the region */
 
 /* Boxes of WIDE triangles. */
-typedef struct tribox_impl_group {
-    tribox_impl_i4 box[TRIBOX_IMPL_WIDE];
-    size_t         word[TRIBOX_IMPL_WIDE];      /* of the first voxel */
-    size_t         triangle[TRIBOX_IMPL_WIDE];
+typedef struct tbx_group {
+    tbx_i4 box[TBX_WIDE];
+    size_t         word[TBX_WIDE];      /* of the first voxel */
+    size_t         triangle[TBX_WIDE];
     int            n;
     int32_t        lattice;                     /* not 0: some are on the lattice */
-} tribox_impl_group;
+} tbx_group;
 
 /* Returns 1 when the group is full. */
-TRIBOX_IMPL_FORCED int tribox_impl_group_add(tribox_impl_group *g, tribox_impl_i4 box, size_t word,
+TBX_FORCED int tbx_group_add(tbx_group *g, tbx_i4 box, size_t word,
                                              size_t triangle)
 {
     const int n = g->n;
     g->box[n] = box;
     g->word[n] = word;
     g->triangle[n] = triangle;
-    g->lattice |= box[3] & TRIBOX_IMPL_ON_LATTICE;
+    g->lattice |= box[3] & TBX_ON_LATTICE;
     g->n = n + 1;
-    return n + 1 == TRIBOX_IMPL_WIDE;
+    return n + 1 == TBX_WIDE;
 }
 
 /* Fills the lanes that are left with the first one's triangle. */
-TRIBOX_IMPL_FN void tribox_impl_group_pad(tribox_impl_group *g)
+TBX_FN void tbx_group_pad(tbx_group *g)
 {
     int i;
-    for (i = g->n; i < TRIBOX_IMPL_WIDE; i++) {
+    for (i = g->n; i < TBX_WIDE; i++) {
         g->triangle[i] = g->triangle[0];
         g->box[i] = g->box[0];
     }
 }
 
 /* What a triangle leaves for the row walk. */
-typedef struct tribox_impl_doubt {
+typedef struct tbx_doubt {
     size_t   triangle;
     uint16_t first[2];
     uint16_t last[2];
-} tribox_impl_doubt;
+} tbx_doubt;
 
 /* What the ways of a fill share. Doubts wait until the stack is free of all else. */
-#define TRIBOX_IMPL_BATCH 16
+#define TBX_BATCH 16
 
-typedef struct tribox_impl_fill {
+typedef struct tbx_fill {
     const tribox_mesh        *mesh;
-    const tribox_impl_target *target;
-    const tribox_impl_fine   *fine;
-    tribox_impl_quick         quick;
-    tribox_impl_group         group[3];     /* boxes of up to 2^3, 3^3, 4^3 voxels */
-    tribox_impl_group         rows[2];      /* of up to FEW^3, ROWS^3 */
+    const tbx_target *target;
+    const tbx_fine   *fine;
+    tbx_quick         quick;
+    tbx_group         group[3];     /* boxes of up to 2^3, 3^3, 4^3 voxels */
+    tbx_group         rows[2];      /* of up to FEW^3, ROWS^3 */
     int                       doubts;   /* a batch's, and of what waited in groups, at most */
-    tribox_impl_doubt         doubt[TRIBOX_IMPL_BATCH + 5 * TRIBOX_IMPL_WIDE];
-} tribox_impl_fill;
+    tbx_doubt         doubt[TBX_BATCH + 5 * TBX_WIDE];
+} tbx_fill;
 
-TRIBOX_IMPL_FN tribox_impl_doubt *tribox_impl_fill_later(tribox_impl_fill *fill, size_t triangle)
+TBX_FN tbx_doubt *tbx_fill_later(tbx_fill *fill, size_t triangle)
 {
-    tribox_impl_doubt *d = &fill->doubt[fill->doubts];
+    tbx_doubt *d = &fill->doubt[fill->doubts];
     d->triangle = triangle;
     d->first[0] = d->first[1] = 0;
     d->last[0] = (uint16_t)(fill->fine->n[1] - 1);
@@ -4464,154 +4464,154 @@ TRIBOX_IMPL_FN tribox_impl_doubt *tribox_impl_fill_later(tribox_impl_fill *fill,
 
 /* ---- Index boxes of WIDE triangles */
 
-typedef struct tribox_impl_boxes {
-    tribox_impl_iw first[3];    /* MARGIN added */
-    tribox_impl_iw last[3];
-    tribox_impl_iw cut;         /* negative: not all in the region, by the guess */
-    tribox_impl_iw unsure;      /* not 0: a face is too near to a grid plane, or a corner is not finite */
-    tribox_impl_iw lattice;     /* not 0: on some axis all corners are on the lattice */
-} tribox_impl_boxes;
+typedef struct tbx_boxes {
+    tbx_iw first[3];    /* MARGIN added */
+    tbx_iw last[3];
+    tbx_iw cut;         /* negative: not all in the region, by the guess */
+    tbx_iw unsure;      /* not 0: a face is too near to a grid plane, or a corner is not finite */
+    tbx_iw lattice;     /* not 0: on some axis all corners are on the lattice */
+} tbx_boxes;
 
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_box_round(tribox_impl_fw x)
+TBX_FORCED tbx_iw tbx_box_round(tbx_fw x)
 {
-    const tribox_impl_fw most = tribox_impl_wide_all(TRIBOX_IMPL_MOST_INDEX);
-    const tribox_impl_fw clamped = tribox_impl_wide_min(tribox_impl_wide_max(x, -most), most);
-    return __builtin_convertvector(clamped, tribox_impl_iw);
+    const tbx_fw most = tbx_wide_all(TBX_MOST_INDEX);
+    const tbx_fw clamped = tbx_wide_min(tbx_wide_max(x, -most), most);
+    return __builtin_convertvector(clamped, tbx_iw);
 }
 
 /* The place next to x on axis k's lattice, in PARTS of a voxel from MARGIN voxels before the region. Clears
  * lanes of `on` where x is not there; its bits tell, but for the sign of 0. */
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_lattice_place(const tribox_impl_quick *q, int k,
-                                                            tribox_impl_fw x, tribox_impl_iw *on)
+TBX_FORCED tbx_fw tbx_lattice_place(const tbx_quick *q, int k,
+                                                            tbx_fw x, tbx_iw *on)
 {
-    const tribox_impl_fw parts = tribox_impl_wide_all((float)TRIBOX_IMPL_PARTS);
-    const tribox_impl_fw guess = x * tribox_impl_wide_all(q->inverse[k]) +
-                                 tribox_impl_wide_all(q->shift_down[k]);
-    const tribox_impl_fw place = __builtin_convertvector(
-        tribox_impl_box_round(guess * parts + tribox_impl_wide_all(0.5f)), tribox_impl_fw);
-    tribox_impl_fw there = tribox_impl_wide_all(q->base_high[k]) +
-                           (place - parts) * tribox_impl_wide_all(q->step[k]);
-    tribox_impl_iw is_zero;
-    TRIBOX_IMPL_KEEP4(there);
-    is_zero = (((tribox_impl_iw)there | (tribox_impl_iw)x) & tribox_impl_wide_int(0x7fffffff)) ==
-              tribox_impl_wide_int(0);
-    *on &= ((tribox_impl_iw)there == (tribox_impl_iw)x) | is_zero;
+    const tbx_fw parts = tbx_wide_all((float)TBX_PARTS);
+    const tbx_fw guess = x * tbx_wide_all(q->inverse[k]) +
+                                 tbx_wide_all(q->shift_down[k]);
+    const tbx_fw place = __builtin_convertvector(
+        tbx_box_round(guess * parts + tbx_wide_all(0.5f)), tbx_fw);
+    tbx_fw there = tbx_wide_all(q->base_high[k]) +
+                           (place - parts) * tbx_wide_all(q->step[k]);
+    tbx_iw is_zero;
+    TBX_KEEP4(there);
+    is_zero = (((tbx_iw)there | (tbx_iw)x) & tbx_wide_int(0x7fffffff)) ==
+              tbx_wide_int(0);
+    *on &= ((tbx_iw)there == (tbx_iw)x) | is_zero;
     return place;
 }
 
 /* Index boxes on axis k; if asked, exactly where all corners are on the lattice. */
-TRIBOX_IMPL_FORCED void tribox_impl_box_axis(const tribox_impl_quick *q, int k, tribox_impl_fw x0,
-                                             tribox_impl_fw x1, tribox_impl_fw x2, int on_lattice,
-                                             tribox_impl_boxes *out)
+TBX_FORCED void tbx_box_axis(const tbx_quick *q, int k, tbx_fw x0,
+                                             tbx_fw x1, tbx_fw x2, int on_lattice,
+                                             tbx_boxes *out)
 {
-    const tribox_impl_fw inverse = tribox_impl_wide_all(q->inverse[k]);
-    const tribox_impl_fw down = tribox_impl_wide_all(q->shift_down[k]);
-    const tribox_impl_fw up = tribox_impl_wide_all(q->shift_up[k]);
-    const tribox_impl_fw low = tribox_impl_wide_min(tribox_impl_wide_min(x0, x1), x2) * inverse;
-    const tribox_impl_fw high = tribox_impl_wide_max(tribox_impl_wide_max(x0, x1), x2) * inverse;
-    tribox_impl_iw first = tribox_impl_box_round(low + down);
-    tribox_impl_iw last = tribox_impl_box_round(high + up);
-    tribox_impl_iw before;
+    const tbx_fw inverse = tbx_wide_all(q->inverse[k]);
+    const tbx_fw down = tbx_wide_all(q->shift_down[k]);
+    const tbx_fw up = tbx_wide_all(q->shift_up[k]);
+    const tbx_fw low = tbx_wide_min(tbx_wide_min(x0, x1), x2) * inverse;
+    const tbx_fw high = tbx_wide_max(tbx_wide_max(x0, x1), x2) * inverse;
+    tbx_iw first = tbx_box_round(low + down);
+    tbx_iw last = tbx_box_round(high + up);
+    tbx_iw before;
     /* truncation is towards 0: below it is unsure, and cut; where the two guesses differ, a face is near */
-    tribox_impl_iw unsure = (first ^ tribox_impl_box_round(low + up)) |
-                            (last ^ tribox_impl_box_round(high + down));
+    tbx_iw unsure = (first ^ tbx_box_round(low + up)) |
+                            (last ^ tbx_box_round(high + down));
     if (on_lattice && q->step[k] > 0.0f) {
-        const tribox_impl_iw to_voxels = tribox_impl_wide_int(TRIBOX_IMPL_PARTS_LOG2);
-        tribox_impl_iw on = tribox_impl_wide_int(-1);
-        const tribox_impl_fw p0 = tribox_impl_lattice_place(q, k, x0, &on);
-        const tribox_impl_fw p1 = tribox_impl_lattice_place(q, k, x1, &on);
-        const tribox_impl_fw p2 = tribox_impl_lattice_place(q, k, x2, &on);
-        const tribox_impl_iw least = __builtin_convertvector(
-            tribox_impl_wide_min(tribox_impl_wide_min(p0, p1), p2), tribox_impl_iw);
-        const tribox_impl_iw most = __builtin_convertvector(
-            tribox_impl_wide_max(tribox_impl_wide_max(p0, p1), p2), tribox_impl_iw);
-        first = tribox_impl_wide_select(on, (least - tribox_impl_wide_int(!q->upper_open)) >> to_voxels,
+        const tbx_iw to_voxels = tbx_wide_int(TBX_PARTS_LOG2);
+        tbx_iw on = tbx_wide_int(-1);
+        const tbx_fw p0 = tbx_lattice_place(q, k, x0, &on);
+        const tbx_fw p1 = tbx_lattice_place(q, k, x1, &on);
+        const tbx_fw p2 = tbx_lattice_place(q, k, x2, &on);
+        const tbx_iw least = __builtin_convertvector(
+            tbx_wide_min(tbx_wide_min(p0, p1), p2), tbx_iw);
+        const tbx_iw most = __builtin_convertvector(
+            tbx_wide_max(tbx_wide_max(p0, p1), p2), tbx_iw);
+        first = tbx_wide_select(on, (least - tbx_wide_int(!q->upper_open)) >> to_voxels,
                                         first);
-        last = tribox_impl_wide_select(on, (most - tribox_impl_wide_int(q->lower_open)) >> to_voxels, last);
+        last = tbx_wide_select(on, (most - tbx_wide_int(q->lower_open)) >> to_voxels, last);
         unsure &= ~on;
         out->lattice |= on;
     }
-    before = first - tribox_impl_wide_int(TRIBOX_IMPL_MARGIN);
+    before = first - tbx_wide_int(TBX_MARGIN);
     out->unsure |= unsure;
-    out->cut |= before | (tribox_impl_wide_int(q->end[k]) - last);
+    out->cut |= before | (tbx_wide_int(q->end[k]) - last);
     out->first[k] = first;
     out->last[k] = last;
 }
 
-TRIBOX_IMPL_FORCED void tribox_impl_boxes_of(const tribox_impl_quick *q, const tribox_impl_points v[3],
-                                             int on_lattice, tribox_impl_boxes *out)
+TBX_FORCED void tbx_boxes_of(const tbx_quick *q, const tbx_points v[3],
+                                             int on_lattice, tbx_boxes *out)
 {
-    const tribox_impl_fw sum = ((v[0].x + v[1].x + v[2].x) + (v[0].y + v[1].y + v[2].y)) +
+    const tbx_fw sum = ((v[0].x + v[1].x + v[2].x) + (v[0].y + v[1].y + v[2].y)) +
                                (v[0].z + v[1].z + v[2].z);
-    out->cut = tribox_impl_wide_int(0);
-    out->lattice = tribox_impl_wide_int(0);
-    out->unsure = ((tribox_impl_iw)sum & tribox_impl_wide_int(0x7fffffff)) > tribox_impl_wide_int(0x7f7fffff);
-    tribox_impl_box_axis(q, 0, v[0].x, v[1].x, v[2].x, on_lattice, out);
-    tribox_impl_box_axis(q, 1, v[0].y, v[1].y, v[2].y, on_lattice, out);
-    tribox_impl_box_axis(q, 2, v[0].z, v[1].z, v[2].z, on_lattice, out);
+    out->cut = tbx_wide_int(0);
+    out->lattice = tbx_wide_int(0);
+    out->unsure = ((tbx_iw)sum & tbx_wide_int(0x7fffffff)) > tbx_wide_int(0x7f7fffff);
+    tbx_box_axis(q, 0, v[0].x, v[1].x, v[2].x, on_lattice, out);
+    tbx_box_axis(q, 1, v[0].y, v[1].y, v[2].y, on_lattice, out);
+    tbx_box_axis(q, 2, v[0].z, v[1].z, v[2].z, on_lattice, out);
 }
 
-#define TRIBOX_IMPL_ROWS 64
+#define TBX_ROWS 64
 
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_extents(const tribox_impl_boxes *box)
+TBX_FORCED tbx_iw tbx_extents(const tbx_boxes *box)
 {
-    return (box->last[0] - box->first[0]) | tribox_impl_wide_up(box->last[1] - box->first[1], 8) |
-           tribox_impl_wide_up(box->last[2] - box->first[2], 16);
+    return (box->last[0] - box->first[0]) | tbx_wide_up(box->last[1] - box->first[1], 8) |
+           tbx_wide_up(box->last[2] - box->first[2], 16);
 }
 
 /* Returns whether some box is not as simple as can be: sure by the guess, of up to ROWS voxels on each axis,
  * and in the region. */
-TRIBOX_IMPL_FORCED int tribox_impl_boxes_are_special(const tribox_impl_boxes *box)
+TBX_FORCED int tbx_boxes_are_special(const tbx_boxes *box)
 {
-    const tribox_impl_iw extents = (box->last[0] - box->first[0]) | (box->last[1] - box->first[1]) |
+    const tbx_iw extents = (box->last[0] - box->first[0]) | (box->last[1] - box->first[1]) |
                                    (box->last[2] - box->first[2]);
-    const tribox_impl_iw other = box->unsure | (extents & tribox_impl_wide_int(~(TRIBOX_IMPL_ROWS - 1)));
-    return tribox_impl_wide_any((other != tribox_impl_wide_int(0)) | box->cut);
+    const tbx_iw other = box->unsure | (extents & tbx_wide_int(~(TBX_ROWS - 1)));
+    return tbx_wide_any((other != tbx_wide_int(0)) | box->cut);
 }
 
 /* Lanes of boxes off the region, by the guess on that side: X is off by its bound at most within MARGIN, by
  * 2^-20 of itself beyond; a triangle that is not finite sets nothing anyway. Empty boxes are off, too. */
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_boxes_off(const tribox_impl_quick *q,
-                                                        const tribox_impl_boxes *box)
+TBX_FORCED tbx_iw tbx_boxes_off(const tbx_quick *q,
+                                                        const tbx_boxes *box)
 {
-    tribox_impl_iw off = tribox_impl_wide_int(0);
+    tbx_iw off = tbx_wide_int(0);
     int k;
     for (k = 0; k < 3; k++) {
-        off |= (box->last[k] - tribox_impl_wide_int(TRIBOX_IMPL_MARGIN)) |
-               (tribox_impl_wide_int(q->end[k]) - box->first[k]) | (box->last[k] - box->first[k]);
+        off |= (box->last[k] - tbx_wide_int(TBX_MARGIN)) |
+               (tbx_wide_int(q->end[k]) - box->first[k]) | (box->last[k] - box->first[k]);
     }
-    return off < tribox_impl_wide_int(0);
+    return off < tbx_wide_int(0);
 }
 
 /* Any boxes, as guessed, of triangles v. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_boxes_special(const tribox_impl_quick *q, const tribox_impl_points v[3],
-                                                    tribox_impl_boxes *box,
-                                                    tribox_impl_i4 out[TRIBOX_IMPL_WIDE])
+TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_points v[3],
+                                                    tbx_boxes *box,
+                                                    tbx_i4 out[TBX_WIDE])
 {
-    const tribox_impl_iw none = tribox_impl_wide_int(0);
-    tribox_impl_iw off = tribox_impl_boxes_off(q, box);
-    tribox_impl_iw other = none;
-    tribox_impl_iw far = none;
-    tribox_impl_iw last = tribox_impl_wide_int(TRIBOX_IMPL_OFF);
+    const tbx_iw none = tbx_wide_int(0);
+    tbx_iw off = tbx_boxes_off(q, box);
+    tbx_iw other = none;
+    tbx_iw far = none;
+    tbx_iw last = tbx_wide_int(TBX_OFF);
     int k;
-    if (tribox_impl_wide_any(~off)) {
-        if (q->lattice && tribox_impl_wide_any(box->unsure != none)) {
-            tribox_impl_boxes_of(q, v, 1, box);
-            off = tribox_impl_boxes_off(q, box);
+    if (tbx_wide_any(~off)) {
+        if (q->lattice && tbx_wide_any(box->unsure != none)) {
+            tbx_boxes_of(q, v, 1, box);
+            off = tbx_boxes_off(q, box);
         }
         for (k = 0; k < 3; k++) {
             other |= box->last[k] - box->first[k];
-            far |= (box->first[k] - tribox_impl_wide_int(1)) |
-                   (tribox_impl_wide_int(q->end[k] + TRIBOX_IMPL_MARGIN) - box->last[k]);
+            far |= (box->first[k] - tbx_wide_int(1)) |
+                   (tbx_wide_int(q->end[k] + TBX_MARGIN) - box->last[k]);
         }
-        other = box->unsure | (other & tribox_impl_wide_int(~(TRIBOX_IMPL_ROWS - 1)));
-        last = tribox_impl_extents(box) | (box->lattice & tribox_impl_wide_int(TRIBOX_IMPL_ON_LATTICE)) |
-               ((box->cut < none) & tribox_impl_wide_int(TRIBOX_IMPL_IS_CUT));
-        last = tribox_impl_wide_select((far < none) | (other != none),
-                                       tribox_impl_wide_int(TRIBOX_IMPL_NOT_KNOWN), last);
-        last = tribox_impl_wide_select(off, tribox_impl_wide_int(TRIBOX_IMPL_OFF), last);
+        other = box->unsure | (other & tbx_wide_int(~(TBX_ROWS - 1)));
+        last = tbx_extents(box) | (box->lattice & tbx_wide_int(TBX_ON_LATTICE)) |
+               ((box->cut < none) & tbx_wide_int(TBX_IS_CUT));
+        last = tbx_wide_select((far < none) | (other != none),
+                                       tbx_wide_int(TBX_NOT_KNOWN), last);
+        last = tbx_wide_select(off, tbx_wide_int(TBX_OFF), last);
     }
-    tribox_impl_points_to(out, box->first[0], box->first[1], box->first[2], last);
+    tbx_points_to(out, box->first[0], box->first[1], box->first[2], last);
 }
 
 /* ---- Groups: boxes of up to n^3 voxels, n = 2, 3 or 4
@@ -4651,35 +4651,35 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_boxes_special(const tribox_impl_quick *q, 
  * lattice, E is 0 at the inner points of its box in the planes of that axis, whatever the other one is. */
 
 /* Voxels missed: bit x + n y + n^2 z. Of 4^3 the lower half, the upper half, and what both miss. */
-typedef struct tribox_impl_missed {
-    tribox_impl_iw low;
-    tribox_impl_iw high;
-    tribox_impl_iw both;
-    tribox_impl_fw least;           /* of |E| and |area| */
-    tribox_impl_fw least_plane;     /* of |D| */
-    tribox_impl_fw touch_plane;     /* |D| up to which the plane touches */
-} tribox_impl_missed;
+typedef struct tbx_missed {
+    tbx_iw low;
+    tbx_iw high;
+    tbx_iw both;
+    tbx_fw least;           /* of |E| and |area| */
+    tbx_fw least_plane;     /* of |D| */
+    tbx_fw touch_plane;     /* |D| up to which the plane touches */
+} tbx_missed;
 
-#define TRIBOX_IMPL_STRIDE(n, k) ((k) == 0 ? 1 : (k) == 1 ? (n) : (n) * (n))
+#define TBX_STRIDE(n, k) ((k) == 0 ? 1 : (k) == 1 ? (n) : (n) * (n))
 
 /* Voxels of index 0 along axis k; n = 4: in half of them. */
-#define TRIBOX_IMPL_AT0(n, k) \
+#define TBX_AT0(n, k) \
     ((n) == 2 ? ((k) == 0 ? 0x55u : (k) == 1 ? 0x33u : 0x0fu) : \
      (n) == 3 ? ((k) == 0 ? 0x01249249u : (k) == 1 ? 0x001c0e07u : 0x000001ffu) : \
                 ((k) == 0 ? 0x11111111u : (k) == 1 ? 0x000f000fu : 0x0000ffffu))
 
 /* Voxels of index 0 along axis k, or of index 1 where `up`; n = 2: bits above 7 are anything. */
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_side(tribox_impl_iw up, int n, int k)
+TBX_FORCED tbx_iw tbx_group_side(tbx_iw up, int n, int k)
 {
-    const uint32_t at0 = TRIBOX_IMPL_AT0(n, k);
-    const uint32_t both = at0 ^ (at0 << TRIBOX_IMPL_STRIDE(n, k));
-    return (n == 2 ? up : up & tribox_impl_wide_int((int32_t)both)) ^ tribox_impl_wide_int((int32_t)at0);
+    const uint32_t at0 = TBX_AT0(n, k);
+    const uint32_t both = at0 ^ (at0 << TBX_STRIDE(n, k));
+    return (n == 2 ? up : up & tbx_wide_int((int32_t)both)) ^ tbx_wide_int((int32_t)at0);
 }
 
 /* Misses voxels of layers z and z + 1; z < 0: of all layers. */
-TRIBOX_IMPL_FORCED void tribox_impl_group_miss(tribox_impl_missed *m, tribox_impl_iw voxels, int n, int z)
+TBX_FORCED void tbx_group_miss(tbx_missed *m, tbx_iw voxels, int n, int z)
 {
-    const tribox_impl_iw layer = tribox_impl_wide_int(16);
+    const tbx_iw layer = tbx_wide_int(16);
     if (n < 4 || z == 0) {
         m->low |= voxels;
     } else if (z < 0) {
@@ -4688,319 +4688,319 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_miss(tribox_impl_missed *m, tribox_imp
         m->high |= voxels;
     } else {
         m->low |= voxels << layer;
-        m->high |= (tribox_impl_iw)((tribox_impl_uw)voxels >> (tribox_impl_uw)layer);
+        m->high |= (tbx_iw)((tbx_uw)voxels >> (tbx_uw)layer);
     }
 }
 
 /* The inner point i, j steps along b, c from the first: e is negative outside; `cell` is missed
  * at the first. */
-TRIBOX_IMPL_FORCED void tribox_impl_group_point(tribox_impl_missed *m, tribox_impl_fw e, tribox_impl_iw cell,
+TBX_FORCED void tbx_group_point(tbx_missed *m, tbx_fw e, tbx_iw cell,
                                                 int n, int b, int c, int i, int j)
 {
     const int z = b == 2 ? i : c == 2 ? j : -1;
-    const int up = (n == 4 && b == 2 ? 0 : i * TRIBOX_IMPL_STRIDE(n, b)) +
-                   (n == 4 && c == 2 ? 0 : j * TRIBOX_IMPL_STRIDE(n, c));
-    m->least = tribox_impl_wide_min(m->least, tribox_impl_wide_abs(e));
-    tribox_impl_group_miss(m, tribox_impl_wide_up(cell, up) & tribox_impl_wide_sign(e), n, z);
+    const int up = (n == 4 && b == 2 ? 0 : i * TBX_STRIDE(n, b)) +
+                   (n == 4 && c == 2 ? 0 : j * TBX_STRIDE(n, c));
+    m->least = tbx_wide_min(m->least, tbx_wide_abs(e));
+    tbx_group_miss(m, tbx_wide_up(cell, up) & tbx_wide_sign(e), n, z);
 }
 
 /* An edge d with E = e at the first inner point; sign is the area's; |E| up to `touch` touches. */
-TRIBOX_IMPL_FORCED void tribox_impl_group_edge(tribox_impl_missed *m, tribox_impl_fw e, tribox_impl_fw d_b,
-                                               tribox_impl_fw d_c, tribox_impl_iw sign, tribox_impl_fw touch,
+TBX_FORCED void tbx_group_edge(tbx_missed *m, tbx_fw e, tbx_fw d_b,
+                                               tbx_fw d_c, tbx_iw sign, tbx_fw touch,
                                                int n, int b, int c)
 {
-    const tribox_impl_iw sign_bit = tribox_impl_wide_int(TRIBOX_IMPL_SIGN_BIT);
-    const tribox_impl_iw cell = tribox_impl_group_side(tribox_impl_wide_sign(d_c) ^ ~sign, n, b) &
-                                tribox_impl_group_side(tribox_impl_wide_sign(d_b) ^ sign, n, c);
-    const tribox_impl_fw e00 = tribox_impl_wide_flip(e, sign & sign_bit) + touch;
-    const tribox_impl_fw to_b = tribox_impl_wide_flip(d_c, ~sign & sign_bit);
-    const tribox_impl_fw to_c = tribox_impl_wide_flip(d_b, sign & sign_bit);
-    tribox_impl_group_point(m, e00, cell, n, b, c, 0, 0);
+    const tbx_iw sign_bit = tbx_wide_int(TBX_SIGN_BIT);
+    const tbx_iw cell = tbx_group_side(tbx_wide_sign(d_c) ^ ~sign, n, b) &
+                                tbx_group_side(tbx_wide_sign(d_b) ^ sign, n, c);
+    const tbx_fw e00 = tbx_wide_flip(e, sign & sign_bit) + touch;
+    const tbx_fw to_b = tbx_wide_flip(d_c, ~sign & sign_bit);
+    const tbx_fw to_c = tbx_wide_flip(d_b, sign & sign_bit);
+    tbx_group_point(m, e00, cell, n, b, c, 0, 0);
     if (n > 2) {
-        const tribox_impl_fw e10 = e00 + to_b;
-        const tribox_impl_fw e01 = e00 + to_c;
-        const tribox_impl_fw e11 = e10 + to_c;
-        tribox_impl_group_point(m, e10, cell, n, b, c, 1, 0);
-        tribox_impl_group_point(m, e01, cell, n, b, c, 0, 1);
-        tribox_impl_group_point(m, e11, cell, n, b, c, 1, 1);
+        const tbx_fw e10 = e00 + to_b;
+        const tbx_fw e01 = e00 + to_c;
+        const tbx_fw e11 = e10 + to_c;
+        tbx_group_point(m, e10, cell, n, b, c, 1, 0);
+        tbx_group_point(m, e01, cell, n, b, c, 0, 1);
+        tbx_group_point(m, e11, cell, n, b, c, 1, 1);
         if (n > 3) {
-            const tribox_impl_fw e20 = e10 + to_b;
-            const tribox_impl_fw e21 = e20 + to_c;
-            tribox_impl_group_point(m, e20, cell, n, b, c, 2, 0);
-            tribox_impl_group_point(m, e21, cell, n, b, c, 2, 1);
-            tribox_impl_group_point(m, e21 + to_c, cell, n, b, c, 2, 2);
-            tribox_impl_group_point(m, e01 + to_c, cell, n, b, c, 0, 2);
-            tribox_impl_group_point(m, e11 + to_c, cell, n, b, c, 1, 2);
+            const tbx_fw e20 = e10 + to_b;
+            const tbx_fw e21 = e20 + to_c;
+            tbx_group_point(m, e20, cell, n, b, c, 2, 0);
+            tbx_group_point(m, e21, cell, n, b, c, 2, 1);
+            tbx_group_point(m, e21 + to_c, cell, n, b, c, 2, 2);
+            tbx_group_point(m, e01 + to_c, cell, n, b, c, 0, 2);
+            tbx_group_point(m, e11 + to_c, cell, n, b, c, 1, 2);
         }
     }
 }
 
 /* The three edges in the plane of axes b and c. Returns twice the area there. */
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_group_edges(tribox_impl_missed *m, tribox_impl_fw b0,
-                                                          tribox_impl_fw b1, tribox_impl_fw b2,
-                                                          tribox_impl_fw c0, tribox_impl_fw c1,
-                                                          tribox_impl_fw c2, tribox_impl_fw touch,
+TBX_FORCED tbx_fw tbx_group_edges(tbx_missed *m, tbx_fw b0,
+                                                          tbx_fw b1, tbx_fw b2,
+                                                          tbx_fw c0, tbx_fw c1,
+                                                          tbx_fw c2, tbx_fw touch,
                                                           int n, int b, int c)
 {
-    tribox_impl_fw e0 = b0 * c1 - c0 * b1;
-    tribox_impl_fw e1 = b1 * c2 - c1 * b2;
-    tribox_impl_fw e2 = b2 * c0 - c2 * b0;
-    tribox_impl_fw area;
-    tribox_impl_iw sign;
-    TRIBOX_IMPL_KEEP4(e0);
-    TRIBOX_IMPL_KEEP4(e1);
-    TRIBOX_IMPL_KEEP4(e2);
+    tbx_fw e0 = b0 * c1 - c0 * b1;
+    tbx_fw e1 = b1 * c2 - c1 * b2;
+    tbx_fw e2 = b2 * c0 - c2 * b0;
+    tbx_fw area;
+    tbx_iw sign;
+    TBX_KEEP4(e0);
+    TBX_KEEP4(e1);
+    TBX_KEEP4(e2);
     area = (e0 + e1) + e2;
-    sign = tribox_impl_wide_sign(area);
-    m->least = tribox_impl_wide_min(m->least, tribox_impl_wide_abs(area) + touch);
-    tribox_impl_group_edge(m, e0, b1 - b0, c1 - c0, sign, touch, n, b, c);
-    tribox_impl_group_edge(m, e1, b2 - b1, c2 - c1, sign, touch, n, b, c);
-    tribox_impl_group_edge(m, e2, b0 - b2, c0 - c2, sign, touch, n, b, c);
+    sign = tbx_wide_sign(area);
+    m->least = tbx_wide_min(m->least, tbx_wide_abs(area) + touch);
+    tbx_group_edge(m, e0, b1 - b0, c1 - c0, sign, touch, n, b, c);
+    tbx_group_edge(m, e1, b2 - b1, c2 - c1, sign, touch, n, b, c);
+    tbx_group_edge(m, e2, b0 - b2, c0 - c2, sign, touch, n, b, c);
     return area;
 }
 
 /* The inner points of a row at y, z steps: D = d at its first. Missed there: `cell`, with `change`
  * if D < 0. */
-TRIBOX_IMPL_FORCED void tribox_impl_group_row(tribox_impl_missed *m, tribox_impl_fw d, tribox_impl_fw n_x,
-                                              tribox_impl_iw cell, tribox_impl_iw change, int n, int y, int z)
+TBX_FORCED void tbx_group_row(tbx_missed *m, tbx_fw d, tbx_fw n_x,
+                                              tbx_iw cell, tbx_iw change, int n, int y, int z)
 {
     const int up = y * n + (n == 4 ? 0 : z * n * n);
     int x;
     for (x = 0; x < 3; x++) {
         if (x < n - 1) {
-            const tribox_impl_fw size = tribox_impl_wide_abs(d);
-            const tribox_impl_iw missed = (cell ^ (change & tribox_impl_wide_sign(d))) &
+            const tbx_fw size = tbx_wide_abs(d);
+            const tbx_iw missed = (cell ^ (change & tbx_wide_sign(d))) &
                                           (size > m->touch_plane);
-            m->least_plane = tribox_impl_wide_min(m->least_plane, size);
-            tribox_impl_group_miss(m, tribox_impl_wide_up(missed, up + x), n, z);
+            m->least_plane = tbx_wide_min(m->least_plane, size);
+            tbx_group_miss(m, tbx_wide_up(missed, up + x), n, z);
             d -= n_x;
         }
     }
 }
 
 /* The plane with normal (n_x, n_y, n_z) and D = d at the first inner point. */
-TRIBOX_IMPL_FORCED void tribox_impl_group_plane(tribox_impl_missed *m, tribox_impl_fw n_x, tribox_impl_fw n_y,
-                                                tribox_impl_fw n_z, tribox_impl_fw d, int n)
+TBX_FORCED void tbx_group_plane(tbx_missed *m, tbx_fw n_x, tbx_fw n_y,
+                                                tbx_fw n_z, tbx_fw d, int n)
 {
-    const tribox_impl_iw s_x = tribox_impl_wide_sign(n_x);
-    const tribox_impl_iw s_y = tribox_impl_wide_sign(n_y);
-    const tribox_impl_iw s_z = tribox_impl_wide_sign(n_z);
-    const tribox_impl_iw cell = tribox_impl_group_side(s_x, n, 0) & tribox_impl_group_side(s_y, n, 1) &
-                                tribox_impl_group_side(s_z, n, 2);
-    const tribox_impl_iw other = tribox_impl_group_side(~s_x, n, 0) & tribox_impl_group_side(~s_y, n, 1) &
-                                 tribox_impl_group_side(~s_z, n, 2);
-    const tribox_impl_iw change = cell ^ other;
-    m->least_plane = tribox_impl_wide_abs(d);
-    tribox_impl_group_row(m, d, n_x, cell, change, n, 0, 0);
+    const tbx_iw s_x = tbx_wide_sign(n_x);
+    const tbx_iw s_y = tbx_wide_sign(n_y);
+    const tbx_iw s_z = tbx_wide_sign(n_z);
+    const tbx_iw cell = tbx_group_side(s_x, n, 0) & tbx_group_side(s_y, n, 1) &
+                                tbx_group_side(s_z, n, 2);
+    const tbx_iw other = tbx_group_side(~s_x, n, 0) & tbx_group_side(~s_y, n, 1) &
+                                 tbx_group_side(~s_z, n, 2);
+    const tbx_iw change = cell ^ other;
+    m->least_plane = tbx_wide_abs(d);
+    tbx_group_row(m, d, n_x, cell, change, n, 0, 0);
     if (n > 2) {
-        const tribox_impl_fw d10 = d - n_y;
-        const tribox_impl_fw d01 = d - n_z;
-        const tribox_impl_fw d11 = d10 - n_z;
-        tribox_impl_group_row(m, d10, n_x, cell, change, n, 1, 0);
-        tribox_impl_group_row(m, d01, n_x, cell, change, n, 0, 1);
-        tribox_impl_group_row(m, d11, n_x, cell, change, n, 1, 1);
+        const tbx_fw d10 = d - n_y;
+        const tbx_fw d01 = d - n_z;
+        const tbx_fw d11 = d10 - n_z;
+        tbx_group_row(m, d10, n_x, cell, change, n, 1, 0);
+        tbx_group_row(m, d01, n_x, cell, change, n, 0, 1);
+        tbx_group_row(m, d11, n_x, cell, change, n, 1, 1);
         if (n > 3) {
-            const tribox_impl_fw d20 = d10 - n_y;
-            const tribox_impl_fw d21 = d20 - n_z;
-            tribox_impl_group_row(m, d20, n_x, cell, change, n, 2, 0);
-            tribox_impl_group_row(m, d21, n_x, cell, change, n, 2, 1);
-            tribox_impl_group_row(m, d01 - n_z, n_x, cell, change, n, 0, 2);
-            tribox_impl_group_row(m, d11 - n_z, n_x, cell, change, n, 1, 2);
-            tribox_impl_group_row(m, d21 - n_z, n_x, cell, change, n, 2, 2);
+            const tbx_fw d20 = d10 - n_y;
+            const tbx_fw d21 = d20 - n_z;
+            tbx_group_row(m, d20, n_x, cell, change, n, 2, 0);
+            tbx_group_row(m, d21, n_x, cell, change, n, 2, 1);
+            tbx_group_row(m, d01 - n_z, n_x, cell, change, n, 0, 2);
+            tbx_group_row(m, d11 - n_z, n_x, cell, change, n, 1, 2);
+            tbx_group_row(m, d21 - n_z, n_x, cell, change, n, 2, 2);
         }
     }
 }
 
 /* Misses the voxels of index i = 1.. along axis k that a smaller box does not have: the triangle stays before
  * the grid plane there. */
-TRIBOX_IMPL_FORCED void tribox_impl_group_beyond(tribox_impl_missed *m, tribox_impl_fw x0, tribox_impl_fw x1,
-                                                 tribox_impl_fw x2, int n, int k)
+TBX_FORCED void tbx_group_beyond(tbx_missed *m, tbx_fw x0, tbx_fw x1,
+                                                 tbx_fw x2, int n, int k)
 {
-    const tribox_impl_fw most = tribox_impl_wide_max(tribox_impl_wide_max(x0, x1), x2);
-    const uint32_t at0 = TRIBOX_IMPL_AT0(n, k);
+    const tbx_fw most = tbx_wide_max(tbx_wide_max(x0, x1), x2);
+    const uint32_t at0 = TBX_AT0(n, k);
     const int halves = n == 4 && k == 2;
     int i;
     for (i = 1; i < 4; i++) {
         if (i < n) {
-            const tribox_impl_iw before = most < tribox_impl_wide_all((float)(i - 1));
-            const uint32_t voxels = at0 << (halves ? 16 * (i & 1) : i * TRIBOX_IMPL_STRIDE(n, k));
-            tribox_impl_group_miss(m, before & tribox_impl_wide_int((int32_t)voxels), n, halves ? i & 2 : -1);
+            const tbx_iw before = most < tbx_wide_all((float)(i - 1));
+            const uint32_t voxels = at0 << (halves ? 16 * (i & 1) : i * TBX_STRIDE(n, k));
+            tbx_group_miss(m, before & tbx_wide_int((int32_t)voxels), n, halves ? i & 2 : -1);
         }
     }
 }
 
 /* Coordinates of one axis from the first inner grid plane of box `first`. */
-TRIBOX_IMPL_FORCED void tribox_impl_group_place(const tribox_impl_quick *q, int k, tribox_impl_iw first,
-                                                tribox_impl_fw *x0, tribox_impl_fw *x1, tribox_impl_fw *x2)
+TBX_FORCED void tbx_group_place(const tbx_quick *q, int k, tbx_iw first,
+                                                tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
 {
-    const tribox_impl_fw at = __builtin_convertvector(first, tribox_impl_fw);
-    const tribox_impl_fw inverse = tribox_impl_wide_all(q->inverse[k]);
-    const tribox_impl_fw size_low = tribox_impl_wide_all(q->size_low[k]);
-    const tribox_impl_fw size_high = tribox_impl_wide_all(q->size_high[k]);
-    const tribox_impl_fw low = tribox_impl_wide_all(q->base_low[k]) + at * size_low;
-    tribox_impl_fw high = tribox_impl_wide_all(q->base_high[k]) + at * size_high;
-    TRIBOX_IMPL_KEEP4(high);
+    const tbx_fw at = __builtin_convertvector(first, tbx_fw);
+    const tbx_fw inverse = tbx_wide_all(q->inverse[k]);
+    const tbx_fw size_low = tbx_wide_all(q->size_low[k]);
+    const tbx_fw size_high = tbx_wide_all(q->size_high[k]);
+    const tbx_fw low = tbx_wide_all(q->base_low[k]) + at * size_low;
+    tbx_fw high = tbx_wide_all(q->base_high[k]) + at * size_high;
+    TBX_KEEP4(high);
     *x0 -= high;
     *x1 -= high;
     *x2 -= high;
-    TRIBOX_IMPL_KEEP4(*x0);
-    TRIBOX_IMPL_KEEP4(*x1);
-    TRIBOX_IMPL_KEEP4(*x2);
+    TBX_KEEP4(*x0);
+    TBX_KEEP4(*x1);
+    TBX_KEEP4(*x2);
     *x0 = (*x0 - low) * inverse;
     *x1 = (*x1 - low) * inverse;
     *x2 = (*x2 - low) * inverse;
-    TRIBOX_IMPL_KEEP4(*x0);
-    TRIBOX_IMPL_KEEP4(*x1);
-    TRIBOX_IMPL_KEEP4(*x2);
+    TBX_KEEP4(*x0);
+    TBX_KEEP4(*x1);
+    TBX_KEEP4(*x2);
 }
 
 /* Corners of a group from the first inner grid point, and |E| (in the planes xy, yz, zx) and |D| up to which
  * an edge and the plane touch; lanes `plane_sure` are sure of D. */
-typedef struct tribox_impl_group_placed {
-    tribox_impl_points v[3];
-    tribox_impl_fw     touch[3];
-    tribox_impl_fw     touch_plane;
-    tribox_impl_iw     plane_sure;
-} tribox_impl_group_placed;
+typedef struct tbx_group_placed {
+    tbx_points v[3];
+    tbx_fw     touch[3];
+    tbx_fw     touch_plane;
+    tbx_iw     plane_sure;
+} tbx_group_placed;
 
 /* Corners of a group's triangles, and their boxes. */
-TRIBOX_IMPL_FORCED void tribox_impl_group_corners(tribox_impl_points out_v[3], tribox_impl_points *out_first,
-                                                  tribox_impl_iw *out_extents, const tribox_impl_group *g,
+TBX_FORCED void tbx_group_corners(tbx_points out_v[3], tbx_points *out_first,
+                                                  tbx_iw *out_extents, const tbx_group *g,
                                                   const tribox_mesh *mesh)
 {
     if (mesh->indices != NULL) {
-        tribox_impl_load_corners(out_v, mesh, 1, g->triangle, 0);
+        tbx_load_corners(out_v, mesh, 1, g->triangle, 0);
     } else {
-        tribox_impl_load_corners(out_v, mesh, 0, g->triangle, 0);
+        tbx_load_corners(out_v, mesh, 0, g->triangle, 0);
     }
-    tribox_impl_points_from(out_first, out_extents, g->box);
+    tbx_points_from(out_first, out_extents, g->box);
 }
 
 /* Coordinates on axis k from the first inner grid plane, exactly where they are on the lattice. Returns these
  * lanes, in out_level those in which all three are the same. */
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_snap(const tribox_impl_quick *q, int k,
-                                                         tribox_impl_iw first, tribox_impl_fw x0,
-                                                         tribox_impl_fw x1, tribox_impl_fw x2,
-                                                         tribox_impl_fw *out0, tribox_impl_fw *out1,
-                                                         tribox_impl_fw *out2, tribox_impl_iw *out_level)
+TBX_FORCED tbx_iw tbx_group_snap(const tbx_quick *q, int k,
+                                                         tbx_iw first, tbx_fw x0,
+                                                         tbx_fw x1, tbx_fw x2,
+                                                         tbx_fw *out0, tbx_fw *out1,
+                                                         tbx_fw *out2, tbx_iw *out_level)
 {
-    const tribox_impl_fw at = __builtin_convertvector(first, tribox_impl_fw) + tribox_impl_wide_all(1.0f);
-    const tribox_impl_fw part = tribox_impl_wide_all(1.0f / TRIBOX_IMPL_PARTS);
-    tribox_impl_iw on = tribox_impl_wide_int(q->step[k] > 0.0f ? -1 : 0);
-    const tribox_impl_fw p0 = tribox_impl_lattice_place(q, k, x0, &on) * part - at;
-    const tribox_impl_fw p1 = tribox_impl_lattice_place(q, k, x1, &on) * part - at;
-    const tribox_impl_fw p2 = tribox_impl_lattice_place(q, k, x2, &on) * part - at;
-    *out0 = tribox_impl_wide_choose(on, p0, *out0);
-    *out1 = tribox_impl_wide_choose(on, p1, *out1);
-    *out2 = tribox_impl_wide_choose(on, p2, *out2);
+    const tbx_fw at = __builtin_convertvector(first, tbx_fw) + tbx_wide_all(1.0f);
+    const tbx_fw part = tbx_wide_all(1.0f / TBX_PARTS);
+    tbx_iw on = tbx_wide_int(q->step[k] > 0.0f ? -1 : 0);
+    const tbx_fw p0 = tbx_lattice_place(q, k, x0, &on) * part - at;
+    const tbx_fw p1 = tbx_lattice_place(q, k, x1, &on) * part - at;
+    const tbx_fw p2 = tbx_lattice_place(q, k, x2, &on) * part - at;
+    *out0 = tbx_wide_choose(on, p0, *out0);
+    *out1 = tbx_wide_choose(on, p1, *out1);
+    *out2 = tbx_wide_choose(on, p2, *out2);
     *out_level = (p0 == p1) & (p1 == p2) & on;
     return on;
 }
 
 /* The lanes in which a triangle is a segment in a plane, of those on the lattice on both axes, and of those
  * level on one. */
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_flat(tribox_impl_fw b0, tribox_impl_fw b1,
-                                                         tribox_impl_fw b2, tribox_impl_fw c0,
-                                                         tribox_impl_fw c1, tribox_impl_fw c2,
-                                                         tribox_impl_iw on, tribox_impl_iw level,
-                                                         tribox_impl_fw *out_touch)
+TBX_FORCED tbx_iw tbx_group_flat(tbx_fw b0, tbx_fw b1,
+                                                         tbx_fw b2, tbx_fw c0,
+                                                         tbx_fw c1, tbx_fw c2,
+                                                         tbx_iw on, tbx_iw level,
+                                                         tbx_fw *out_touch)
 {
-    const tribox_impl_fw area = (b1 - b0) * (c2 - c0) - (c1 - c0) * (b2 - b0);
-    const tribox_impl_fw half = tribox_impl_wide_all(0.5f / (TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS));
-    *out_touch = tribox_impl_wide_where(on | level, half);
-    return ((area == tribox_impl_wide_all(0.0f)) & on) | level;
+    const tbx_fw area = (b1 - b0) * (c2 - c0) - (c1 - c0) * (b2 - b0);
+    const tbx_fw half = tbx_wide_all(0.5f / (TBX_PARTS * TBX_PARTS));
+    *out_touch = tbx_wide_where(on | level, half);
+    return ((area == tbx_wide_all(0.0f)) & on) | level;
 }
 
-TRIBOX_IMPL_NOINLINE void tribox_impl_group_on_lattice(const tribox_impl_quick *q, const tribox_impl_group *g,
-                                                       const tribox_mesh *mesh, tribox_impl_group_placed *p)
+TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_group *g,
+                                                       const tribox_mesh *mesh, tbx_group_placed *p)
 {
-    tribox_impl_points *const a = &p->v[0];
-    tribox_impl_points *const b = &p->v[1];
-    tribox_impl_points *const c = &p->v[2];
-    tribox_impl_points v[3];
-    tribox_impl_points first;
-    tribox_impl_iw extents;
-    tribox_impl_iw level_x;
-    tribox_impl_iw level_y;
-    tribox_impl_iw level_z;
-    tribox_impl_iw on_x;
-    tribox_impl_iw on_y;
-    tribox_impl_iw on_z;
-    tribox_impl_iw flat;
-    tribox_impl_group_corners(v, &first, &extents, g, mesh);
-    on_x = tribox_impl_group_snap(q, 0, (tribox_impl_iw)first.x, v[0].x, v[1].x, v[2].x, &a->x, &b->x, &c->x,
+    tbx_points *const a = &p->v[0];
+    tbx_points *const b = &p->v[1];
+    tbx_points *const c = &p->v[2];
+    tbx_points v[3];
+    tbx_points first;
+    tbx_iw extents;
+    tbx_iw level_x;
+    tbx_iw level_y;
+    tbx_iw level_z;
+    tbx_iw on_x;
+    tbx_iw on_y;
+    tbx_iw on_z;
+    tbx_iw flat;
+    tbx_group_corners(v, &first, &extents, g, mesh);
+    on_x = tbx_group_snap(q, 0, (tbx_iw)first.x, v[0].x, v[1].x, v[2].x, &a->x, &b->x, &c->x,
                                   &level_x);
-    on_y = tribox_impl_group_snap(q, 1, (tribox_impl_iw)first.y, v[0].y, v[1].y, v[2].y, &a->y, &b->y, &c->y,
+    on_y = tbx_group_snap(q, 1, (tbx_iw)first.y, v[0].y, v[1].y, v[2].y, &a->y, &b->y, &c->y,
                                   &level_y);
-    on_z = tribox_impl_group_snap(q, 2, (tribox_impl_iw)first.z, v[0].z, v[1].z, v[2].z, &a->z, &b->z, &c->z,
+    on_z = tbx_group_snap(q, 2, (tbx_iw)first.z, v[0].z, v[1].z, v[2].z, &a->z, &b->z, &c->z,
                                   &level_z);
-    flat = tribox_impl_group_flat(a->x, b->x, c->x, a->y, b->y, c->y, on_x & on_y, level_x | level_y,
+    flat = tbx_group_flat(a->x, b->x, c->x, a->y, b->y, c->y, on_x & on_y, level_x | level_y,
                                   &p->touch[0]) |
-           tribox_impl_group_flat(a->y, b->y, c->y, a->z, b->z, c->z, on_y & on_z, level_y | level_z,
+           tbx_group_flat(a->y, b->y, c->y, a->z, b->z, c->z, on_y & on_z, level_y | level_z,
                                   &p->touch[1]) |
-           tribox_impl_group_flat(a->z, b->z, c->z, a->x, b->x, c->x, on_z & on_x, level_z | level_x,
+           tbx_group_flat(a->z, b->z, c->z, a->x, b->x, c->x, on_z & on_x, level_z | level_x,
                                   &p->touch[2]);
     p->plane_sure = flat | (on_x & on_y & on_z);
-    p->touch_plane = tribox_impl_wide_where(flat, tribox_impl_wide_all(TRIBOX_IMPL_MOST_INDEX));
+    p->touch_plane = tbx_wide_where(flat, tbx_wide_all(TBX_MOST_INDEX));
 }
 
 /* The voxels that each triangle of a group misses. Returns the lanes that are unsure. */
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_group_decide(const tribox_impl_quick *q,
-                                                           const tribox_impl_group *g,
+TBX_FORCED tbx_iw tbx_group_decide(const tbx_quick *q,
+                                                           const tbx_group *g,
                                                            const tribox_mesh *mesh, int n,
-                                                           tribox_impl_missed *m)
+                                                           tbx_missed *m)
 {
-    const float delta = 4.1f * TRIBOX_IMPL_U32 * (float)n + q->delta_low;
-    const tribox_impl_iw none = tribox_impl_wide_int(0);
-    tribox_impl_group_placed p;
-    tribox_impl_points first;
-    tribox_impl_iw extents;
-    tribox_impl_fw n_x;
-    tribox_impl_fw n_y;
-    tribox_impl_fw n_z;
-    tribox_impl_group_corners(p.v, &first, &extents, g, mesh);
-    tribox_impl_group_place(q, 0, (tribox_impl_iw)first.x, &p.v[0].x, &p.v[1].x, &p.v[2].x);
-    tribox_impl_group_place(q, 1, (tribox_impl_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
-    tribox_impl_group_place(q, 2, (tribox_impl_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
-    p.touch[0] = p.touch[1] = p.touch[2] = p.touch_plane = tribox_impl_wide_all(0.0f);
+    const float delta = 4.1f * TBX_U32 * (float)n + q->delta_low;
+    const tbx_iw none = tbx_wide_int(0);
+    tbx_group_placed p;
+    tbx_points first;
+    tbx_iw extents;
+    tbx_fw n_x;
+    tbx_fw n_y;
+    tbx_fw n_z;
+    tbx_group_corners(p.v, &first, &extents, g, mesh);
+    tbx_group_place(q, 0, (tbx_iw)first.x, &p.v[0].x, &p.v[1].x, &p.v[2].x);
+    tbx_group_place(q, 1, (tbx_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
+    tbx_group_place(q, 2, (tbx_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
+    p.touch[0] = p.touch[1] = p.touch[2] = p.touch_plane = tbx_wide_all(0.0f);
     p.plane_sure = none;
-    if (TRIBOX_IMPL_RARELY(g->lattice != 0)) {
-        tribox_impl_group_placed on_lattice = p;
-        tribox_impl_group_on_lattice(q, g, mesh, &on_lattice);
+    if (TBX_RARELY(g->lattice != 0)) {
+        tbx_group_placed on_lattice = p;
+        tbx_group_on_lattice(q, g, mesh, &on_lattice);
         p = on_lattice;
     }
     m->low = m->high = m->both = none;
-    m->least = tribox_impl_wide_all(1.0f);
+    m->least = tbx_wide_all(1.0f);
     m->touch_plane = p.touch_plane;
-    tribox_impl_group_beyond(m, p.v[0].x, p.v[1].x, p.v[2].x, n, 0);
-    tribox_impl_group_beyond(m, p.v[0].y, p.v[1].y, p.v[2].y, n, 1);
-    tribox_impl_group_beyond(m, p.v[0].z, p.v[1].z, p.v[2].z, n, 2);
-    n_z = tribox_impl_group_edges(m, p.v[0].x, p.v[1].x, p.v[2].x, p.v[0].y, p.v[1].y, p.v[2].y, p.touch[0],
+    tbx_group_beyond(m, p.v[0].x, p.v[1].x, p.v[2].x, n, 0);
+    tbx_group_beyond(m, p.v[0].y, p.v[1].y, p.v[2].y, n, 1);
+    tbx_group_beyond(m, p.v[0].z, p.v[1].z, p.v[2].z, n, 2);
+    n_z = tbx_group_edges(m, p.v[0].x, p.v[1].x, p.v[2].x, p.v[0].y, p.v[1].y, p.v[2].y, p.touch[0],
                                   n, 0, 1);
-    n_x = tribox_impl_group_edges(m, p.v[0].y, p.v[1].y, p.v[2].y, p.v[0].z, p.v[1].z, p.v[2].z, p.touch[1],
+    n_x = tbx_group_edges(m, p.v[0].y, p.v[1].y, p.v[2].y, p.v[0].z, p.v[1].z, p.v[2].z, p.touch[1],
                                   n, 1, 2);
-    n_y = tribox_impl_group_edges(m, p.v[0].z, p.v[1].z, p.v[2].z, p.v[0].x, p.v[1].x, p.v[2].x, p.touch[2],
+    n_y = tbx_group_edges(m, p.v[0].z, p.v[1].z, p.v[2].z, p.v[0].x, p.v[1].x, p.v[2].x, p.touch[2],
                                   n, 2, 0);
-    tribox_impl_group_plane(m, n_x, n_y, n_z, (n_x * p.v[0].x + n_y * p.v[0].y) + n_z * p.v[0].z, n);
+    tbx_group_plane(m, n_x, n_y, n_z, (n_x * p.v[0].x + n_y * p.v[0].y) + n_z * p.v[0].z, n);
     m->low |= m->both;
     m->high |= m->both;
-    return (m->least <= tribox_impl_wide_all(12.0f * (float)n * delta)) |
-           ((m->least_plane <= tribox_impl_wide_all(32.0f * (float)(n * n) * delta)) & ~p.plane_sure);
+    return (m->least <= tbx_wide_all(12.0f * (float)n * delta)) |
+           ((m->least_plane <= tbx_wide_all(32.0f * (float)(n * n) * delta)) & ~p.plane_sure);
 }
 
 /* Sets voxels of triangle i's box, all in the region. */
-TRIBOX_IMPL_FORCED void tribox_impl_group_set(const tribox_impl_fill *fill, const tribox_impl_group *g, int i,
+TBX_FORCED void tbx_group_set(const tbx_fill *fill, const tbx_group *g, int i,
                                               int n, uint64_t voxels)
 {
     const size_t row_words = fill->target->row_words;
     const size_t layer_words = fill->quick.layer_words;
     const uint64_t run = ((uint64_t)1 << n) - 1;
-    const int x = (g->box[i][0] - TRIBOX_IMPL_MARGIN) & 63;
+    const int x = (g->box[i][0] - TBX_MARGIN) & 63;
     const int more_y = (g->box[i][3] >> 8) & 3;
     const int more_z = (g->box[i][3] >> 16) & 3;
     uint64_t *row = fill->target->bits + g->word[i];
     int z;
-    if (TRIBOX_IMPL_RARELY(x > 64 - n)) {       /* in two words, if they hold any of it */
+    if (TBX_RARELY(x > 64 - n)) {       /* in two words, if they hold any of it */
         for (z = 0; z <= more_z; z++, row += layer_words) {
             int y;
             for (y = 0; y <= more_y; y++, voxels >>= n) {
@@ -5063,256 +5063,256 @@ TRIBOX_IMPL_FORCED void tribox_impl_group_set(const tribox_impl_fill *fill, cons
  * and d_r, a bound times d_r is a multiple of q s; where d_b is 0 it is one of q, whatever the rows' axis;
  * the plane's, times n_x, is one of q times the step of the normal. An area may be 0 exactly, or known to be
  * where all corners are level; again its edges run to and fro, and the plane says what they say. */
-#define TRIBOX_IMPL_NOWHERE 65536.0f
+#define TBX_NOWHERE 65536.0f
 
-typedef double tribox_impl_dw __attribute__((vector_size(8 * TRIBOX_IMPL_WIDE)));
+typedef double tbx_dw __attribute__((vector_size(8 * TBX_WIDE)));
 
 /* What the lines of rows are made of, in lanes of triangles. */
-typedef struct tribox_impl_row_parts {
-    tribox_impl_points v[3];        /* from the first inner grid planes */
-    tribox_impl_points e[3];        /* edges */
-    tribox_impl_points n;
-    tribox_impl_fw     slope_y;     /* of the plane: -n_y / n_x, -n_z / n_x */
-    tribox_impl_fw     slope_z;
-    tribox_impl_fw     inverse;     /* 1 / n_x */
-    tribox_impl_fw     reach;       /* m */
-    tribox_impl_fw     rounding;    /* 24 u (m + 2) + 2 delta_low */
-    tribox_impl_fw     tau;
-    tribox_impl_points step;        /* of the lattice in planes yz, zx, xy, if both axes are on it, */
-    tribox_impl_points step_b;      /* or the bounded one, */
-    tribox_impl_fw     step_plane;  /* or all, times that of n */
-    tribox_impl_iw     flat_x;      /* n is exactly 0 on this axis */
-    tribox_impl_iw     flat_y;
-    tribox_impl_iw     flat_z;
+typedef struct tbx_row_parts {
+    tbx_points v[3];        /* from the first inner grid planes */
+    tbx_points e[3];        /* edges */
+    tbx_points n;
+    tbx_fw     slope_y;     /* of the plane: -n_y / n_x, -n_z / n_x */
+    tbx_fw     slope_z;
+    tbx_fw     inverse;     /* 1 / n_x */
+    tbx_fw     reach;       /* m */
+    tbx_fw     rounding;    /* 24 u (m + 2) + 2 delta_low */
+    tbx_fw     tau;
+    tbx_points step;        /* of the lattice in planes yz, zx, xy, if both axes are on it, */
+    tbx_points step_b;      /* or the bounded one, */
+    tbx_fw     step_plane;  /* or all, times that of n */
+    tbx_iw     flat_x;      /* n is exactly 0 on this axis */
+    tbx_iw     flat_y;
+    tbx_iw     flat_z;
     int                on_lattice;  /* 0: all of step and flat are 0 */
-} tribox_impl_row_parts;
+} tbx_row_parts;
 
 /* A line for each edge in the plane of axes b and r: its bounds in row r are those in row 0 plus slope * r;
  * NOWHERE where it does not bound. Voxels are counted from 1, so that truncation is floor. */
-typedef struct tribox_impl_row_lines {
-    tribox_impl_fw lo_least[3];
-    tribox_impl_fw lo_most[3];
-    tribox_impl_fw lo_slope[3];
-    tribox_impl_fw hi_least[3];
-    tribox_impl_fw hi_most[3];
-    tribox_impl_fw hi_slope[3];
-} tribox_impl_row_lines;
+typedef struct tbx_row_lines {
+    tbx_fw lo_least[3];
+    tbx_fw lo_most[3];
+    tbx_fw lo_slope[3];
+    tbx_fw hi_least[3];
+    tbx_fw hi_most[3];
+    tbx_fw hi_slope[3];
+} tbx_row_lines;
 
 /* The plane's middle in row (y, z) is at + y * slope_y + z * slope_z, voxels counted from 1; its bounds are
  * these more. */
-typedef struct tribox_impl_rows {
-    tribox_impl_row_lines x_of_y;
-    tribox_impl_row_lines x_of_z;
-    tribox_impl_row_lines y_of_z;
-    tribox_impl_fw        at;
-    tribox_impl_fw        slope_y;
-    tribox_impl_fw        slope_z;
-    tribox_impl_fw        lo_least;
-    tribox_impl_fw        lo_most;
-    tribox_impl_fw        hi_least;
-    tribox_impl_fw        hi_most;
-    tribox_impl_iw        extents;
-    tribox_impl_iw        unsure;
-} tribox_impl_rows;
+typedef struct tbx_rows {
+    tbx_row_lines x_of_y;
+    tbx_row_lines x_of_z;
+    tbx_row_lines y_of_z;
+    tbx_fw        at;
+    tbx_fw        slope_y;
+    tbx_fw        slope_z;
+    tbx_fw        lo_least;
+    tbx_fw        lo_most;
+    tbx_fw        hi_least;
+    tbx_fw        hi_most;
+    tbx_iw        extents;
+    tbx_iw        unsure;
+} tbx_rows;
 
 /* The first two edges on one axis, and all three in floats. */
-TRIBOX_IMPL_FORCED void tribox_impl_row_axis(tribox_impl_dw out[2], tribox_impl_fw *e0, tribox_impl_fw *e1,
-                                             tribox_impl_fw *e2, tribox_impl_fw x0, tribox_impl_fw x1,
-                                             tribox_impl_fw x2, double inverse)
+TBX_FORCED void tbx_row_axis(tbx_dw out[2], tbx_fw *e0, tbx_fw *e1,
+                                             tbx_fw *e2, tbx_fw x0, tbx_fw x1,
+                                             tbx_fw x2, double inverse)
 {
-    const tribox_impl_dw scale = TRIBOX_IMPL_ALL(inverse);
-    const tribox_impl_dw d0 = __builtin_convertvector(x0, tribox_impl_dw);
-    const tribox_impl_dw d1 = __builtin_convertvector(x1, tribox_impl_dw);
-    const tribox_impl_dw d2 = __builtin_convertvector(x2, tribox_impl_dw);
-    tribox_impl_dw d[3];
+    const tbx_dw scale = TBX_ALL(inverse);
+    const tbx_dw d0 = __builtin_convertvector(x0, tbx_dw);
+    const tbx_dw d1 = __builtin_convertvector(x1, tbx_dw);
+    const tbx_dw d2 = __builtin_convertvector(x2, tbx_dw);
+    tbx_dw d[3];
     d[0] = d1 - d0;
     d[1] = d2 - d1;
     d[2] = d0 - d2;
-    TRIBOX_IMPL_KEEP(d[0]);
-    TRIBOX_IMPL_KEEP(d[1]);
-    TRIBOX_IMPL_KEEP(d[2]);
+    TBX_KEEP(d[0]);
+    TBX_KEEP(d[1]);
+    TBX_KEEP(d[2]);
     out[0] = d[0] * scale;
     out[1] = d[1] * scale;
-    *e0 = __builtin_convertvector(out[0], tribox_impl_fw);
-    *e1 = __builtin_convertvector(out[1], tribox_impl_fw);
-    *e2 = __builtin_convertvector(d[2] * scale, tribox_impl_fw);
+    *e0 = __builtin_convertvector(out[0], tbx_fw);
+    *e1 = __builtin_convertvector(out[1], tbx_fw);
+    *e2 = __builtin_convertvector(d[2] * scale, tbx_fw);
 }
 
 /* Edges, normals and slopes, which floats would not do for. */
-TRIBOX_IMPL_FORCED void tribox_impl_row_normals(tribox_impl_row_parts *p, const double inverse[3],
-                                                const tribox_impl_points v[3])
+TBX_FORCED void tbx_row_normals(tbx_row_parts *p, const double inverse[3],
+                                                const tbx_points v[3])
 {
-    tribox_impl_dw x[2];
-    tribox_impl_dw y[2];
-    tribox_impl_dw z[2];
-    tribox_impl_dw n_x;
-    tribox_impl_dw n_y;
-    tribox_impl_dw n_z;
-    tribox_impl_fw one;
-    tribox_impl_dw over_n_x = TRIBOX_IMPL_ALL(1.0);
-    tribox_impl_row_axis(x, &p->e[0].x, &p->e[1].x, &p->e[2].x, v[0].x, v[1].x, v[2].x, inverse[0]);
-    tribox_impl_row_axis(y, &p->e[0].y, &p->e[1].y, &p->e[2].y, v[0].y, v[1].y, v[2].y, inverse[1]);
-    tribox_impl_row_axis(z, &p->e[0].z, &p->e[1].z, &p->e[2].z, v[0].z, v[1].z, v[2].z, inverse[2]);
+    tbx_dw x[2];
+    tbx_dw y[2];
+    tbx_dw z[2];
+    tbx_dw n_x;
+    tbx_dw n_y;
+    tbx_dw n_z;
+    tbx_fw one;
+    tbx_dw over_n_x = TBX_ALL(1.0);
+    tbx_row_axis(x, &p->e[0].x, &p->e[1].x, &p->e[2].x, v[0].x, v[1].x, v[2].x, inverse[0]);
+    tbx_row_axis(y, &p->e[0].y, &p->e[1].y, &p->e[2].y, v[0].y, v[1].y, v[2].y, inverse[1]);
+    tbx_row_axis(z, &p->e[0].z, &p->e[1].z, &p->e[2].z, v[0].z, v[1].z, v[2].z, inverse[2]);
     n_x = y[0] * z[1] - z[0] * y[1];
     n_y = z[0] * x[1] - x[0] * z[1];
     n_z = x[0] * y[1] - y[0] * x[1];
-    p->n.x = __builtin_convertvector(n_x, tribox_impl_fw);
-    p->n.y = __builtin_convertvector(n_y, tribox_impl_fw);
-    p->n.z = __builtin_convertvector(n_z, tribox_impl_fw);
+    p->n.x = __builtin_convertvector(n_x, tbx_fw);
+    p->n.y = __builtin_convertvector(n_y, tbx_fw);
+    p->n.z = __builtin_convertvector(n_z, tbx_fw);
     /* where n_x is too small to divide by, nobody asks for the slopes */
-    one = tribox_impl_wide_where(tribox_impl_wide_abs(p->n.x) <= p->tau, tribox_impl_wide_all(1.0f));
-    over_n_x /= n_x + __builtin_convertvector(one, tribox_impl_dw);
-    p->inverse = __builtin_convertvector(over_n_x, tribox_impl_fw);
-    p->slope_y = __builtin_convertvector(-n_y * over_n_x, tribox_impl_fw);
-    p->slope_z = __builtin_convertvector(-n_z * over_n_x, tribox_impl_fw);
+    one = tbx_wide_where(tbx_wide_abs(p->n.x) <= p->tau, tbx_wide_all(1.0f));
+    over_n_x /= n_x + __builtin_convertvector(one, tbx_dw);
+    p->inverse = __builtin_convertvector(over_n_x, tbx_fw);
+    p->slope_y = __builtin_convertvector(-n_y * over_n_x, tbx_fw);
+    p->slope_z = __builtin_convertvector(-n_z * over_n_x, tbx_fw);
 }
 
 /* The greatest power of two of which a, b and c are multiples; they are of 1 / parts. */
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_step_of(tribox_impl_fw a, tribox_impl_fw b, tribox_impl_fw c,
+TBX_FORCED tbx_fw tbx_step_of(tbx_fw a, tbx_fw b, tbx_fw c,
                                                       int parts)
 {
-    const tribox_impl_fw in_all = tribox_impl_wide_all((float)parts);
-    const tribox_impl_iw bits = __builtin_convertvector(a * in_all, tribox_impl_iw) |
-                                __builtin_convertvector(b * in_all, tribox_impl_iw) |
-                                __builtin_convertvector(c * in_all, tribox_impl_iw);
-    return __builtin_convertvector(bits & -bits, tribox_impl_fw) * tribox_impl_wide_all(1.0f / (float)parts);
+    const tbx_fw in_all = tbx_wide_all((float)parts);
+    const tbx_iw bits = __builtin_convertvector(a * in_all, tbx_iw) |
+                                __builtin_convertvector(b * in_all, tbx_iw) |
+                                __builtin_convertvector(c * in_all, tbx_iw);
+    return __builtin_convertvector(bits & -bits, tbx_fw) * tbx_wide_all(1.0f / (float)parts);
 }
 
 /* Edges of one axis that are on the lattice, and the bits of their places. */
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_row_snap(tribox_impl_iw on, tribox_impl_fw v0,
-                                                       tribox_impl_fw v1, tribox_impl_fw v2,
-                                                       tribox_impl_fw *e0, tribox_impl_fw *e1,
-                                                       tribox_impl_fw *e2)
+TBX_FORCED tbx_iw tbx_row_snap(tbx_iw on, tbx_fw v0,
+                                                       tbx_fw v1, tbx_fw v2,
+                                                       tbx_fw *e0, tbx_fw *e1,
+                                                       tbx_fw *e2)
 {
-    const tribox_impl_fw parts = tribox_impl_wide_all((float)TRIBOX_IMPL_PARTS);
-    *e0 = tribox_impl_wide_choose(on, v1 - v0, *e0);
-    *e1 = tribox_impl_wide_choose(on, v2 - v1, *e1);
-    *e2 = tribox_impl_wide_choose(on, v0 - v2, *e2);
-    return on & (__builtin_convertvector(v0 * parts, tribox_impl_iw) |
-                 __builtin_convertvector(v1 * parts, tribox_impl_iw) |
-                 __builtin_convertvector(v2 * parts, tribox_impl_iw));
+    const tbx_fw parts = tbx_wide_all((float)TBX_PARTS);
+    *e0 = tbx_wide_choose(on, v1 - v0, *e0);
+    *e1 = tbx_wide_choose(on, v2 - v1, *e1);
+    *e2 = tbx_wide_choose(on, v0 - v2, *e2);
+    return on & (__builtin_convertvector(v0 * parts, tbx_iw) |
+                 __builtin_convertvector(v1 * parts, tbx_iw) |
+                 __builtin_convertvector(v2 * parts, tbx_iw));
 }
 
 /* All of this that is on the lattice, exactly. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_row_parts_snap(tribox_impl_row_parts *p, const tribox_impl_quick *q,
-                                                     const tribox_impl_points v[3],
-                                                     const tribox_impl_points *first)
+TBX_NOINLINE void tbx_row_parts_snap(tbx_row_parts *p, const tbx_quick *q,
+                                                     const tbx_points v[3],
+                                                     const tbx_points *first)
 {
-    const tribox_impl_fw zero = tribox_impl_wide_all(0.0f);
-    tribox_impl_iw level_x;
-    tribox_impl_iw level_y;
-    tribox_impl_iw level_z;
-    const tribox_impl_iw on_x = tribox_impl_group_snap(q, 0, (tribox_impl_iw)first->x, v[0].x, v[1].x, v[2].x,
+    const tbx_fw zero = tbx_wide_all(0.0f);
+    tbx_iw level_x;
+    tbx_iw level_y;
+    tbx_iw level_z;
+    const tbx_iw on_x = tbx_group_snap(q, 0, (tbx_iw)first->x, v[0].x, v[1].x, v[2].x,
                                                        &p->v[0].x, &p->v[1].x, &p->v[2].x, &level_x);
-    const tribox_impl_iw on_y = tribox_impl_group_snap(q, 1, (tribox_impl_iw)first->y, v[0].y, v[1].y, v[2].y,
+    const tbx_iw on_y = tbx_group_snap(q, 1, (tbx_iw)first->y, v[0].y, v[1].y, v[2].y,
                                                        &p->v[0].y, &p->v[1].y, &p->v[2].y, &level_y);
-    const tribox_impl_iw on_z = tribox_impl_group_snap(q, 2, (tribox_impl_iw)first->z, v[0].z, v[1].z, v[2].z,
+    const tbx_iw on_z = tbx_group_snap(q, 2, (tbx_iw)first->z, v[0].z, v[1].z, v[2].z,
                                                        &p->v[0].z, &p->v[1].z, &p->v[2].z, &level_z);
-    const tribox_impl_iw places =
-        tribox_impl_row_snap(on_x, p->v[0].x, p->v[1].x, p->v[2].x, &p->e[0].x, &p->e[1].x, &p->e[2].x) |
-        tribox_impl_row_snap(on_y, p->v[0].y, p->v[1].y, p->v[2].y, &p->e[0].y, &p->e[1].y, &p->e[2].y) |
-        tribox_impl_row_snap(on_z, p->v[0].z, p->v[1].z, p->v[2].z, &p->e[0].z, &p->e[1].z, &p->e[2].z) |
-        tribox_impl_wide_int(TRIBOX_IMPL_PARTS / 2);
-    const tribox_impl_fw step = __builtin_convertvector(places & -places, tribox_impl_fw) *
-                                tribox_impl_wide_all(1.0f / TRIBOX_IMPL_PARTS);     /* the coarsest */
-    p->n.x = tribox_impl_wide_choose(on_y & on_z, p->e[0].y * p->e[1].z - p->e[0].z * p->e[1].y, p->n.x);
-    p->n.y = tribox_impl_wide_choose(on_z & on_x, p->e[0].z * p->e[1].x - p->e[0].x * p->e[1].z, p->n.y);
-    p->n.z = tribox_impl_wide_choose(on_x & on_y, p->e[0].x * p->e[1].y - p->e[0].y * p->e[1].x, p->n.z);
+    const tbx_iw places =
+        tbx_row_snap(on_x, p->v[0].x, p->v[1].x, p->v[2].x, &p->e[0].x, &p->e[1].x, &p->e[2].x) |
+        tbx_row_snap(on_y, p->v[0].y, p->v[1].y, p->v[2].y, &p->e[0].y, &p->e[1].y, &p->e[2].y) |
+        tbx_row_snap(on_z, p->v[0].z, p->v[1].z, p->v[2].z, &p->e[0].z, &p->e[1].z, &p->e[2].z) |
+        tbx_wide_int(TBX_PARTS / 2);
+    const tbx_fw step = __builtin_convertvector(places & -places, tbx_fw) *
+                                tbx_wide_all(1.0f / TBX_PARTS);     /* the coarsest */
+    p->n.x = tbx_wide_choose(on_y & on_z, p->e[0].y * p->e[1].z - p->e[0].z * p->e[1].y, p->n.x);
+    p->n.y = tbx_wide_choose(on_z & on_x, p->e[0].z * p->e[1].x - p->e[0].x * p->e[1].z, p->n.y);
+    p->n.z = tbx_wide_choose(on_x & on_y, p->e[0].x * p->e[1].y - p->e[0].y * p->e[1].x, p->n.z);
     p->flat_x = level_y | level_z | (on_y & on_z & (p->n.x == zero));
     p->flat_y = level_z | level_x | (on_z & on_x & (p->n.y == zero));
     p->flat_z = level_x | level_y | (on_x & on_y & (p->n.z == zero));
-    p->step.x = tribox_impl_wide_where(on_y & on_z, step);
-    p->step.y = tribox_impl_wide_where(on_z & on_x, step);
-    p->step.z = tribox_impl_wide_where(on_x & on_y, step);
-    p->step_b.x = tribox_impl_wide_where(on_y, step);
-    p->step_b.y = p->step_b.z = tribox_impl_wide_where(on_x, step);
-    p->step_plane = tribox_impl_wide_where(
+    p->step.x = tbx_wide_where(on_y & on_z, step);
+    p->step.y = tbx_wide_where(on_z & on_x, step);
+    p->step.z = tbx_wide_where(on_x & on_y, step);
+    p->step_b.x = tbx_wide_where(on_y, step);
+    p->step_b.y = p->step_b.z = tbx_wide_where(on_x, step);
+    p->step_plane = tbx_wide_where(
         on_x & on_y & on_z,
-        step * tribox_impl_step_of(p->n.x, p->n.y, p->n.z, TRIBOX_IMPL_PARTS * TRIBOX_IMPL_PARTS));
+        step * tbx_step_of(p->n.x, p->n.y, p->n.z, TBX_PARTS * TBX_PARTS));
     p->on_lattice = 1;
 }
 
 /* Widens bounds, or narrows them, so that what lies on them counts as the rule says; uphill where the upper
  * one is attained on an upper face of its row. */
-TRIBOX_IMPL_FORCED void tribox_impl_row_touch(tribox_impl_fw *lo_spread, tribox_impl_fw *hi_spread,
-                                              const tribox_impl_quick *q, tribox_impl_fw touch,
-                                              tribox_impl_iw uphill)
+TBX_FORCED void tbx_row_touch(tbx_fw *lo_spread, tbx_fw *hi_spread,
+                                              const tbx_quick *q, tbx_fw touch,
+                                              tbx_iw uphill)
 {
-    const tribox_impl_iw sign = tribox_impl_wide_int(TRIBOX_IMPL_SIGN_BIT);
-    const tribox_impl_iw upper_open = tribox_impl_wide_int(-q->upper_open);
-    const tribox_impl_iw lower_open = tribox_impl_wide_int(-q->lower_open);
-    *lo_spread += tribox_impl_wide_flip(touch, sign & upper_open);
-    *hi_spread += tribox_impl_wide_flip(touch, sign & (lower_open | (upper_open & uphill)));
+    const tbx_iw sign = tbx_wide_int(TBX_SIGN_BIT);
+    const tbx_iw upper_open = tbx_wide_int(-q->upper_open);
+    const tbx_iw lower_open = tbx_wide_int(-q->lower_open);
+    *lo_spread += tbx_wide_flip(touch, sign & upper_open);
+    *hi_spread += tbx_wide_flip(touch, sign & (lower_open | (upper_open & uphill)));
 }
 
 /* Edge i's line in a plane. Edges bound from both sides in lanes `two`; `off` is how far they may be off,
  * times d_r. */
-TRIBOX_IMPL_FORCED void tribox_impl_row_line(tribox_impl_row_lines *out, const tribox_impl_row_parts *p,
-                                             const tribox_impl_quick *q, int i, tribox_impl_fw v_b,
-                                             tribox_impl_fw v_r, tribox_impl_fw e_b, tribox_impl_fw e_r,
-                                             tribox_impl_fw area, tribox_impl_iw two, tribox_impl_fw off,
-                                             tribox_impl_fw step, tribox_impl_fw step_b)
+TBX_FORCED void tbx_row_line(tbx_row_lines *out, const tbx_row_parts *p,
+                                             const tbx_quick *q, int i, tbx_fw v_b,
+                                             tbx_fw v_r, tbx_fw e_b, tbx_fw e_r,
+                                             tbx_fw area, tbx_iw two, tbx_fw off,
+                                             tbx_fw step, tbx_fw step_b)
 {
-    const tribox_impl_fw zero = tribox_impl_wide_all(0.0f);
-    const tribox_impl_fw half = tribox_impl_wide_all(0.5f);
-    const tribox_impl_fw one = tribox_impl_wide_all(1.0f);
-    const tribox_impl_fw nowhere = tribox_impl_wide_all(TRIBOX_IMPL_NOWHERE);
-    const tribox_impl_iw has = tribox_impl_wide_abs(e_r) > tribox_impl_wide_all(1e-18f);
-    const tribox_impl_fw inverse = one / tribox_impl_wide_choose(has, e_r, one);
-    const tribox_impl_fw slope = tribox_impl_wide_where(has, e_b * inverse);
-    const tribox_impl_fw steep = tribox_impl_wide_abs(slope);
-    const tribox_impl_fw middle = (v_b + tribox_impl_wide_all(2.0f)) - slope * (v_r + half);
-    const tribox_impl_fw error = (steep + one) * (p->rounding + off * tribox_impl_wide_abs(inverse));
-    const tribox_impl_iw below = ((tribox_impl_iw)area ^ (tribox_impl_iw)e_r) < tribox_impl_wide_int(0);
-    const tribox_impl_iw is_lo = (below | two) & has;
-    const tribox_impl_iw is_hi = (~below | two) & has;
-    tribox_impl_fw lo_spread = half * (q->thin ? tribox_impl_wide_max(steep - one, zero) : steep);
-    tribox_impl_fw hi_spread = lo_spread;
-    tribox_impl_fw lo;
-    tribox_impl_fw hi;
+    const tbx_fw zero = tbx_wide_all(0.0f);
+    const tbx_fw half = tbx_wide_all(0.5f);
+    const tbx_fw one = tbx_wide_all(1.0f);
+    const tbx_fw nowhere = tbx_wide_all(TBX_NOWHERE);
+    const tbx_iw has = tbx_wide_abs(e_r) > tbx_wide_all(1e-18f);
+    const tbx_fw inverse = one / tbx_wide_choose(has, e_r, one);
+    const tbx_fw slope = tbx_wide_where(has, e_b * inverse);
+    const tbx_fw steep = tbx_wide_abs(slope);
+    const tbx_fw middle = (v_b + tbx_wide_all(2.0f)) - slope * (v_r + half);
+    const tbx_fw error = (steep + one) * (p->rounding + off * tbx_wide_abs(inverse));
+    const tbx_iw below = ((tbx_iw)area ^ (tbx_iw)e_r) < tbx_wide_int(0);
+    const tbx_iw is_lo = (below | two) & has;
+    const tbx_iw is_hi = (~below | two) & has;
+    tbx_fw lo_spread = half * (q->thin ? tbx_wide_max(steep - one, zero) : steep);
+    tbx_fw hi_spread = lo_spread;
+    tbx_fw lo;
+    tbx_fw hi;
     if (p->on_lattice) {
-        const tribox_impl_fw times_d_r = step * tribox_impl_step_of(e_b, e_r, zero, TRIBOX_IMPL_PARTS);
-        tribox_impl_row_touch(&lo_spread, &hi_spread, q,
-                              half * tribox_impl_wide_choose(e_b == zero, step_b,
-                                                             times_d_r * tribox_impl_wide_abs(inverse)),
+        const tbx_fw times_d_r = step * tbx_step_of(e_b, e_r, zero, TBX_PARTS);
+        tbx_row_touch(&lo_spread, &hi_spread, q,
+                              half * tbx_wide_choose(e_b == zero, step_b,
+                                                             times_d_r * tbx_wide_abs(inverse)),
                               slope > zero);
     }
-    lo = tribox_impl_wide_choose(is_lo, middle - lo_spread, -nowhere);
-    hi = tribox_impl_wide_choose(is_hi, middle + hi_spread, nowhere);
+    lo = tbx_wide_choose(is_lo, middle - lo_spread, -nowhere);
+    hi = tbx_wide_choose(is_hi, middle + hi_spread, nowhere);
     out->lo_least[i] = lo - error;
     out->lo_most[i] = lo + error;
-    out->lo_slope[i] = tribox_impl_wide_where(is_lo, slope);
+    out->lo_slope[i] = tbx_wide_where(is_lo, slope);
     out->hi_least[i] = hi - error;
     out->hi_most[i] = hi + error;
-    out->hi_slope[i] = tribox_impl_wide_where(is_hi, slope);
+    out->hi_slope[i] = tbx_wide_where(is_hi, slope);
 }
 
 /* The plane's bounds; in lanes `vacuous` its condition follows from the edges'. */
-TRIBOX_IMPL_FORCED void tribox_impl_row_plane(tribox_impl_rows *out, const tribox_impl_row_parts *p,
-                                              const tribox_impl_quick *q, tribox_impl_iw vacuous)
+TBX_FORCED void tbx_row_plane(tbx_rows *out, const tbx_row_parts *p,
+                                              const tbx_quick *q, tbx_iw vacuous)
 {
-    const tribox_impl_fw zero = tribox_impl_wide_all(0.0f);
-    const tribox_impl_fw half = tribox_impl_wide_all(0.5f);
-    const tribox_impl_fw one = tribox_impl_wide_all(1.0f);
-    const tribox_impl_fw two = tribox_impl_wide_all(2.0f);
-    const tribox_impl_fw nowhere = tribox_impl_wide_all(TRIBOX_IMPL_NOWHERE);
-    const tribox_impl_fw slope_y = tribox_impl_wide_where(~vacuous, p->slope_y);
-    const tribox_impl_fw slope_z = tribox_impl_wide_where(~vacuous, p->slope_z);
-    const tribox_impl_fw steep_y = tribox_impl_wide_abs(slope_y);
-    const tribox_impl_fw steep_z = tribox_impl_wide_abs(slope_z);
-    const tribox_impl_fw inverse = tribox_impl_wide_abs(p->inverse);
-    const tribox_impl_fw by_n_x = tribox_impl_wide_all(4.0f) * p->tau * inverse * (p->reach + two);
-    const tribox_impl_fw error = tribox_impl_wide_where(~vacuous,
+    const tbx_fw zero = tbx_wide_all(0.0f);
+    const tbx_fw half = tbx_wide_all(0.5f);
+    const tbx_fw one = tbx_wide_all(1.0f);
+    const tbx_fw two = tbx_wide_all(2.0f);
+    const tbx_fw nowhere = tbx_wide_all(TBX_NOWHERE);
+    const tbx_fw slope_y = tbx_wide_where(~vacuous, p->slope_y);
+    const tbx_fw slope_z = tbx_wide_where(~vacuous, p->slope_z);
+    const tbx_fw steep_y = tbx_wide_abs(slope_y);
+    const tbx_fw steep_z = tbx_wide_abs(slope_z);
+    const tbx_fw inverse = tbx_wide_abs(p->inverse);
+    const tbx_fw by_n_x = tbx_wide_all(4.0f) * p->tau * inverse * (p->reach + two);
+    const tbx_fw error = tbx_wide_where(~vacuous,
                                                         (one + steep_y + steep_z) * (p->rounding + by_n_x));
-    const tribox_impl_fw thin = tribox_impl_wide_max(tribox_impl_wide_max(steep_y, steep_z) - one, zero);
-    tribox_impl_fw lo_spread = half * (q->thin ? thin : steep_y + steep_z);
-    tribox_impl_fw hi_spread = lo_spread;
+    const tbx_fw thin = tbx_wide_max(tbx_wide_max(steep_y, steep_z) - one, zero);
+    tbx_fw lo_spread = half * (q->thin ? thin : steep_y + steep_z);
+    tbx_fw hi_spread = lo_spread;
     if (p->on_lattice) {
-        tribox_impl_row_touch(&lo_spread, &hi_spread, q, half * p->step_plane * inverse,
+        tbx_row_touch(&lo_spread, &hi_spread, q, half * p->step_plane * inverse,
                               (slope_y > zero) | (slope_z > zero));
     }
-    lo_spread = tribox_impl_wide_choose(vacuous, nowhere, lo_spread);
-    hi_spread = tribox_impl_wide_choose(vacuous, nowhere, hi_spread);
+    lo_spread = tbx_wide_choose(vacuous, nowhere, lo_spread);
+    hi_spread = tbx_wide_choose(vacuous, nowhere, hi_spread);
     out->at = (p->v[0].x + two) - slope_y * (p->v[0].y + half) - slope_z * (p->v[0].z + half);
     out->slope_y = slope_y;
     out->slope_z = slope_z;
@@ -5320,213 +5320,213 @@ TRIBOX_IMPL_FORCED void tribox_impl_row_plane(tribox_impl_rows *out, const tribo
     out->lo_most = error - lo_spread;
     out->hi_least = hi_spread - error;
     out->hi_most = hi_spread + error;
-    out->unsure = ~(error < tribox_impl_wide_all(0.125f));
+    out->unsure = ~(error < tbx_wide_all(0.125f));
 }
 
 /* Extents along axis k. */
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_extent(tribox_impl_iw extents, int k)
+TBX_FORCED tbx_iw tbx_extent(tbx_iw extents, int k)
 {
-    return (extents >> tribox_impl_wide_int(8 * k)) & tribox_impl_wide_int(255);
+    return (extents >> tbx_wide_int(8 * k)) & tbx_wide_int(255);
 }
 
 /* The lines and planes of a group. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_rows_set(tribox_impl_rows *out, const tribox_impl_quick *q,
-                                               const tribox_impl_group *g, const tribox_mesh *mesh)
+TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q,
+                                               const tbx_group *g, const tribox_mesh *mesh)
 {
-    const tribox_impl_fw one = tribox_impl_wide_all(1.0f);
-    const tribox_impl_fw zero = tribox_impl_wide_all(0.0f);
-    tribox_impl_row_parts p;
-    tribox_impl_points v[3];
-    tribox_impl_points first;
-    tribox_impl_fw off;
-    tribox_impl_iw near_x;      /* n might be 0 on this axis, */
-    tribox_impl_iw near_y;
-    tribox_impl_iw near_z;
-    tribox_impl_iw flat;        /* or is on some */
+    const tbx_fw one = tbx_wide_all(1.0f);
+    const tbx_fw zero = tbx_wide_all(0.0f);
+    tbx_row_parts p;
+    tbx_points v[3];
+    tbx_points first;
+    tbx_fw off;
+    tbx_iw near_x;      /* n might be 0 on this axis, */
+    tbx_iw near_y;
+    tbx_iw near_z;
+    tbx_iw flat;        /* or is on some */
     int i;
-    tribox_impl_group_corners(v, &first, &out->extents, g, mesh);
-    p.reach = one + tribox_impl_wide_max(
-        tribox_impl_wide_max(__builtin_convertvector(tribox_impl_extent(out->extents, 0), tribox_impl_fw),
-                             __builtin_convertvector(tribox_impl_extent(out->extents, 1), tribox_impl_fw)),
-        __builtin_convertvector(tribox_impl_extent(out->extents, 2), tribox_impl_fw));
-    p.rounding = tribox_impl_wide_all(24.0f * TRIBOX_IMPL_U32) * (p.reach + one + one) +
-                 tribox_impl_wide_all(2.0f * q->delta_low);
-    p.tau = tribox_impl_wide_all((float)(64.0 * TRIBOX_IMPL_U64)) * p.reach * p.reach;
+    tbx_group_corners(v, &first, &out->extents, g, mesh);
+    p.reach = one + tbx_wide_max(
+        tbx_wide_max(__builtin_convertvector(tbx_extent(out->extents, 0), tbx_fw),
+                             __builtin_convertvector(tbx_extent(out->extents, 1), tbx_fw)),
+        __builtin_convertvector(tbx_extent(out->extents, 2), tbx_fw));
+    p.rounding = tbx_wide_all(24.0f * TBX_U32) * (p.reach + one + one) +
+                 tbx_wide_all(2.0f * q->delta_low);
+    p.tau = tbx_wide_all((float)(64.0 * TBX_U64)) * p.reach * p.reach;
     p.v[0] = v[0];
     p.v[1] = v[1];
     p.v[2] = v[2];
-    tribox_impl_group_place(q, 0, (tribox_impl_iw)first.x, &p.v[0].x, &p.v[1].x, &p.v[2].x);
-    tribox_impl_group_place(q, 1, (tribox_impl_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
-    tribox_impl_group_place(q, 2, (tribox_impl_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
-    tribox_impl_row_normals(&p, q->fine->inverse, v);
+    tbx_group_place(q, 0, (tbx_iw)first.x, &p.v[0].x, &p.v[1].x, &p.v[2].x);
+    tbx_group_place(q, 1, (tbx_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
+    tbx_group_place(q, 2, (tbx_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
+    tbx_row_normals(&p, q->fine->inverse, v);
     p.on_lattice = 0;
     p.step.x = p.step.y = p.step.z = zero;
     p.step_b = p.step;
     p.step_plane = zero;
-    p.flat_x = p.flat_y = p.flat_z = tribox_impl_wide_int(0);
+    p.flat_x = p.flat_y = p.flat_z = tbx_wide_int(0);
     if (q->lattice) {
-        tribox_impl_row_parts_snap(&p, q, v, &first);
+        tbx_row_parts_snap(&p, q, v, &first);
     }
     flat = p.flat_x | p.flat_y | p.flat_z;
-    near_x = (tribox_impl_wide_abs(p.n.x) <= p.tau) & ~p.flat_x;
-    near_y = (tribox_impl_wide_abs(p.n.y) <= p.tau) & ~p.flat_y;
-    near_z = (tribox_impl_wide_abs(p.n.z) <= p.tau) & ~p.flat_z;
-    tribox_impl_row_plane(out, &p, q, flat | near_x);
-    out->unsure |= near_x & ~flat & (tribox_impl_wide_abs(p.n.y) + tribox_impl_wide_abs(p.n.z) <=
-                                     tribox_impl_wide_all(1e-3f));
+    near_x = (tbx_wide_abs(p.n.x) <= p.tau) & ~p.flat_x;
+    near_y = (tbx_wide_abs(p.n.y) <= p.tau) & ~p.flat_y;
+    near_z = (tbx_wide_abs(p.n.z) <= p.tau) & ~p.flat_z;
+    tbx_row_plane(out, &p, q, flat | near_x);
+    out->unsure |= near_x & ~flat & (tbx_wide_abs(p.n.y) + tbx_wide_abs(p.n.z) <=
+                                     tbx_wide_all(1e-3f));
     if (q->thin) {      /* it has to know */
         out->unsure |= near_x | near_y | near_z;
     }
-    off = tribox_impl_wide_all(8192.0f) * p.tau * p.reach * p.reach;
+    off = tbx_wide_all(8192.0f) * p.tau * p.reach * p.reach;
     for (i = 0; i < 3; i++) {
-        const tribox_impl_points *a = &p.v[i];
-        const tribox_impl_points *e = &p.e[i];
-        tribox_impl_row_line(&out->x_of_y, &p, q, i, a->x, a->y, e->x, e->y, p.n.z, near_z,
-                             tribox_impl_wide_where(near_z, off), p.step.z, p.step_b.z);
-        tribox_impl_row_line(&out->x_of_z, &p, q, i, a->x, a->z, e->x, e->z, -p.n.y, near_y,
-                             tribox_impl_wide_where(near_y, off), p.step.y, p.step_b.y);
-        tribox_impl_row_line(&out->y_of_z, &p, q, i, a->y, a->z, e->y, e->z, p.n.x, near_x,
-                             tribox_impl_wide_where(near_x, off), p.step.x, p.step_b.x);
+        const tbx_points *a = &p.v[i];
+        const tbx_points *e = &p.e[i];
+        tbx_row_line(&out->x_of_y, &p, q, i, a->x, a->y, e->x, e->y, p.n.z, near_z,
+                             tbx_wide_where(near_z, off), p.step.z, p.step_b.z);
+        tbx_row_line(&out->x_of_z, &p, q, i, a->x, a->z, e->x, e->z, -p.n.y, near_y,
+                             tbx_wide_where(near_y, off), p.step.y, p.step_b.y);
+        tbx_row_line(&out->y_of_z, &p, q, i, a->y, a->z, e->y, e->z, p.n.x, near_x,
+                             tbx_wide_where(near_x, off), p.step.x, p.step_b.x);
     }
 }
 
 /* ---- Rows of boxes of up to FEW voxels on each axis, in lanes of triangles */
-#define TRIBOX_IMPL_FEW 8
+#define TBX_FEW 8
 
-typedef struct tribox_impl_row_bounds {
-    tribox_impl_fw lo_least;
-    tribox_impl_fw lo_most;
-    tribox_impl_fw hi_least;
-    tribox_impl_fw hi_most;
-} tribox_impl_row_bounds;
+typedef struct tbx_row_bounds {
+    tbx_fw lo_least;
+    tbx_fw lo_most;
+    tbx_fw hi_least;
+    tbx_fw hi_most;
+} tbx_row_bounds;
 
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_row_most(const tribox_impl_fw at[3],
-                                                       const tribox_impl_fw step[3])
+TBX_FORCED tbx_fw tbx_row_most(const tbx_fw at[3],
+                                                       const tbx_fw step[3])
 {
-    return tribox_impl_wide_max(tribox_impl_wide_max(at[0] + step[0], at[1] + step[1]), at[2] + step[2]);
+    return tbx_wide_max(tbx_wide_max(at[0] + step[0], at[1] + step[1]), at[2] + step[2]);
 }
 
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_row_least(const tribox_impl_fw at[3],
-                                                        const tribox_impl_fw step[3])
+TBX_FORCED tbx_fw tbx_row_least(const tbx_fw at[3],
+                                                        const tbx_fw step[3])
 {
-    return tribox_impl_wide_min(tribox_impl_wide_min(at[0] + step[0], at[1] + step[1]), at[2] + step[2]);
+    return tbx_wide_min(tbx_wide_min(at[0] + step[0], at[1] + step[1]), at[2] + step[2]);
 }
 
 /* Within lo..hi. */
-TRIBOX_IMPL_FORCED tribox_impl_fw tribox_impl_row_within(tribox_impl_fw bound, tribox_impl_fw lo,
-                                                         tribox_impl_fw hi)
+TBX_FORCED tbx_fw tbx_row_within(tbx_fw bound, tbx_fw lo,
+                                                         tbx_fw hi)
 {
-    return tribox_impl_wide_min(tribox_impl_wide_max(bound, lo), hi);
+    return tbx_wide_min(tbx_wide_max(bound, lo), hi);
 }
 
 /* The bounds of a row, within voxels 1..extent + 1; half a voxel off what might be unsure. */
-TRIBOX_IMPL_FORCED void tribox_impl_row_bounds_set(tribox_impl_row_bounds *out,
-                                                   const tribox_impl_row_lines *l, int row,
-                                                   tribox_impl_iw extent)
+TBX_FORCED void tbx_row_bounds_set(tbx_row_bounds *out,
+                                                   const tbx_row_lines *l, int row,
+                                                   tbx_iw extent)
 {
-    const tribox_impl_fw at = tribox_impl_wide_all((float)row);
-    const tribox_impl_fw first = tribox_impl_wide_all(1.5f);
-    const tribox_impl_fw before = tribox_impl_wide_all(0.5f);
-    const tribox_impl_fw last = __builtin_convertvector(extent, tribox_impl_fw) + first;
-    const tribox_impl_fw after = last + tribox_impl_wide_all(1.0f);
-    tribox_impl_fw lo[3];
-    tribox_impl_fw hi[3];
+    const tbx_fw at = tbx_wide_all((float)row);
+    const tbx_fw first = tbx_wide_all(1.5f);
+    const tbx_fw before = tbx_wide_all(0.5f);
+    const tbx_fw last = __builtin_convertvector(extent, tbx_fw) + first;
+    const tbx_fw after = last + tbx_wide_all(1.0f);
+    tbx_fw lo[3];
+    tbx_fw hi[3];
     lo[0] = l->lo_slope[0] * at;
     lo[1] = l->lo_slope[1] * at;
     lo[2] = l->lo_slope[2] * at;
     hi[0] = l->hi_slope[0] * at;
     hi[1] = l->hi_slope[1] * at;
     hi[2] = l->hi_slope[2] * at;
-    out->lo_least = tribox_impl_row_within(tribox_impl_row_most(l->lo_least, lo), first, after);
-    out->lo_most = tribox_impl_row_within(tribox_impl_row_most(l->lo_most, lo), first, after);
-    out->hi_least = tribox_impl_row_within(tribox_impl_row_least(l->hi_least, hi), before, last);
-    out->hi_most = tribox_impl_row_within(tribox_impl_row_least(l->hi_most, hi), before, last);
+    out->lo_least = tbx_row_within(tbx_row_most(l->lo_least, lo), first, after);
+    out->lo_most = tbx_row_within(tbx_row_most(l->lo_most, lo), first, after);
+    out->hi_least = tbx_row_within(tbx_row_least(l->hi_least, hi), before, last);
+    out->hi_most = tbx_row_within(tbx_row_least(l->hi_most, hi), before, last);
 }
 
-TRIBOX_IMPL_FORCED tribox_impl_iw tribox_impl_row_voxel(tribox_impl_fw x)
+TBX_FORCED tbx_iw tbx_row_voxel(tbx_fw x)
 {
-    return __builtin_convertvector(x, tribox_impl_iw);
+    return __builtin_convertvector(x, tbx_iw);
 }
 
 /* 2^i for i within -126..30, else anything. */
-TRIBOX_IMPL_FORCED tribox_impl_uw tribox_impl_wide_bit(tribox_impl_uw i)
+TBX_FORCED tbx_uw tbx_wide_bit(tbx_uw i)
 {
 #if defined(__AVX2__)
-    return (tribox_impl_uw)tribox_impl_wide_int(1) << i;
+    return (tbx_uw)tbx_wide_int(1) << i;
 #else
-    const tribox_impl_uw bias = (tribox_impl_uw)tribox_impl_wide_int(127);
-    const tribox_impl_uw exponent = (i + bias) << (tribox_impl_uw)tribox_impl_wide_int(23);
-    return (tribox_impl_uw)__builtin_convertvector((tribox_impl_fw)exponent, tribox_impl_iw);
+    const tbx_uw bias = (tbx_uw)tbx_wide_int(127);
+    const tbx_uw exponent = (i + bias) << (tbx_uw)tbx_wide_int(23);
+    return (tbx_uw)__builtin_convertvector((tbx_fw)exponent, tbx_iw);
 #endif
 }
 
 /* Voxels by rows: bit x of [z][y][lane]; first and last rows of a layer, counted from 1. */
-typedef struct tribox_impl_few {
-    tribox_impl_iw x[TRIBOX_IMPL_FEW][TRIBOX_IMPL_FEW];
-    tribox_impl_iw first_y[TRIBOX_IMPL_FEW];
-    tribox_impl_iw last_y[TRIBOX_IMPL_FEW];
-    tribox_impl_iw unsure;
-} tribox_impl_few;
+typedef struct tbx_few {
+    tbx_iw x[TBX_FEW][TBX_FEW];
+    tbx_iw first_y[TBX_FEW];
+    tbx_iw last_y[TBX_FEW];
+    tbx_iw unsure;
+} tbx_few;
 
-TRIBOX_IMPL_FORCED void tribox_impl_few_set(tribox_impl_few *out, const tribox_impl_rows *r,
+TBX_FORCED void tbx_few_set(tbx_few *out, const tbx_rows *r,
                                             int rows, int layers)
 {
-    const tribox_impl_iw extent_x = tribox_impl_extent(r->extents, 0);
-    const tribox_impl_iw extent_y = tribox_impl_extent(r->extents, 1);
-    const tribox_impl_iw extent_z = tribox_impl_extent(r->extents, 2);
-    tribox_impl_row_bounds x_of_y[TRIBOX_IMPL_FEW];
-    tribox_impl_iw first_y;
-    tribox_impl_iw last_y;
+    const tbx_iw extent_x = tbx_extent(r->extents, 0);
+    const tbx_iw extent_y = tbx_extent(r->extents, 1);
+    const tbx_iw extent_z = tbx_extent(r->extents, 2);
+    tbx_row_bounds x_of_y[TBX_FEW];
+    tbx_iw first_y;
+    tbx_iw last_y;
     int y;
     int z;
     out->unsure = r->unsure;
     for (y = 0; y < rows; y++) {
-        tribox_impl_row_bounds_set(&x_of_y[y], &r->x_of_y, y, extent_x);
+        tbx_row_bounds_set(&x_of_y[y], &r->x_of_y, y, extent_x);
     }
     for (z = 0; z < layers; z++) {
-        tribox_impl_row_bounds x_of_z;
-        tribox_impl_row_bounds y_of_z;
-        const tribox_impl_fw at = r->at + tribox_impl_wide_all((float)z) * r->slope_z;
-        const tribox_impl_fw lo_least = at + r->lo_least;
-        const tribox_impl_fw lo_most = at + r->lo_most;
-        const tribox_impl_fw hi_least = at + r->hi_least;
-        const tribox_impl_fw hi_most = at + r->hi_most;
-        tribox_impl_row_bounds_set(&x_of_z, &r->x_of_z, z, extent_x);
-        tribox_impl_row_bounds_set(&y_of_z, &r->y_of_z, z, extent_y);
-        first_y = tribox_impl_row_voxel(y_of_z.lo_least);
-        last_y = tribox_impl_row_voxel(y_of_z.hi_most) & ~(tribox_impl_wide_int(z) > extent_z);
-        out->unsure |= ((first_y != tribox_impl_row_voxel(y_of_z.lo_most)) |
-                        (last_y != tribox_impl_row_voxel(y_of_z.hi_least))) & ~(first_y > last_y);
+        tbx_row_bounds x_of_z;
+        tbx_row_bounds y_of_z;
+        const tbx_fw at = r->at + tbx_wide_all((float)z) * r->slope_z;
+        const tbx_fw lo_least = at + r->lo_least;
+        const tbx_fw lo_most = at + r->lo_most;
+        const tbx_fw hi_least = at + r->hi_least;
+        const tbx_fw hi_most = at + r->hi_most;
+        tbx_row_bounds_set(&x_of_z, &r->x_of_z, z, extent_x);
+        tbx_row_bounds_set(&y_of_z, &r->y_of_z, z, extent_y);
+        first_y = tbx_row_voxel(y_of_z.lo_least);
+        last_y = tbx_row_voxel(y_of_z.hi_most) & ~(tbx_wide_int(z) > extent_z);
+        out->unsure |= ((first_y != tbx_row_voxel(y_of_z.lo_most)) |
+                        (last_y != tbx_row_voxel(y_of_z.hi_least))) & ~(first_y > last_y);
         out->first_y[z] = first_y;
         out->last_y[z] = last_y;
         for (y = 0; y < rows; y++) {
-            const tribox_impl_fw step = tribox_impl_wide_all((float)y) * r->slope_y;
-            const tribox_impl_iw first = tribox_impl_row_voxel(tribox_impl_wide_max(
-                tribox_impl_wide_max(x_of_y[y].lo_least, x_of_z.lo_least), lo_least + step));
-            const tribox_impl_iw first_most = tribox_impl_row_voxel(tribox_impl_wide_max(
-                tribox_impl_wide_max(x_of_y[y].lo_most, x_of_z.lo_most), lo_most + step));
-            const tribox_impl_iw last_least = tribox_impl_row_voxel(tribox_impl_wide_min(
-                tribox_impl_wide_min(x_of_y[y].hi_least, x_of_z.hi_least), hi_least + step));
-            const tribox_impl_iw last = tribox_impl_row_voxel(tribox_impl_wide_min(
-                tribox_impl_wide_min(x_of_y[y].hi_most, x_of_z.hi_most), hi_most + step));
-            const tribox_impl_iw row = tribox_impl_wide_int(y + 1);
-            const tribox_impl_iw none = (first > last) | (first_y > row) | (row > last_y);
-            const tribox_impl_uw before = (tribox_impl_uw)first - (tribox_impl_uw)tribox_impl_wide_int(1);
-            const tribox_impl_uw voxels = tribox_impl_wide_bit((tribox_impl_uw)last) -
-                                          tribox_impl_wide_bit(before);
+            const tbx_fw step = tbx_wide_all((float)y) * r->slope_y;
+            const tbx_iw first = tbx_row_voxel(tbx_wide_max(
+                tbx_wide_max(x_of_y[y].lo_least, x_of_z.lo_least), lo_least + step));
+            const tbx_iw first_most = tbx_row_voxel(tbx_wide_max(
+                tbx_wide_max(x_of_y[y].lo_most, x_of_z.lo_most), lo_most + step));
+            const tbx_iw last_least = tbx_row_voxel(tbx_wide_min(
+                tbx_wide_min(x_of_y[y].hi_least, x_of_z.hi_least), hi_least + step));
+            const tbx_iw last = tbx_row_voxel(tbx_wide_min(
+                tbx_wide_min(x_of_y[y].hi_most, x_of_z.hi_most), hi_most + step));
+            const tbx_iw row = tbx_wide_int(y + 1);
+            const tbx_iw none = (first > last) | (first_y > row) | (row > last_y);
+            const tbx_uw before = (tbx_uw)first - (tbx_uw)tbx_wide_int(1);
+            const tbx_uw voxels = tbx_wide_bit((tbx_uw)last) -
+                                          tbx_wide_bit(before);
             out->unsure |= ((first != first_most) | (last != last_least)) & ~none;
-            out->x[z][y] = (tribox_impl_iw)voxels & ~none;
+            out->x[z][y] = (tbx_iw)voxels & ~none;
         }
     }
 }
 
 /* Sets the voxels of lane i; asks for the memory of the layer above each. */
-TRIBOX_IMPL_FN void tribox_impl_few_store(const tribox_impl_few *few, const tribox_impl_fill *fill,
-                                          const tribox_impl_group *g, int i)
+TBX_FN void tbx_few_store(const tbx_few *few, const tbx_fill *fill,
+                                          const tbx_group *g, int i)
 {
     const size_t row_words = fill->target->row_words;
     const size_t layer_words = fill->quick.layer_words;
-    const int x = (g->box[i][0] - TRIBOX_IMPL_MARGIN) & 63;
+    const int x = (g->box[i][0] - TBX_MARGIN) & 63;
     const int layers = (g->box[i][3] >> 16 & 255) + 1;
     uint64_t *layer = fill->target->bits + g->word[i];
     int z;
@@ -5536,10 +5536,10 @@ TRIBOX_IMPL_FN void tribox_impl_few_store(const tribox_impl_few *few, const trib
         for (y = few->first_y[z][i]; y <= last_y; y++) {
             const uint64_t voxels = (uint64_t)(uint32_t)few->x[z][y - 1][i];
             uint64_t *row = layer + (size_t)(y - 1) * row_words;
-            TRIBOX_IMPL_PREFETCH((uintptr_t)row + sizeof *row * layer_words);
+            TBX_PREFETCH((uintptr_t)row + sizeof *row * layer_words);
             if (voxels != 0) {
                 row[0] |= voxels << x;
-                if (TRIBOX_IMPL_RARELY(x > 64 - TRIBOX_IMPL_FEW) && voxels >> (64 - x) != 0) {
+                if (TBX_RARELY(x > 64 - TBX_FEW) && voxels >> (64 - x) != 0) {
                     row[1] |= voxels >> (64 - x);
                 }
             }
@@ -5550,119 +5550,119 @@ TRIBOX_IMPL_FN void tribox_impl_few_store(const tribox_impl_few *few, const trib
 /* ---- Rows of larger boxes, four at a time */
 
 /* Of all rows in one plane. */
-typedef struct tribox_impl_lane_bounds {
-    float lo_least[TRIBOX_IMPL_ROWS];
-    float lo_most[TRIBOX_IMPL_ROWS];
-    float hi_least[TRIBOX_IMPL_ROWS];
-    float hi_most[TRIBOX_IMPL_ROWS];
-} tribox_impl_lane_bounds;
+typedef struct tbx_lane_bounds {
+    float lo_least[TBX_ROWS];
+    float lo_most[TBX_ROWS];
+    float hi_least[TBX_ROWS];
+    float hi_most[TBX_ROWS];
+} tbx_lane_bounds;
 
 /* The greatest and the least of three lines in four rows, from their values in row 0 and their steps. */
-TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_lane_most(const tribox_impl_fw at[3], int lane,
-                                                        const tribox_impl_f4 step[3])
+TBX_FORCED tbx_f4 tbx_lane_most(const tbx_fw at[3], int lane,
+                                                        const tbx_f4 step[3])
 {
-    const tribox_impl_f4 ab = tribox_impl_max4(tribox_impl_splat(at[0][lane]) + step[0],
-                                              tribox_impl_splat(at[1][lane]) + step[1]);
-    return tribox_impl_max4(ab, tribox_impl_splat(at[2][lane]) + step[2]);
+    const tbx_f4 ab = tbx_max4(tbx_splat(at[0][lane]) + step[0],
+                                              tbx_splat(at[1][lane]) + step[1]);
+    return tbx_max4(ab, tbx_splat(at[2][lane]) + step[2]);
 }
 
-TRIBOX_IMPL_FORCED tribox_impl_f4 tribox_impl_lane_least(const tribox_impl_fw at[3], int lane,
-                                                         const tribox_impl_f4 step[3])
+TBX_FORCED tbx_f4 tbx_lane_least(const tbx_fw at[3], int lane,
+                                                         const tbx_f4 step[3])
 {
-    const tribox_impl_f4 ab = tribox_impl_min4(tribox_impl_splat(at[0][lane]) + step[0],
-                                              tribox_impl_splat(at[1][lane]) + step[1]);
-    return tribox_impl_min4(ab, tribox_impl_splat(at[2][lane]) + step[2]);
+    const tbx_f4 ab = tbx_min4(tbx_splat(at[0][lane]) + step[0],
+                                              tbx_splat(at[1][lane]) + step[1]);
+    return tbx_min4(ab, tbx_splat(at[2][lane]) + step[2]);
 }
 
 /* Within lo..hi. */
-TRIBOX_IMPL_FORCED void tribox_impl_lane_store(float *out, tribox_impl_f4 bound, float lo, float hi)
+TBX_FORCED void tbx_lane_store(float *out, tbx_f4 bound, float lo, float hi)
 {
-    bound = tribox_impl_min4(tribox_impl_max4(bound, tribox_impl_splat(lo)), tribox_impl_splat(hi));
-    TRIBOX_IMPL_COPY(out, &bound, sizeof bound);
+    bound = tbx_min4(tbx_max4(bound, tbx_splat(lo)), tbx_splat(hi));
+    TBX_COPY(out, &bound, sizeof bound);
 }
 
 /* The bounds of so many rows, within voxels lo..hi - 1; half a voxel off what might be unsure. */
-TRIBOX_IMPL_FN void tribox_impl_lane_bounds_set(tribox_impl_lane_bounds *out, const tribox_impl_row_lines *l,
+TBX_FN void tbx_lane_bounds_set(tbx_lane_bounds *out, const tbx_row_lines *l,
                                                 int lane, int rows, int lo, int hi)
 {
-    const tribox_impl_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
+    const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
     const float first = (float)lo + 1.5f;
     const float last = (float)hi + 0.5f;
     int i;
     for (i = 0; i < rows; i += 4) {
-        const tribox_impl_f4 row = tribox_impl_splat((float)i) + four;
-        tribox_impl_f4 lo_step[3];
-        tribox_impl_f4 hi_step[3];
-        lo_step[0] = tribox_impl_splat(l->lo_slope[0][lane]) * row;
-        lo_step[1] = tribox_impl_splat(l->lo_slope[1][lane]) * row;
-        lo_step[2] = tribox_impl_splat(l->lo_slope[2][lane]) * row;
-        hi_step[0] = tribox_impl_splat(l->hi_slope[0][lane]) * row;
-        hi_step[1] = tribox_impl_splat(l->hi_slope[1][lane]) * row;
-        hi_step[2] = tribox_impl_splat(l->hi_slope[2][lane]) * row;
-        tribox_impl_lane_store(out->lo_least + i, tribox_impl_lane_most(l->lo_least, lane, lo_step), first,
+        const tbx_f4 row = tbx_splat((float)i) + four;
+        tbx_f4 lo_step[3];
+        tbx_f4 hi_step[3];
+        lo_step[0] = tbx_splat(l->lo_slope[0][lane]) * row;
+        lo_step[1] = tbx_splat(l->lo_slope[1][lane]) * row;
+        lo_step[2] = tbx_splat(l->lo_slope[2][lane]) * row;
+        hi_step[0] = tbx_splat(l->hi_slope[0][lane]) * row;
+        hi_step[1] = tbx_splat(l->hi_slope[1][lane]) * row;
+        hi_step[2] = tbx_splat(l->hi_slope[2][lane]) * row;
+        tbx_lane_store(out->lo_least + i, tbx_lane_most(l->lo_least, lane, lo_step), first,
                                last + 1.0f);
-        tribox_impl_lane_store(out->lo_most + i, tribox_impl_lane_most(l->lo_most, lane, lo_step), first,
+        tbx_lane_store(out->lo_most + i, tbx_lane_most(l->lo_most, lane, lo_step), first,
                                last + 1.0f);
-        tribox_impl_lane_store(out->hi_least + i, tribox_impl_lane_least(l->hi_least, lane, hi_step), 0.5f,
+        tbx_lane_store(out->hi_least + i, tbx_lane_least(l->hi_least, lane, hi_step), 0.5f,
                                last);
-        tribox_impl_lane_store(out->hi_most + i, tribox_impl_lane_least(l->hi_most, lane, hi_step), 0.5f,
+        tbx_lane_store(out->hi_most + i, tbx_lane_least(l->hi_most, lane, hi_step), 0.5f,
                                last);
     }
 }
 
 /* A bound as a whole voxel; a plane's may be far away. */
-TRIBOX_IMPL_FORCED tribox_impl_i4 tribox_impl_lane_voxel(tribox_impl_f4 a)
+TBX_FORCED tbx_i4 tbx_lane_voxel(tbx_f4 a)
 {
-    return __builtin_convertvector(tribox_impl_min4(tribox_impl_max4(a, tribox_impl_splat(0.5f)),
-                                                    tribox_impl_splat(TRIBOX_IMPL_NOWHERE)), tribox_impl_i4);
+    return __builtin_convertvector(tbx_min4(tbx_max4(a, tbx_splat(0.5f)),
+                                                    tbx_splat(TBX_NOWHERE)), tbx_i4);
 }
 
 /* Bounds of one layer z: those of the edges in xz, and of the plane in row 0. */
-typedef struct tribox_impl_layer {
-    tribox_impl_f4 lo_least, lo_most, hi_least, hi_most;
-    tribox_impl_f4 plane_lo_least, plane_lo_most, plane_hi_least, plane_hi_most;
-    tribox_impl_f4 slope;
-} tribox_impl_layer;
+typedef struct tbx_layer {
+    tbx_f4 lo_least, lo_most, hi_least, hi_most;
+    tbx_f4 plane_lo_least, plane_lo_most, plane_hi_least, plane_hi_most;
+    tbx_f4 slope;
+} tbx_layer;
 
 /* Voxels of rows y..y + 3. Returns the lanes that are unsure. */
-TRIBOX_IMPL_FORCED tribox_impl_i4 tribox_impl_layer_rows(const tribox_impl_layer *l,
-                                                         const tribox_impl_lane_bounds *x_of_y, int y,
-                                                         tribox_impl_i4 *out_first, tribox_impl_i4 *out_last)
+TBX_FORCED tbx_i4 tbx_layer_rows(const tbx_layer *l,
+                                                         const tbx_lane_bounds *x_of_y, int y,
+                                                         tbx_i4 *out_first, tbx_i4 *out_last)
 {
-    const tribox_impl_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
-    const tribox_impl_f4 step = (tribox_impl_splat((float)y) + four) * l->slope;
-    const tribox_impl_i4 first_least = tribox_impl_lane_voxel(tribox_impl_max4(
-        tribox_impl_max4(tribox_impl_load4(x_of_y->lo_least + y), l->lo_least), l->plane_lo_least + step));
-    const tribox_impl_i4 first_most = tribox_impl_lane_voxel(tribox_impl_max4(
-        tribox_impl_max4(tribox_impl_load4(x_of_y->lo_most + y), l->lo_most), l->plane_lo_most + step));
-    const tribox_impl_i4 last_least = tribox_impl_lane_voxel(tribox_impl_min4(
-        tribox_impl_min4(tribox_impl_load4(x_of_y->hi_least + y), l->hi_least), l->plane_hi_least + step));
-    const tribox_impl_i4 last_most = tribox_impl_lane_voxel(tribox_impl_min4(
-        tribox_impl_min4(tribox_impl_load4(x_of_y->hi_most + y), l->hi_most), l->plane_hi_most + step));
-    const tribox_impl_i4 differ = (first_least ^ first_most) | (last_least ^ last_most);
+    const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
+    const tbx_f4 step = (tbx_splat((float)y) + four) * l->slope;
+    const tbx_i4 first_least = tbx_lane_voxel(tbx_max4(
+        tbx_max4(tbx_load4(x_of_y->lo_least + y), l->lo_least), l->plane_lo_least + step));
+    const tbx_i4 first_most = tbx_lane_voxel(tbx_max4(
+        tbx_max4(tbx_load4(x_of_y->lo_most + y), l->lo_most), l->plane_lo_most + step));
+    const tbx_i4 last_least = tbx_lane_voxel(tbx_min4(
+        tbx_min4(tbx_load4(x_of_y->hi_least + y), l->hi_least), l->plane_hi_least + step));
+    const tbx_i4 last_most = tbx_lane_voxel(tbx_min4(
+        tbx_min4(tbx_load4(x_of_y->hi_most + y), l->hi_most), l->plane_hi_most + step));
+    const tbx_i4 differ = (first_least ^ first_most) | (last_least ^ last_most);
     *out_first = first_least;
     *out_last = last_most;
-    return (differ > tribox_impl_splat_int(0)) & ~(first_least > last_most);
+    return (differ > tbx_splat_int(0)) & ~(first_least > last_most);
 }
 
 /* Sets voxels first[i]..last[i] of rows from..to, `row` being the first of them; asks for those above. */
-TRIBOX_IMPL_FORCED void tribox_impl_layer_set(const tribox_impl_target *t, uint64_t *row, size_t row_words,
-                                              size_t layer_words, tribox_impl_i4 first, tribox_impl_i4 last,
+TBX_FORCED void tbx_layer_set(const tbx_target *t, uint64_t *row, size_t row_words,
+                                              size_t layer_words, tbx_i4 first, tbx_i4 last,
                                               int from, int to)
 {
     int32_t first_x[4];
     int32_t last_x[4];
     int i;
-    TRIBOX_IMPL_COPY(first_x, &first, sizeof first);
-    TRIBOX_IMPL_COPY(last_x, &last, sizeof last);
+    TBX_COPY(first_x, &first, sizeof first);
+    TBX_COPY(last_x, &last, sizeof last);
     for (i = from; i <= to; i++, row += row_words) {
         const int32_t begin = first_x[i];
         const int32_t end = last_x[i];
         if (begin <= end) {
             uint64_t *word = row + (begin >> 6);
-            TRIBOX_IMPL_PREFETCH((uintptr_t)word + sizeof *word * layer_words);
-            if (TRIBOX_IMPL_RARELY((begin ^ end) > 63)) {
-                tribox_impl_set_run(t, row, (size_t)begin, (size_t)end);
+            TBX_PREFETCH((uintptr_t)word + sizeof *word * layer_words);
+            if (TBX_RARELY((begin ^ end) > 63)) {
+                tbx_set_run(t, row, (size_t)begin, (size_t)end);
             } else {
                 *word |= (~(uint64_t)0 << (begin & 63)) & (~(uint64_t)0 >> (63 - (end & 63)));
             }
@@ -5671,7 +5671,7 @@ TRIBOX_IMPL_FORCED void tribox_impl_layer_set(const tribox_impl_target *t, uint6
 }
 
 /* Adds layer z and its rows first_y..last_y, unless they are none, to what is left of a triangle. */
-TRIBOX_IMPL_FN void tribox_impl_doubt_add(tribox_impl_doubt *d, int z, int first_y, int last_y)
+TBX_FN void tbx_doubt_add(tbx_doubt *d, int z, int first_y, int last_y)
 {
     d->first[0] = (uint16_t)(first_y < d->first[0] ? first_y : d->first[0]);
     d->last[0] = (uint16_t)(last_y > d->last[0] ? last_y : d->last[0]);
@@ -5680,23 +5680,23 @@ TRIBOX_IMPL_FN void tribox_impl_doubt_add(tribox_impl_doubt *d, int z, int first
 }
 
 /* Lane i of a group, whose box has up to ROWS voxels on each axis. */
-TRIBOX_IMPL_FN void tribox_impl_lane_fill(tribox_impl_fill *fill, const tribox_impl_rows *rows,
-                                          const tribox_impl_group *g, int lane)
+TBX_FN void tbx_lane_fill(tbx_fill *fill, const tbx_rows *rows,
+                                          const tbx_group *g, int lane)
 {
-    const tribox_impl_quick *q = &fill->quick;
-    const tribox_impl_target *t = fill->target;
+    const tbx_quick *q = &fill->quick;
+    const tbx_target *t = fill->target;
     uint64_t *const bits = t->bits;     /* stores to the bits might change what t and q hold */
     const size_t row_words = t->row_words;
     const size_t layer_words = q->layer_words;
     const int *n = fill->fine->n;
-    const tribox_impl_i4 box = g->box[lane];
-    const int at[3] = { box[0] - TRIBOX_IMPL_MARGIN, box[1] - TRIBOX_IMPL_MARGIN,
-                        box[2] - TRIBOX_IMPL_MARGIN };
+    const tbx_i4 box = g->box[lane];
+    const int at[3] = { box[0] - TBX_MARGIN, box[1] - TBX_MARGIN,
+                        box[2] - TBX_MARGIN };
     const int count[3] = { (box[3] & 255) + 1, (box[3] >> 8 & 255) + 1, (box[3] >> 16 & 255) + 1 };
-    tribox_impl_lane_bounds x_of_y;
-    tribox_impl_lane_bounds x_of_z;
-    tribox_impl_lane_bounds y_of_z;
-    tribox_impl_doubt doubt;
+    tbx_lane_bounds x_of_y;
+    tbx_lane_bounds x_of_z;
+    tbx_lane_bounds y_of_z;
+    tbx_doubt doubt;
     int start[3];
     int end[3];
     int i;
@@ -5707,101 +5707,101 @@ TRIBOX_IMPL_FN void tribox_impl_lane_fill(tribox_impl_fill *fill, const tribox_i
         start[i] = at[i] < 0 ? -at[i] : 0;
         end[i] = count[i] < n[i] - at[i] ? count[i] : n[i] - at[i];
     }
-    tribox_impl_lane_bounds_set(&x_of_y, &rows->x_of_y, lane, end[1], start[0], end[0]);
-    tribox_impl_lane_bounds_set(&x_of_z, &rows->x_of_z, lane, end[2], start[0], end[0]);
-    tribox_impl_lane_bounds_set(&y_of_z, &rows->y_of_z, lane, end[2], start[1], end[1]);
+    tbx_lane_bounds_set(&x_of_y, &rows->x_of_y, lane, end[1], start[0], end[0]);
+    tbx_lane_bounds_set(&x_of_z, &rows->x_of_z, lane, end[2], start[0], end[0]);
+    tbx_lane_bounds_set(&y_of_z, &rows->y_of_z, lane, end[2], start[1], end[1]);
     for (z = start[2]; z < end[2]; z++) {
         const float middle = rows->at[lane] + rows->slope_z[lane] * (float)z;
         const int first_y = (int)y_of_z.lo_least[z] - 1;
         const int last_y = (int)y_of_z.hi_most[z] - 1;
         uint64_t *layer = bits + (size_t)(at[2] + z) * layer_words;
-        tribox_impl_layer l;
+        tbx_layer l;
         int y;
         if (first_y > last_y) {
             continue;
         }
         if (first_y != (int)y_of_z.lo_most[z] - 1 || last_y != (int)y_of_z.hi_least[z] - 1) {
-            tribox_impl_doubt_add(&doubt, at[2] + z, at[1] + first_y, at[1] + last_y);
+            tbx_doubt_add(&doubt, at[2] + z, at[1] + first_y, at[1] + last_y);
             continue;
         }
-        l.lo_least = tribox_impl_splat(x_of_z.lo_least[z]);
-        l.lo_most = tribox_impl_splat(x_of_z.lo_most[z]);
-        l.hi_least = tribox_impl_splat(x_of_z.hi_least[z]);
-        l.hi_most = tribox_impl_splat(x_of_z.hi_most[z]);
-        l.plane_lo_least = tribox_impl_splat(middle + rows->lo_least[lane]);
-        l.plane_lo_most = tribox_impl_splat(middle + rows->lo_most[lane]);
-        l.plane_hi_least = tribox_impl_splat(middle + rows->hi_least[lane]);
-        l.plane_hi_most = tribox_impl_splat(middle + rows->hi_most[lane]);
-        l.slope = tribox_impl_splat(rows->slope_y[lane]);
+        l.lo_least = tbx_splat(x_of_z.lo_least[z]);
+        l.lo_most = tbx_splat(x_of_z.lo_most[z]);
+        l.hi_least = tbx_splat(x_of_z.hi_least[z]);
+        l.hi_most = tbx_splat(x_of_z.hi_most[z]);
+        l.plane_lo_least = tbx_splat(middle + rows->lo_least[lane]);
+        l.plane_lo_most = tbx_splat(middle + rows->lo_most[lane]);
+        l.plane_hi_least = tbx_splat(middle + rows->hi_least[lane]);
+        l.plane_hi_most = tbx_splat(middle + rows->hi_most[lane]);
+        l.slope = tbx_splat(rows->slope_y[lane]);
         for (y = first_y & ~3; y <= last_y; y += 4) {
             const int from = y < first_y ? first_y - y : 0;
             const int to = last_y - y < 3 ? last_y - y : 3;
             uint64_t *row = layer + (size_t)(at[1] + y + from) * row_words;
-            tribox_impl_i4 first;
-            tribox_impl_i4 last;
-            const tribox_impl_i4 unsure = tribox_impl_layer_rows(&l, &x_of_y, y, &first, &last);
-            if (TRIBOX_IMPL_RARELY(tribox_impl_any(unsure))) {
+            tbx_i4 first;
+            tbx_i4 last;
+            const tbx_i4 unsure = tbx_layer_rows(&l, &x_of_y, y, &first, &last);
+            if (TBX_RARELY(tbx_any(unsure))) {
                 for (i = from; i <= to; i++) {
                     if (unsure[i] != 0) {
-                        tribox_impl_doubt_add(&doubt, at[2] + z, at[1] + y + i, at[1] + y + i);
+                        tbx_doubt_add(&doubt, at[2] + z, at[1] + y + i, at[1] + y + i);
                     }
                 }
                 last |= unsure;     /* nothing */
             }
-            tribox_impl_layer_set(t, row, row_words, layer_words, first + tribox_impl_splat_int(at[0] - 1),
-                                  last + tribox_impl_splat_int(at[0] - 1), from, to);
+            tbx_layer_set(t, row, row_words, layer_words, first + tbx_splat_int(at[0] - 1),
+                                  last + tbx_splat_int(at[0] - 1), from, to);
         }
     }
     if (doubt.first[0] <= doubt.last[0]) {
         doubt.triangle = g->triangle[lane];
-        *tribox_impl_fill_later(fill, doubt.triangle) = doubt;
+        *tbx_fill_later(fill, doubt.triangle) = doubt;
     }
 }
 
-TRIBOX_IMPL_NOINLINE void tribox_impl_rows_flush_few(tribox_impl_fill *fill, tribox_impl_group *g)
+TBX_NOINLINE void tbx_rows_flush_few(tbx_fill *fill, tbx_group *g)
 {
-    tribox_impl_rows rows;
-    tribox_impl_few few;
+    tbx_rows rows;
+    tbx_few few;
     int rows_y = 0;
     int layers = 0;
     int i;
     if (g->n == 0) {
         return;
     }
-    tribox_impl_group_pad(g);
-    for (i = 0; i < TRIBOX_IMPL_WIDE; i++) {
+    tbx_group_pad(g);
+    for (i = 0; i < TBX_WIDE; i++) {
         const int more = g->box[i][3];
         const int y = (more >> 8 & 255) + 1;
         const int z = (more >> 16 & 255) + 1;
         rows_y = y > rows_y ? y : rows_y;
         layers = z > layers ? z : layers;
     }
-    tribox_impl_rows_set(&rows, &fill->quick, g, fill->mesh);
-    tribox_impl_few_set(&few, &rows, rows_y, layers);
+    tbx_rows_set(&rows, &fill->quick, g, fill->mesh);
+    tbx_few_set(&few, &rows, rows_y, layers);
     for (i = 0; i < g->n; i++) {
         if (few.unsure[i] != 0) {
-            tribox_impl_fill_later(fill, g->triangle[i]);
+            tbx_fill_later(fill, g->triangle[i]);
         } else {
-            tribox_impl_few_store(&few, fill, g, i);
+            tbx_few_store(&few, fill, g, i);
         }
     }
     g->n = 0;
 }
 
-TRIBOX_IMPL_NOINLINE void tribox_impl_rows_flush(tribox_impl_fill *fill, tribox_impl_group *g)
+TBX_NOINLINE void tbx_rows_flush(tbx_fill *fill, tbx_group *g)
 {
-    tribox_impl_rows rows;
+    tbx_rows rows;
     int i;
     if (g->n == 0) {
         return;
     }
-    tribox_impl_group_pad(g);
-    tribox_impl_rows_set(&rows, &fill->quick, g, fill->mesh);
+    tbx_group_pad(g);
+    tbx_rows_set(&rows, &fill->quick, g, fill->mesh);
     for (i = 0; i < g->n; i++) {
         if (rows.unsure[i] != 0) {
-            tribox_impl_fill_later(fill, g->triangle[i]);
+            tbx_fill_later(fill, g->triangle[i]);
         } else {
-            tribox_impl_lane_fill(fill, &rows, g, i);
+            tbx_lane_fill(fill, &rows, g, i);
         }
     }
     g->n = 0;
@@ -5810,135 +5810,135 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_rows_flush(tribox_impl_fill *fill, tribox_
 /* ---- All ways together */
 
 /* A box of any kind, by rows or exactly. */
-TRIBOX_IMPL_FN void tribox_impl_fill_any(tribox_impl_fill *fill, tribox_impl_i4 box, size_t word,
+TBX_FN void tbx_fill_any(tbx_fill *fill, tbx_i4 box, size_t word,
                                          size_t triangle)
 {
-    if ((box[3] & ~(TRIBOX_IMPL_ON_LATTICE | 0x010101 * (TRIBOX_IMPL_FEW - 1))) == 0) {
-        if (tribox_impl_group_add(&fill->rows[0], box, word, triangle)) {
-            tribox_impl_rows_flush_few(fill, &fill->rows[0]);
+    if ((box[3] & ~(TBX_ON_LATTICE | 0x010101 * (TBX_FEW - 1))) == 0) {
+        if (tbx_group_add(&fill->rows[0], box, word, triangle)) {
+            tbx_rows_flush_few(fill, &fill->rows[0]);
         }
     } else if (box[3] >= 0) {
-        if (tribox_impl_group_add(&fill->rows[1], box, word, triangle)) {
-            tribox_impl_rows_flush(fill, &fill->rows[1]);
+        if (tbx_group_add(&fill->rows[1], box, word, triangle)) {
+            tbx_rows_flush(fill, &fill->rows[1]);
         }
-    } else if (box[3] != TRIBOX_IMPL_OFF) {
-        tribox_impl_fill_later(fill, triangle);
+    } else if (box[3] != TBX_OFF) {
+        tbx_fill_later(fill, triangle);
     }
 }
 
-TRIBOX_IMPL_FORCED void tribox_impl_group_flush(tribox_impl_fill *fill, tribox_impl_group *g, int n)
+TBX_FORCED void tbx_group_flush(tbx_fill *fill, tbx_group *g, int n)
 {
     const uint64_t all = ~(uint64_t)0 >> (64 - n * n * n);
-    tribox_impl_missed m;
-    tribox_impl_iw unsure;
-    uint32_t low[TRIBOX_IMPL_WIDE];
-    uint32_t high[TRIBOX_IMPL_WIDE];
-    int32_t again[TRIBOX_IMPL_WIDE];
+    tbx_missed m;
+    tbx_iw unsure;
+    uint32_t low[TBX_WIDE];
+    uint32_t high[TBX_WIDE];
+    int32_t again[TBX_WIDE];
     int i;
     if (g->n == 0) {
         return;
     }
-    tribox_impl_group_pad(g);
-    unsure = tribox_impl_group_decide(&fill->quick, g, fill->mesh, n, &m);
-    TRIBOX_IMPL_COPY(low, &m.low, sizeof low);
-    TRIBOX_IMPL_COPY(high, &m.high, sizeof high);
-    TRIBOX_IMPL_COPY(again, &unsure, sizeof again);
+    tbx_group_pad(g);
+    unsure = tbx_group_decide(&fill->quick, g, fill->mesh, n, &m);
+    TBX_COPY(low, &m.low, sizeof low);
+    TBX_COPY(high, &m.high, sizeof high);
+    TBX_COPY(again, &unsure, sizeof again);
     for (i = 0; i < g->n; i++) {
-        if (TRIBOX_IMPL_RARELY(again[i] != 0)) {
-            tribox_impl_fill_any(fill, g->box[i], g->word[i], g->triangle[i]);
+        if (TBX_RARELY(again[i] != 0)) {
+            tbx_fill_any(fill, g->box[i], g->word[i], g->triangle[i]);
         } else {
             const uint64_t missed = n == 4 ? low[i] | (uint64_t)high[i] << 32 : low[i];
-            tribox_impl_group_set(fill, g, i, n, ~missed & all);
+            tbx_group_set(fill, g, i, n, ~missed & all);
         }
     }
     g->n = 0;
     g->lattice = 0;
 }
 
-TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush2(tribox_impl_fill *fill, tribox_impl_group *g)
+TBX_NOINLINE void tbx_group_flush2(tbx_fill *fill, tbx_group *g)
 {
-    tribox_impl_group_flush(fill, g, 2);
+    tbx_group_flush(fill, g, 2);
 }
 
-TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush3(tribox_impl_fill *fill, tribox_impl_group *g)
+TBX_NOINLINE void tbx_group_flush3(tbx_fill *fill, tbx_group *g)
 {
-    tribox_impl_group_flush(fill, g, 3);
+    tbx_group_flush(fill, g, 3);
 }
 
-TRIBOX_IMPL_NOINLINE void tribox_impl_group_flush4(tribox_impl_fill *fill, tribox_impl_group *g)
+TBX_NOINLINE void tbx_group_flush4(tbx_fill *fill, tbx_group *g)
 {
-    tribox_impl_group_flush(fill, g, 4);
+    tbx_group_flush(fill, g, 4);
 }
 
 /* Boxes, and the words of the first voxels of those in the region. */
-typedef struct tribox_impl_batch {
-    tribox_impl_i4 box[TRIBOX_IMPL_BATCH];
-    size_t         word[TRIBOX_IMPL_BATCH];
-} tribox_impl_batch;
+typedef struct tbx_batch {
+    tbx_i4 box[TBX_BATCH];
+    size_t         word[TBX_BATCH];
+} tbx_batch;
 
 /* Boxes of WIDE triangles: those listed, or from the first on if there is no list. */
-TRIBOX_IMPL_FORCED void tribox_impl_boxes_set(tribox_impl_i4 out[TRIBOX_IMPL_WIDE],
-                                              const tribox_impl_fill *fill, int indexed, const size_t *list,
+TBX_FORCED void tbx_boxes_set(tbx_i4 out[TBX_WIDE],
+                                              const tbx_fill *fill, int indexed, const size_t *list,
                                               size_t first)
 {
-    tribox_impl_points v[3];
-    tribox_impl_boxes box;
-    tribox_impl_load_corners(v, fill->mesh, indexed, list, first);
-    tribox_impl_boxes_of(&fill->quick, v, 0, &box);
-    if (TRIBOX_IMPL_RARELY(tribox_impl_boxes_are_special(&box))) {
-        const tribox_impl_points corner[3] = { v[0], v[1], v[2] };
-        tribox_impl_boxes any = box;
-        tribox_impl_boxes_special(&fill->quick, corner, &any, out);
+    tbx_points v[3];
+    tbx_boxes box;
+    tbx_load_corners(v, fill->mesh, indexed, list, first);
+    tbx_boxes_of(&fill->quick, v, 0, &box);
+    if (TBX_RARELY(tbx_boxes_are_special(&box))) {
+        const tbx_points corner[3] = { v[0], v[1], v[2] };
+        tbx_boxes any = box;
+        tbx_boxes_special(&fill->quick, corner, &any, out);
     } else {
-        tribox_impl_points_to(out, box.first[0], box.first[1], box.first[2], tribox_impl_extents(&box));
+        tbx_points_to(out, box.first[0], box.first[1], box.first[2], tbx_extents(&box));
     }
 }
 
 /* The boxes of so many triangles from t, BATCH at most; asks for the memory of their voxels. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_batch_set(tribox_impl_batch *b, const tribox_impl_fill *fill, size_t t,
+TBX_NOINLINE void tbx_batch_set(tbx_batch *b, const tbx_fill *fill, size_t t,
                                                 int count)
 {
-    const tribox_impl_target *target = fill->target;
+    const tbx_target *target = fill->target;
     const size_t layer_words = fill->quick.layer_words;
     const int indexed = fill->mesh->indices != NULL;
     int i;
-    if (count == TRIBOX_IMPL_BATCH && indexed) {
-        for (i = 0; i < TRIBOX_IMPL_BATCH; i += TRIBOX_IMPL_WIDE) {
-            tribox_impl_boxes_set(b->box + i, fill, 1, NULL, t + (size_t)i);
+    if (count == TBX_BATCH && indexed) {
+        for (i = 0; i < TBX_BATCH; i += TBX_WIDE) {
+            tbx_boxes_set(b->box + i, fill, 1, NULL, t + (size_t)i);
         }
-    } else if (count == TRIBOX_IMPL_BATCH) {
-        for (i = 0; i < TRIBOX_IMPL_BATCH; i += TRIBOX_IMPL_WIDE) {
-            tribox_impl_boxes_set(b->box + i, fill, 0, NULL, t + (size_t)i);
+    } else if (count == TBX_BATCH) {
+        for (i = 0; i < TBX_BATCH; i += TBX_WIDE) {
+            tbx_boxes_set(b->box + i, fill, 0, NULL, t + (size_t)i);
         }
     } else {
-        size_t list[TRIBOX_IMPL_BATCH];
-        for (i = 0; i < TRIBOX_IMPL_BATCH; i++) {
+        size_t list[TBX_BATCH];
+        for (i = 0; i < TBX_BATCH; i++) {
             list[i] = t + (size_t)(i < count ? i : 0);
         }
-        for (i = 0; i < count; i += TRIBOX_IMPL_WIDE) {
-            tribox_impl_boxes_set(b->box + i, fill, indexed, list + i, 0);
+        for (i = 0; i < count; i += TBX_WIDE) {
+            tbx_boxes_set(b->box + i, fill, indexed, list + i, 0);
         }
     }
     for (i = 0; i < count; i++) {
-        const tribox_impl_i4 box = b->box[i];
+        const tbx_i4 box = b->box[i];
         b->word[i] = 0;
-        if (box[3] >= 0 && box[3] < TRIBOX_IMPL_IS_CUT) {
-            const size_t word = (size_t)(box[2] - TRIBOX_IMPL_MARGIN) * layer_words +
-                                (size_t)(box[1] - TRIBOX_IMPL_MARGIN) * target->row_words +
-                                ((size_t)(box[0] - TRIBOX_IMPL_MARGIN) >> 6);
+        if (box[3] >= 0 && box[3] < TBX_IS_CUT) {
+            const size_t word = (size_t)(box[2] - TBX_MARGIN) * layer_words +
+                                (size_t)(box[1] - TBX_MARGIN) * target->row_words +
+                                ((size_t)(box[0] - TBX_MARGIN) >> 6);
             b->word[i] = word;
-            TRIBOX_IMPL_PREFETCH((uintptr_t)target->bits + sizeof(uint64_t) * word);
-            TRIBOX_IMPL_PREFETCH((uintptr_t)target->bits + sizeof(uint64_t) * (word + layer_words));
+            TBX_PREFETCH((uintptr_t)target->bits + sizeof(uint64_t) * word);
+            TBX_PREFETCH((uintptr_t)target->bits + sizeof(uint64_t) * (word + layer_words));
         }
     }
 }
 
 /* The short ways of a box of up to 2^3 voxels: all are set, or none is missed since it is longer than one
  * voxel on one axis at most. Returns 0 where neither holds. */
-TRIBOX_IMPL_FORCED int tribox_impl_fill_short(const tribox_impl_fill *fill, tribox_impl_i4 box, size_t word)
+TBX_FORCED int tbx_fill_short(const tbx_fill *fill, tbx_i4 box, size_t word)
 {
     const int more = box[3];
-    const int x = (box[0] - TRIBOX_IMPL_MARGIN) & 63;
+    const int x = (box[0] - TBX_MARGIN) & 63;
     const uint64_t run = (uint64_t)(1 + 2 * (more & 1)) << x;
     const size_t y1 = fill->target->row_words & ((size_t)0 - (size_t)(more >> 8 & 1));
     const size_t z1 = fill->quick.layer_words & ((size_t)0 - (size_t)(more >> 16 & 1));
@@ -5949,7 +5949,7 @@ TRIBOX_IMPL_FORCED int tribox_impl_fill_short(const tribox_impl_fill *fill, trib
     if ((row[0] & row[y1] & row[z1] & row[y1 + z1] & run) == run) {
         return 1;
     }
-    if ((more & (more - 1) & ~TRIBOX_IMPL_ON_LATTICE) != 0 || fill->quick.thin) {
+    if ((more & (more - 1) & ~TBX_ON_LATTICE) != 0 || fill->quick.thin) {
         return 0;
     }
     row[0] |= run;
@@ -5959,56 +5959,56 @@ TRIBOX_IMPL_FORCED int tribox_impl_fill_short(const tribox_impl_fill *fill, trib
 }
 
 /* So many triangles from t, BATCH at most. */
-TRIBOX_IMPL_NOINLINE void tribox_impl_fill_batch(tribox_impl_fill *fill, size_t t, int count)
+TBX_NOINLINE void tbx_fill_batch(tbx_fill *fill, size_t t, int count)
 {
     const int thin = fill->quick.thin;
-    tribox_impl_batch batch;
+    tbx_batch batch;
     int i;
-    tribox_impl_batch_set(&batch, fill, t, count);
+    tbx_batch_set(&batch, fill, t, count);
     for (i = 0; i < count; i++, t++) {
-        const tribox_impl_i4 box = batch.box[i];
-        const int more = box[3] & ~TRIBOX_IMPL_ON_LATTICE;      /* fits 2^3, 3^3, 4^3 voxels? */
-        if ((more & ~0x010101) == 0 && tribox_impl_fill_short(fill, box, batch.word[i])) {
+        const tbx_i4 box = batch.box[i];
+        const int more = box[3] & ~TBX_ON_LATTICE;      /* fits 2^3, 3^3, 4^3 voxels? */
+        if ((more & ~0x010101) == 0 && tbx_fill_short(fill, box, batch.word[i])) {
             continue;
         }
         if (thin || (more & ~0x030303) != 0 || (more != box[3] && fill->quick.upper_open)) {
-            tribox_impl_fill_any(fill, box, batch.word[i], t);
+            tbx_fill_any(fill, box, batch.word[i], t);
         } else if ((more & ~0x010101) == 0) {
-            if (tribox_impl_group_add(&fill->group[0], box, batch.word[i], t)) {
-                tribox_impl_group_flush2(fill, &fill->group[0]);
+            if (tbx_group_add(&fill->group[0], box, batch.word[i], t)) {
+                tbx_group_flush2(fill, &fill->group[0]);
             }
         } else if (((more + 0x010101) & ~0x030303) == 0) {
-            if (tribox_impl_group_add(&fill->group[1], box, batch.word[i], t)) {
-                tribox_impl_group_flush3(fill, &fill->group[1]);
+            if (tbx_group_add(&fill->group[1], box, batch.word[i], t)) {
+                tbx_group_flush3(fill, &fill->group[1]);
             }
-        } else if (tribox_impl_group_add(&fill->group[2], box, batch.word[i], t)) {
-            tribox_impl_group_flush4(fill, &fill->group[2]);
+        } else if (tbx_group_add(&fill->group[2], box, batch.word[i], t)) {
+            tbx_group_flush4(fill, &fill->group[2]);
         }
     }
 }
 
 /* What the other ways have left. */
-TRIBOX_IMPL_FN void tribox_impl_fill_doubts(tribox_impl_fill *fill, const tribox_grid *grid)
+TBX_FN void tbx_fill_doubts(tbx_fill *fill, const tribox_grid *grid)
 {
     int i;
     int k;
     for (i = 0; i < fill->doubts; i++) {
-        const tribox_impl_doubt *d = &fill->doubt[i];
-        tribox_impl_part part;
+        const tbx_doubt *d = &fill->doubt[i];
+        tbx_part part;
         for (k = 0; k < 2; k++) {
             part.first[k] = d->first[k];
             part.last[k] = d->last[k];
         }
-        tribox_impl_fill_part(grid, fill->fine, fill->mesh, d->triangle, &part, fill->target);
+        tbx_fill_part(grid, fill->fine, fill->mesh, d->triangle, &part, fill->target);
     }
     fill->doubts = 0;
 }
 
 /* All triangles. Returns how many are done: 0 if the grid's numbers are out of range. */
-TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const tribox_impl_fine *fine,
-                                             const tribox_mesh *mesh, const tribox_impl_target *target)
+TBX_FN size_t tbx_fill_quick(const tribox_grid *grid, const tbx_fine *fine,
+                                             const tribox_mesh *mesh, const tbx_target *target)
 {
-    tribox_impl_fill fill;
+    tbx_fill fill;
     size_t t = 0;
     int i;
     fill.mesh = mesh;
@@ -6021,32 +6021,32 @@ TRIBOX_IMPL_FN size_t tribox_impl_fill_quick(const tribox_grid *grid, const trib
     }
     fill.rows[0].n = fill.rows[1].n = 0;
     fill.rows[0].lattice = fill.rows[1].lattice = 0;
-    tribox_impl_quick_init(&fill.quick, grid, fine, target);
+    tbx_quick_init(&fill.quick, grid, fine, target);
     if (!fill.quick.on) {
         return 0;
     }
     while (t < mesh->triangles) {
         const size_t rest = mesh->triangles - t;
-        const int count = rest < TRIBOX_IMPL_BATCH ? (int)rest : TRIBOX_IMPL_BATCH;
-        tribox_impl_fill_batch(&fill, t, count);
-        tribox_impl_fill_doubts(&fill, grid);
+        const int count = rest < TBX_BATCH ? (int)rest : TBX_BATCH;
+        tbx_fill_batch(&fill, t, count);
+        tbx_fill_doubts(&fill, grid);
         t += (size_t)count;
     }
-    tribox_impl_group_flush2(&fill, &fill.group[0]);
-    tribox_impl_group_flush3(&fill, &fill.group[1]);
-    tribox_impl_group_flush4(&fill, &fill.group[2]);
-    tribox_impl_rows_flush_few(&fill, &fill.rows[0]);
-    tribox_impl_rows_flush(&fill, &fill.rows[1]);
-    tribox_impl_fill_doubts(&fill, grid);
+    tbx_group_flush2(&fill, &fill.group[0]);
+    tbx_group_flush3(&fill, &fill.group[1]);
+    tbx_group_flush4(&fill, &fill.group[2]);
+    tbx_rows_flush_few(&fill, &fill.rows[0]);
+    tbx_rows_flush(&fill, &fill.rows[1]);
+    tbx_fill_doubts(&fill, grid);
     return t;
 }
 #endif
 
 TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
 {
-    tribox_impl_target target;
-    tribox_impl_fine fine;
-    tribox_impl_part all;
+    tbx_target target;
+    tbx_fine fine;
+    tbx_part all;
     size_t t = 0;
     int k;
     if (tribox_grid_words(grid) == 0) {
@@ -6058,16 +6058,16 @@ TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh
     }
     target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
     target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
-    tribox_impl_fine_init(&fine, grid);
+    tbx_fine_init(&fine, grid);
 #if TRIBOX_SIMD
-    t = tribox_impl_fill_quick(grid, &fine, mesh, &target);
+    t = tbx_fill_quick(grid, &fine, mesh, &target);
 #endif
     for (k = 0; k < 2; k++) {
         all.first[k] = 0;
         all.last[k] = (int64_t)grid->hi[k + 1] - 1 - grid->lo[k + 1];
     }
     for (; t < mesh->triangles; t++) {
-        tribox_impl_fill_part(grid, &fine, mesh, t, &all, &target);
+        tbx_fill_part(grid, &fine, mesh, t, &all, &target);
     }
 }
 
@@ -6093,15 +6093,15 @@ TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3],
     int inside = 1;
     int k;
     for (k = 0; k < 3; k++) {
-        if (!tribox_impl_is_finite(grid->origin[k]) || !tribox_impl_is_finite(grid->size[k]) ||
-            tribox_impl_sign(grid->size[k]) <= 0 || !tribox_impl_is_finite(point[k])) {
+        if (!tbx_is_finite(grid->origin[k]) || !tbx_is_finite(grid->size[k]) ||
+            tbx_sign(grid->size[k]) <= 0 || !tbx_is_finite(point[k])) {
             return 0;
         }
     }
     for (k = 0; k < 3; k++) {
-        const int64_t i = tribox_impl_plane_search(grid, k, least + 1, most + 1, point[k], 1) - 1;
+        const int64_t i = tbx_plane_search(grid, k, least + 1, most + 1, point[k], 1) - 1;
         inside &= i >= grid->lo[k] && i < grid->hi[k] &&
-                  (i > least || tribox_impl_plane_compare(grid, k, i, point[k]) <= 0);
+                  (i > least || tbx_plane_compare(grid, k, i, point[k]) <= 0);
         out_index[k] = (int)i;
     }
     return inside;
@@ -6109,7 +6109,7 @@ TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3],
 
 /* Bounds of the mesh's triangles, those with a NaN or infinite corner left out.
  * Returns 0 if there is none. */
-TRIBOX_IMPL_FN int tribox_impl_mesh_bounds(const tribox_mesh *mesh, double out_min[3], double out_max[3])
+TBX_FN int tbx_mesh_bounds(const tribox_mesh *mesh, double out_min[3], double out_max[3])
 {
     int any = 0;
     size_t t;
@@ -6118,9 +6118,9 @@ TRIBOX_IMPL_FN int tribox_impl_mesh_bounds(const tribox_mesh *mesh, double out_m
         int c;
         int k;
         for (c = 0; c < 3; c++) {
-            tribox_impl_mesh_corner(mesh, t, c, v[c]);
+            tbx_mesh_corner(mesh, t, c, v[c]);
         }
-        if (!tribox_impl_corners_finite(v[0], v[1], v[2])) {
+        if (!tbx_corners_finite(v[0], v[1], v[2])) {
             continue;
         }
         for (c = 0; c < 3; c++) {
@@ -6152,7 +6152,7 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
         grid->lo[k] = 0;
         grid->hi[k] = 0;
     }
-    if (n < 1 || !tribox_impl_mesh_bounds(mesh, t_min, t_max)) {
+    if (n < 1 || !tbx_mesh_bounds(mesh, t_min, t_max)) {
         return 0;
     }
     for (k = 0; k < 3; k++) {
@@ -6164,10 +6164,10 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
     size = longest / n * (1.0 + 1.0 / 512.0 / n);
     while (!fits) {
         double q;
-        q = tribox_impl_floor_pow2(size) * (1.0 / 8388608.0);       /* 2^-23: 24 bits of size */
-        size = tribox_impl_floor_to(size + bump, q) + q;
+        q = tbx_floor_pow2(size) * (1.0 / 8388608.0);       /* 2^-23: 24 bits of size */
+        size = tbx_floor_to(size + bump, q) + q;
         bump = 2.0 * bump + q;
-        q = tribox_impl_floor_pow2(size) * (1.0 / 4096.0);
+        q = tbx_floor_pow2(size) * (1.0 / 4096.0);
         fits = 1;
         for (k = 0; k < 3; k++) {
             const double extent = t_max[k] - t_min[k];
@@ -6176,9 +6176,9 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
             cells = extent < longest ? cells : n;
             grid->size[k] = size;
             grid->hi[k] = cells;
-            grid->origin[k] = tribox_impl_floor_to((t_min[k] + t_max[k] - cells * size) * 0.5, q);
-            fits &= tribox_impl_plane_compare(grid, k, 0, t_min[k]) < 0 &&
-                    tribox_impl_plane_compare(grid, k, cells, t_max[k]) > 0;
+            grid->origin[k] = tbx_floor_to((t_min[k] + t_max[k] - cells * size) * 0.5, q);
+            fits &= tbx_plane_compare(grid, k, 0, t_min[k]) < 0 &&
+                    tbx_plane_compare(grid, k, cells, t_max[k]) > 0;
         }
     }
     return 1;
@@ -6187,7 +6187,7 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
 #ifndef TRIBOX_NO_COMPANIONS
 /* ---- 13. Implementation: companions --------------------------------------------------------------------
  *
- * Each algorithm is written once, over tribox_impl_num, and runs at most twice: first in double with a bound
+ * Each algorithm is written once, over tbx_num, and runs at most twice: first in double with a bound
  * of the error beside each value, then, only if some sign was unsure, in integers. Both runs take the same
  * branches on signs that are certain, so an answer of the first run is the answer of the second.
  *
@@ -6201,24 +6201,24 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
  *
  * In integers: sign * limbs * 2^exponent, of any exponent, so that ordinary inputs take one limb. A degree-6
  * number spans at most 6 * 280 + 8 = 1688 bits: 53 limbs, and one each for the two unaligned ends. */
-#define TRIBOX_IMPL_NUM_LIMBS 56
+#define TBX_NUM_LIMBS 56
 
-typedef struct tribox_impl_num {
+typedef struct tbx_num {
     double   mid;           /* in double */
     double   rad;
     int      sign;          /* in integers */
     int      exponent;
     int      n;
-    uint32_t limb[TRIBOX_IMPL_NUM_LIMBS];
-} tribox_impl_num;
+    uint32_t limb[TBX_NUM_LIMBS];
+} tbx_num;
 
-typedef struct tribox_impl_calc {
+typedef struct tbx_calc {
     int exact;              /* which of the two runs */
     int unsure;             /* some sign was not certain: what follows means nothing */
-} tribox_impl_calc;
+} tbx_calc;
 
 /* r = a * 2^(a's exponent - exponent) */
-TRIBOX_IMPL_FN void tribox_impl_num_unpack(tribox_impl_big *r, const tribox_impl_num *a, int exponent)
+TBX_FN void tbx_num_unpack(tbx_big *r, const tbx_num *a, int exponent)
 {
     const int shift = a->sign != 0 ? a->exponent - exponent : 0;
     uint64_t carry = 0;
@@ -6238,7 +6238,7 @@ TRIBOX_IMPL_FN void tribox_impl_num_unpack(tribox_impl_big *r, const tribox_impl
 }
 
 /* r = a * 2^exponent, without limbs that are 0 at the low end */
-TRIBOX_IMPL_FN void tribox_impl_num_pack(tribox_impl_num *r, const tribox_impl_big *a, int exponent)
+TBX_FN void tbx_num_pack(tbx_num *r, const tbx_big *a, int exponent)
 {
     int zeros = 0;
     int i;
@@ -6255,43 +6255,43 @@ TRIBOX_IMPL_FN void tribox_impl_num_pack(tribox_impl_num *r, const tribox_impl_b
     }
 }
 
-TRIBOX_IMPL_COLD void tribox_impl_num_set_exact(tribox_impl_num *r, double x)
+TBX_COLD void tbx_num_set_exact(tbx_num *r, double x)
 {
     int64_t mantissa;
-    const int exponent = tribox_impl_split(x, &mantissa);
-    tribox_impl_big a;
-    tribox_impl_big_set(&a, mantissa, 0);
-    tribox_impl_num_pack(r, &a, exponent);
+    const int exponent = tbx_split(x, &mantissa);
+    tbx_big a;
+    tbx_big_set(&a, mantissa, 0);
+    tbx_num_pack(r, &a, exponent);
 }
 
-TRIBOX_IMPL_COLD void tribox_impl_num_add_exact(tribox_impl_num *r, const tribox_impl_num *a,
-                                                const tribox_impl_num *b, int sign)
+TBX_COLD void tbx_num_add_exact(tbx_num *r, const tbx_num *a,
+                                                const tbx_num *b, int sign)
 {
     const int a_lower = b->sign == 0 || (a->sign != 0 && a->exponent < b->exponent);
     const int exponent = a_lower ? a->exponent : b->exponent;
-    tribox_impl_big x;
-    tribox_impl_big y;
-    tribox_impl_num_unpack(&x, a, exponent);
-    tribox_impl_num_unpack(&y, b, exponent);
-    tribox_impl_big_add(&x, &y, sign);
-    tribox_impl_num_pack(r, &x, exponent);
+    tbx_big x;
+    tbx_big y;
+    tbx_num_unpack(&x, a, exponent);
+    tbx_num_unpack(&y, b, exponent);
+    tbx_big_add(&x, &y, sign);
+    tbx_num_pack(r, &x, exponent);
 }
 
-TRIBOX_IMPL_COLD void tribox_impl_num_mul_exact(tribox_impl_num *r, const tribox_impl_num *a,
-                                                const tribox_impl_num *b)
+TBX_COLD void tbx_num_mul_exact(tbx_num *r, const tbx_num *a,
+                                                const tbx_num *b)
 {
     const int exponent = a->exponent + b->exponent;
-    tribox_impl_big x;
-    tribox_impl_big y;
-    tribox_impl_big xy;
-    tribox_impl_num_unpack(&x, a, a->exponent);
-    tribox_impl_num_unpack(&y, b, b->exponent);
-    tribox_impl_big_mul(&xy, &x, &y);
-    tribox_impl_num_pack(r, &xy, exponent);
+    tbx_big x;
+    tbx_big y;
+    tbx_big xy;
+    tbx_num_unpack(&x, a, a->exponent);
+    tbx_num_unpack(&y, b, b->exponent);
+    tbx_big_mul(&xy, &x, &y);
+    tbx_num_pack(r, &xy, exponent);
 }
 
 /* The number rounded to a double, to a few ulp: its three highest limbs. */
-TRIBOX_IMPL_COLD double tribox_impl_num_value_exact(const tribox_impl_num *a)
+TBX_COLD double tbx_num_value_exact(const tbx_num *a)
 {
     double value = 0.0;
     int exponent = a->exponent;
@@ -6303,15 +6303,15 @@ TRIBOX_IMPL_COLD double tribox_impl_num_value_exact(const tribox_impl_num *a)
         value = value * (1.0 / 4294967296.0) + (double)a->limb[i];
     }
     exponent += 32 * (a->n - 1);
-    return a->sign * value * tribox_impl_from_bits64((uint64_t)(1023 + exponent) << 52);
+    return a->sign * value * tbx_from_bits64((uint64_t)(1023 + exponent) << 52);
 }
 
-#define TRIBOX_IMPL_NUM_U 4.44089209850062616169452667236328125e-16     /* 2^-51 */
+#define TBX_NUM_U 4.44089209850062616169452667236328125e-16     /* 2^-51 */
 
-TRIBOX_IMPL_FN void tribox_impl_num_set(const tribox_impl_calc *c, tribox_impl_num *r, double x)
+TBX_FN void tbx_num_set(const tbx_calc *c, tbx_num *r, double x)
 {
     if (c->exact) {
-        tribox_impl_num_set_exact(r, x);
+        tbx_num_set_exact(r, x);
     } else {
         r->mid = x;
         r->rad = 0.0;
@@ -6319,8 +6319,8 @@ TRIBOX_IMPL_FN void tribox_impl_num_set(const tribox_impl_calc *c, tribox_impl_n
 }
 
 /* What this run uses of a number: copies of whole structs would take longer than the sums. */
-TRIBOX_IMPL_FN void tribox_impl_num_copy(const tribox_impl_calc *c, tribox_impl_num *r,
-                                         const tribox_impl_num *a)
+TBX_FN void tbx_num_copy(const tbx_calc *c, tbx_num *r,
+                                         const tbx_num *a)
 {
     if (c->exact) {
         *r = *a;
@@ -6331,60 +6331,60 @@ TRIBOX_IMPL_FN void tribox_impl_num_copy(const tribox_impl_calc *c, tribox_impl_
 }
 
 /* Have both numbers at most 24 bits? */
-TRIBOX_IMPL_FN int tribox_impl_both_short(double a, double b)
+TBX_FN int tbx_both_short(double a, double b)
 {
-    return ((tribox_impl_bits64(&a) | tribox_impl_bits64(&b)) & 0x1fffffffu) == 0;
+    return ((tbx_bits64(&a) | tbx_bits64(&b)) & 0x1fffffffu) == 0;
 }
 
-TRIBOX_IMPL_FN int tribox_impl_sum_is_exact(double a, double b)
+TBX_FN int tbx_sum_is_exact(double a, double b)
 {
-    const int64_t e = (int64_t)(tribox_impl_bits64(&a) >> 52 & 0x7ffu);
-    const int64_t f = (int64_t)(tribox_impl_bits64(&b) >> 52 & 0x7ffu);
-    return e == 0 || f == 0 || (e - f <= 28 && f - e <= 28 && tribox_impl_both_short(a, b));
+    const int64_t e = (int64_t)(tbx_bits64(&a) >> 52 & 0x7ffu);
+    const int64_t f = (int64_t)(tbx_bits64(&b) >> 52 & 0x7ffu);
+    return e == 0 || f == 0 || (e - f <= 28 && f - e <= 28 && tbx_both_short(a, b));
 }
 
 /* r = a + sign * b; r may be a or b, here and below */
-TRIBOX_IMPL_FN void tribox_impl_num_add(const tribox_impl_calc *c, tribox_impl_num *r,
-                                        const tribox_impl_num *a, const tribox_impl_num *b, int sign)
+TBX_FN void tbx_num_add(const tbx_calc *c, tbx_num *r,
+                                        const tbx_num *a, const tbx_num *b, int sign)
 {
     if (c->exact) {
-        tribox_impl_num_add_exact(r, a, b, sign);
+        tbx_num_add_exact(r, a, b, sign);
     } else {
         const double rad = a->rad + b->rad;
         double mid = sign > 0 ? a->mid + b->mid : a->mid - b->mid;
-        TRIBOX_IMPL_KEEP(mid);
-        r->rad = rad > 0.0 || !tribox_impl_sum_is_exact(a->mid, b->mid) ?
-                 rad + TRIBOX_IMPL_NUM_U * tribox_impl_abs(mid) : 0.0;
+        TBX_KEEP(mid);
+        r->rad = rad > 0.0 || !tbx_sum_is_exact(a->mid, b->mid) ?
+                 rad + TBX_NUM_U * tbx_abs(mid) : 0.0;
         r->mid = mid;
     }
 }
 
-TRIBOX_IMPL_FN void tribox_impl_num_mul(const tribox_impl_calc *c, tribox_impl_num *r,
-                                        const tribox_impl_num *a, const tribox_impl_num *b)
+TBX_FN void tbx_num_mul(const tbx_calc *c, tbx_num *r,
+                                        const tbx_num *a, const tbx_num *b)
 {
     if (c->exact) {
-        tribox_impl_num_mul_exact(r, a, b);
+        tbx_num_mul_exact(r, a, b);
     } else {
         const double mid = a->mid * b->mid;
-        const double rad = tribox_impl_abs(a->mid) * b->rad + tribox_impl_abs(b->mid) * a->rad +
+        const double rad = tbx_abs(a->mid) * b->rad + tbx_abs(b->mid) * a->rad +
                            a->rad * b->rad;
-        r->rad = rad > 0.0 || !tribox_impl_both_short(a->mid, b->mid) ?
-                 rad + TRIBOX_IMPL_NUM_U * tribox_impl_abs(mid) : 0.0;
+        r->rad = rad > 0.0 || !tbx_both_short(a->mid, b->mid) ?
+                 rad + TBX_NUM_U * tbx_abs(mid) : 0.0;
         r->mid = mid;
     }
 }
 
 /* r = x - y, of two inputs */
-TRIBOX_IMPL_FN void tribox_impl_num_difference(const tribox_impl_calc *c, tribox_impl_num *r, double x,
+TBX_FN void tbx_num_difference(const tbx_calc *c, tbx_num *r, double x,
                                                double y)
 {
-    tribox_impl_num b;
-    tribox_impl_num_set(c, r, x);
-    tribox_impl_num_set(c, &b, y);
-    tribox_impl_num_add(c, r, r, &b, -1);
+    tbx_num b;
+    tbx_num_set(c, r, x);
+    tbx_num_set(c, &b, y);
+    tbx_num_add(c, r, r, &b, -1);
 }
 
-TRIBOX_IMPL_FN void tribox_impl_num_flip(const tribox_impl_calc *c, tribox_impl_num *r, int sign)
+TBX_FN void tbx_num_flip(const tbx_calc *c, tbx_num *r, int sign)
 {
     if (c->exact) {
         r->sign *= sign;
@@ -6393,7 +6393,7 @@ TRIBOX_IMPL_FN void tribox_impl_num_flip(const tribox_impl_calc *c, tribox_impl_
     }
 }
 
-TRIBOX_IMPL_FN int tribox_impl_num_sign(tribox_impl_calc *c, const tribox_impl_num *a)
+TBX_FN int tbx_num_sign(tbx_calc *c, const tbx_num *a)
 {
     if (c->exact) {
         return a->sign;
@@ -6408,150 +6408,150 @@ TRIBOX_IMPL_FN int tribox_impl_num_sign(tribox_impl_calc *c, const tribox_impl_n
     return 0;
 }
 
-TRIBOX_IMPL_FN double tribox_impl_num_value(const tribox_impl_calc *c, const tribox_impl_num *a)
+TBX_FN double tbx_num_value(const tbx_calc *c, const tbx_num *a)
 {
-    return c->exact ? tribox_impl_num_value_exact(a) : a->mid;
+    return c->exact ? tbx_num_value_exact(a) : a->mid;
 }
 
 /* r = x.y */
-TRIBOX_IMPL_FN void tribox_impl_num_dot(const tribox_impl_calc *c, tribox_impl_num *r,
-                                        const tribox_impl_num x[3], const tribox_impl_num y[3])
+TBX_FN void tbx_num_dot(const tbx_calc *c, tbx_num *r,
+                                        const tbx_num x[3], const tbx_num y[3])
 {
-    tribox_impl_num sum;
-    tribox_impl_num xy;
-    tribox_impl_num_mul(c, &sum, &x[0], &y[0]);
-    tribox_impl_num_mul(c, &xy, &x[1], &y[1]);
-    tribox_impl_num_add(c, &sum, &sum, &xy, 1);
-    tribox_impl_num_mul(c, &xy, &x[2], &y[2]);
-    tribox_impl_num_add(c, r, &sum, &xy, 1);
+    tbx_num sum;
+    tbx_num xy;
+    tbx_num_mul(c, &sum, &x[0], &y[0]);
+    tbx_num_mul(c, &xy, &x[1], &y[1]);
+    tbx_num_add(c, &sum, &sum, &xy, 1);
+    tbx_num_mul(c, &xy, &x[2], &y[2]);
+    tbx_num_add(c, r, &sum, &xy, 1);
 }
 
 /* r = x * y, r neither x nor y */
-TRIBOX_IMPL_FN void tribox_impl_num_cross(const tribox_impl_calc *c, tribox_impl_num r[3],
-                                          const tribox_impl_num x[3], const tribox_impl_num y[3])
+TBX_FN void tbx_num_cross(const tbx_calc *c, tbx_num r[3],
+                                          const tbx_num x[3], const tbx_num y[3])
 {
     int k;
     for (k = 0; k < 3; k++) {
         const int l = (k + 1) % 3;
         const int m = (k + 2) % 3;
-        tribox_impl_num xy;
-        tribox_impl_num_mul(c, &r[k], &x[l], &y[m]);
-        tribox_impl_num_mul(c, &xy, &x[m], &y[l]);
-        tribox_impl_num_add(c, &r[k], &r[k], &xy, -1);
+        tbx_num xy;
+        tbx_num_mul(c, &r[k], &x[l], &y[m]);
+        tbx_num_mul(c, &xy, &x[m], &y[l]);
+        tbx_num_add(c, &r[k], &r[k], &xy, -1);
     }
 }
 
-TRIBOX_IMPL_FN void tribox_impl_num_difference3(const tribox_impl_calc *c, tribox_impl_num r[3],
+TBX_FN void tbx_num_difference3(const tbx_calc *c, tbx_num r[3],
                                                 const double x[3], const double y[3])
 {
     int k;
     for (k = 0; k < 3; k++) {
-        tribox_impl_num_difference(c, &r[k], x[k], y[k]);
+        tbx_num_difference(c, &r[k], x[k], y[k]);
     }
 }
 
 /* (v1 - v0) x (v2 - v0) */
-TRIBOX_IMPL_FN void tribox_impl_num_normal(const tribox_impl_calc *c, tribox_impl_num r[3],
+TBX_FN void tbx_num_normal(const tbx_calc *c, tbx_num r[3],
                                            const double v0[3], const double v1[3], const double v2[3])
 {
-    tribox_impl_num x[3];
-    tribox_impl_num y[3];
-    tribox_impl_num_difference3(c, x, v1, v0);
-    tribox_impl_num_difference3(c, y, v2, v0);
-    tribox_impl_num_cross(c, r, x, y);
+    tbx_num x[3];
+    tbx_num y[3];
+    tbx_num_difference3(c, x, v1, v0);
+    tbx_num_difference3(c, y, v2, v0);
+    tbx_num_cross(c, r, x, y);
 }
 
 /* ---- fractions */
 
 /* n / d with d > 0, or d = 0: infinite with the sign of n. A plain struct of two, never stored reduced. */
-typedef struct tribox_impl_fraction {
-    tribox_impl_num n;
-    tribox_impl_num d;
-} tribox_impl_fraction;
+typedef struct tbx_fraction {
+    tbx_num n;
+    tbx_num d;
+} tbx_fraction;
 
-TRIBOX_IMPL_FN void tribox_impl_fraction_set(const tribox_impl_calc *c, tribox_impl_fraction *r, double x)
+TBX_FN void tbx_fraction_set(const tbx_calc *c, tbx_fraction *r, double x)
 {
-    const int finite = tribox_impl_is_finite(x);
-    tribox_impl_num_set(c, &r->n, finite ? x : (double)tribox_impl_sign(x));
-    tribox_impl_num_set(c, &r->d, finite ? 1.0 : 0.0);
+    const int finite = tbx_is_finite(x);
+    tbx_num_set(c, &r->n, finite ? x : (double)tbx_sign(x));
+    tbx_num_set(c, &r->d, finite ? 1.0 : 0.0);
 }
 
 /* The sign of a - b; equal infinities give 0. */
-TRIBOX_IMPL_FN int tribox_impl_fraction_compare(tribox_impl_calc *c, const tribox_impl_fraction *a,
-                                                const tribox_impl_fraction *b)
+TBX_FN int tbx_fraction_compare(tbx_calc *c, const tbx_fraction *a,
+                                                const tbx_fraction *b)
 {
-    tribox_impl_num x;
-    tribox_impl_num y;
-    tribox_impl_num_mul(c, &x, &a->n, &b->d);
-    tribox_impl_num_mul(c, &y, &b->n, &a->d);
-    tribox_impl_num_add(c, &x, &x, &y, -1);
-    return tribox_impl_num_sign(c, &x);
+    tbx_num x;
+    tbx_num y;
+    tbx_num_mul(c, &x, &a->n, &b->d);
+    tbx_num_mul(c, &y, &b->n, &a->d);
+    tbx_num_add(c, &x, &x, &y, -1);
+    return tbx_num_sign(c, &x);
 }
 
-enum { TRIBOX_IMPL_DOWN, TRIBOX_IMPL_NEAREST, TRIBOX_IMPL_UP };     /* NEAREST: ties to even */
+enum { TBX_DOWN, TBX_NEAREST, TBX_UP };     /* NEAREST: ties to even */
 
-#define TRIBOX_IMPL_KEY_INFINITY 0x7f800000
+#define TBX_KEY_INFINITY 0x7f800000
 
 /* The float of a key, infinities included. */
-TRIBOX_IMPL_FN float tribox_impl_from_key32(int64_t key)
+TBX_FN float tbx_from_key32(int64_t key)
 {
-    return tribox_impl_from_bits32(key < 0 ? 0x80000000u | (uint32_t)-key : (uint32_t)key);
+    return tbx_from_bits32(key < 0 ? 0x80000000u | (uint32_t)-key : (uint32_t)key);
 }
 
 /* Is x, rounded, at least the float with this key? The least x for which it is: the float itself (down),
  * just above the one before (up), or half-way between the two, itself included for an even float
  * (nearest; x is then no larger than the largest float). */
-TRIBOX_IMPL_FN int tribox_impl_rounds_to_at_least(tribox_impl_calc *c, const tribox_impl_fraction *x,
+TBX_FN int tbx_rounds_to_at_least(tbx_calc *c, const tbx_fraction *x,
                                                   int64_t key, int rounding)
 {
-    const int64_t from = rounding == TRIBOX_IMPL_DOWN ? key : key - 1;
+    const int64_t from = rounding == TBX_DOWN ? key : key - 1;
     double border;
-    tribox_impl_fraction b;
+    tbx_fraction b;
     int order;
-    if (from <= -TRIBOX_IMPL_KEY_INFINITY) {
+    if (from <= -TBX_KEY_INFINITY) {
         return 1;
     }
-    if ((rounding == TRIBOX_IMPL_UP ? from : key) >= TRIBOX_IMPL_KEY_INFINITY) {
+    if ((rounding == TBX_UP ? from : key) >= TBX_KEY_INFINITY) {
         return 0;
     }
-    border = tribox_impl_key32_value((int32_t)from);
-    if (rounding == TRIBOX_IMPL_NEAREST) {
-        border = (border + tribox_impl_key32_value((int32_t)key)) * 0.5;
+    border = tbx_key32_value((int32_t)from);
+    if (rounding == TBX_NEAREST) {
+        border = (border + tbx_key32_value((int32_t)key)) * 0.5;
     }
-    tribox_impl_fraction_set(c, &b, border);
-    order = tribox_impl_fraction_compare(c, x, &b);
-    return order > 0 || (order == 0 && (rounding == TRIBOX_IMPL_DOWN ||
-                                        (rounding == TRIBOX_IMPL_NEAREST && (key & 1) == 0)));
+    tbx_fraction_set(c, &b, border);
+    order = tbx_fraction_compare(c, x, &b);
+    return order > 0 || (order == 0 && (rounding == TBX_DOWN ||
+                                        (rounding == TBX_NEAREST && (key & 1) == 0)));
 }
 
 /* The fraction as a float. The quotient in double only says where to look: from there, steps that double,
  * then halve, find the greatest float that x rounds to at least. */
-TRIBOX_IMPL_FN float tribox_impl_fraction_round(tribox_impl_calc *c, const tribox_impl_fraction *x,
+TBX_FN float tbx_fraction_round(tbx_calc *c, const tbx_fraction *x,
                                                 int rounding)
 {
     const double largest = (double)FLT_MAX;
-    int64_t lo = -TRIBOX_IMPL_KEY_INFINITY;         /* x rounds to at least lo and to less than hi */
-    int64_t hi = TRIBOX_IMPL_KEY_INFINITY + 1;
+    int64_t lo = -TBX_KEY_INFINITY;         /* x rounds to at least lo and to less than hi */
+    int64_t hi = TBX_KEY_INFINITY + 1;
     int64_t step = 1;
     double guess;
     float narrow;
     int32_t key;
-    if (tribox_impl_num_sign(c, &x->d) == 0) {
-        return tribox_impl_from_key32(tribox_impl_num_sign(c, &x->n) * TRIBOX_IMPL_KEY_INFINITY);
+    if (tbx_num_sign(c, &x->d) == 0) {
+        return tbx_from_key32(tbx_num_sign(c, &x->n) * TBX_KEY_INFINITY);
     }
-    guess = tribox_impl_num_value(c, &x->n) / tribox_impl_num_value(c, &x->d);
-    narrow = (float)tribox_impl_max(tribox_impl_min(guess, largest), -largest);
-    key = tribox_impl_key32(&narrow);
-    if (tribox_impl_rounds_to_at_least(c, x, key, rounding)) {
+    guess = tbx_num_value(c, &x->n) / tbx_num_value(c, &x->d);
+    narrow = (float)tbx_max(tbx_min(guess, largest), -largest);
+    key = tbx_key32(&narrow);
+    if (tbx_rounds_to_at_least(c, x, key, rounding)) {
         lo = key;
-        while (lo + step < hi && tribox_impl_rounds_to_at_least(c, x, lo + step, rounding)) {
+        while (lo + step < hi && tbx_rounds_to_at_least(c, x, lo + step, rounding)) {
             lo += step;
             step *= 2;
         }
         hi = lo + step < hi ? lo + step : hi;
     } else {
         hi = key;
-        while (hi - step > lo && !tribox_impl_rounds_to_at_least(c, x, hi - step, rounding)) {
+        while (hi - step > lo && !tbx_rounds_to_at_least(c, x, hi - step, rounding)) {
             hi -= step;
             step *= 2;
         }
@@ -6559,34 +6559,34 @@ TRIBOX_IMPL_FN float tribox_impl_fraction_round(tribox_impl_calc *c, const tribo
     }
     while (hi - lo > 1) {
         const int64_t mid = lo + (hi - lo) / 2;
-        if (tribox_impl_rounds_to_at_least(c, x, mid, rounding)) {
+        if (tbx_rounds_to_at_least(c, x, mid, rounding)) {
             lo = mid;
         } else {
             hi = mid;
         }
     }
-    return tribox_impl_from_key32(lo);
+    return tbx_from_key32(lo);
 }
 
 /* ---- inputs */
 
-TRIBOX_IMPL_FN void tribox_impl_widen3(double out[3], const float x[3])
+TBX_FN void tbx_widen3(double out[3], const float x[3])
 {
-    out[0] = tribox_impl_widen(x);
-    out[1] = tribox_impl_widen(x + 1);
-    out[2] = tribox_impl_widen(x + 2);
+    out[0] = tbx_widen(x);
+    out[1] = tbx_widen(x + 1);
+    out[2] = tbx_widen(x + 2);
 }
 
 /* Does the closed box hold a real point? Not with NaN, min > max, or both faces at one infinity. */
-TRIBOX_IMPL_FN int tribox_impl_box_valid(const double lo[3], const double hi[3])
+TBX_FN int tbx_box_valid(const double lo[3], const double hi[3])
 {
     const int64_t infinity = (int64_t)0x7ff << 52;
     int valid = 1;
     int k;
     for (k = 0; k < 3; k++) {
-        const int64_t key_lo = tribox_impl_key64(lo[k]);
-        const int64_t key_hi = tribox_impl_key64(hi[k]);
-        valid = valid && !tribox_impl_is_nan(lo[k]) && !tribox_impl_is_nan(hi[k]) && key_lo <= key_hi &&
+        const int64_t key_lo = tbx_key64(lo[k]);
+        const int64_t key_hi = tbx_key64(hi[k]);
+        valid = valid && !tbx_is_nan(lo[k]) && !tbx_is_nan(hi[k]) && key_lo <= key_hi &&
                 key_lo < infinity && key_hi > -infinity;
     }
     return valid;
@@ -6600,15 +6600,15 @@ TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const f
     double b_lo[3];
     double b_hi[3];
     int k;
-    tribox_impl_widen3(a_lo, a_min);
-    tribox_impl_widen3(a_hi, a_max);
-    tribox_impl_widen3(b_lo, b_min);
-    tribox_impl_widen3(b_hi, b_max);
-    if (!tribox_impl_box_valid(a_lo, a_hi) || !tribox_impl_box_valid(b_lo, b_hi)) {
+    tbx_widen3(a_lo, a_min);
+    tbx_widen3(a_hi, a_max);
+    tbx_widen3(b_lo, b_min);
+    tbx_widen3(b_hi, b_max);
+    if (!tbx_box_valid(a_lo, a_hi) || !tbx_box_valid(b_lo, b_hi)) {
         return 0;
     }
     for (k = 0; k < 3; k++) {
-        if (tribox_impl_less(a_hi[k], b_lo[k]) || tribox_impl_less(b_hi[k], a_lo[k])) {
+        if (tbx_less(a_hi[k], b_lo[k]) || tbx_less(b_hi[k], a_lo[k])) {
             return 0;
         }
     }
@@ -6618,61 +6618,61 @@ TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const f
 /* ---- plane and box */
 
 /* The sign of the greatest value of side * (n.q + d) over the box; an infinite face decides it. */
-TRIBOX_IMPL_FN int tribox_impl_plane_side(tribox_impl_calc *c, const double n[3], double d,
+TBX_FN int tbx_plane_side(tbx_calc *c, const double n[3], double d,
                                           const double lo[3], const double hi[3], int side)
 {
-    tribox_impl_num sum;
+    tbx_num sum;
     int k;
-    tribox_impl_num_set(c, &sum, d);
+    tbx_num_set(c, &sum, d);
     for (k = 0; k < 3; k++) {
-        const int n_sign = tribox_impl_sign(n[k]);
+        const int n_sign = tbx_sign(n[k]);
         const double q = side * n_sign > 0 ? hi[k] : lo[k];
-        tribox_impl_num x;
-        tribox_impl_num y;
+        tbx_num x;
+        tbx_num y;
         if (n_sign == 0) {
             continue;
         }
-        if (!tribox_impl_is_finite(q)) {
+        if (!tbx_is_finite(q)) {
             return 1;
         }
-        tribox_impl_num_set(c, &x, n[k]);
-        tribox_impl_num_set(c, &y, q);
-        tribox_impl_num_mul(c, &x, &x, &y);
-        tribox_impl_num_add(c, &sum, &sum, &x, 1);
+        tbx_num_set(c, &x, n[k]);
+        tbx_num_set(c, &y, q);
+        tbx_num_mul(c, &x, &x, &y);
+        tbx_num_add(c, &sum, &sum, &x, 1);
     }
-    return side * tribox_impl_num_sign(c, &sum);
+    return side * tbx_num_sign(c, &sum);
 }
 
-TRIBOX_IMPL_NOINLINE int tribox_impl_plane_box(tribox_impl_calc *c, const double n[3], double d,
+TBX_NOINLINE int tbx_plane_box(tbx_calc *c, const double n[3], double d,
                                                const double lo[3], const double hi[3])
 {
-    if (tribox_impl_plane_side(c, n, d, lo, hi, 1) < 0) {
+    if (tbx_plane_side(c, n, d, lo, hi, 1) < 0) {
         return -1;
     }
-    return tribox_impl_plane_side(c, n, d, lo, hi, -1) < 0;
+    return tbx_plane_side(c, n, d, lo, hi, -1) < 0;
 }
 
 TRIBOX_FN int tribox_plane_box(const float n[3], float d, const float box_min[3], const float box_max[3])
 {
-    tribox_impl_calc c = { 0, 0 };
-    const double d_wide = tribox_impl_widen(&d);
+    tbx_calc c = { 0, 0 };
+    const double d_wide = tbx_widen(&d);
     double n_wide[3];
     double lo[3];
     double hi[3];
     int side;
-    tribox_impl_widen3(n_wide, n);
-    tribox_impl_widen3(lo, box_min);
-    tribox_impl_widen3(hi, box_max);
-    if (!tribox_impl_finite3(n_wide) || tribox_impl_is_nan(d_wide) || !tribox_impl_box_valid(lo, hi)) {
+    tbx_widen3(n_wide, n);
+    tbx_widen3(lo, box_min);
+    tbx_widen3(hi, box_max);
+    if (!tbx_finite3(n_wide) || tbx_is_nan(d_wide) || !tbx_box_valid(lo, hi)) {
         return 2;
     }
-    if (!tribox_impl_is_finite(d_wide)) {
-        return tribox_impl_sign(d_wide);
+    if (!tbx_is_finite(d_wide)) {
+        return tbx_sign(d_wide);
     }
-    side = tribox_impl_plane_box(&c, n_wide, d_wide, lo, hi);
+    side = tbx_plane_box(&c, n_wide, d_wide, lo, hi);
     if (c.unsure) {
         c.exact = 1;
-        side = tribox_impl_plane_box(&c, n_wide, d_wide, lo, hi);
+        side = tbx_plane_box(&c, n_wide, d_wide, lo, hi);
     }
     return side;
 }
@@ -6688,33 +6688,33 @@ TRIBOX_FN int tribox_plane_box(const float n[3], float d, const float box_min[3]
  * meets the box B as B, moving by -dir, meets the point; and a triangle as a box of one point, moving by
  * dir, does. */
 /* 0..2 faces; 4 + 3a + i: edge i x axis a */
-enum { TRIBOX_IMPL_AXIS_NORMAL = 3, TRIBOX_IMPL_AXES = 13 };
+enum { TBX_AXIS_NORMAL = 3, TBX_AXES = 13 };
 
-typedef struct tribox_impl_motion {
-    tribox_impl_calc     calc;
+typedef struct tbx_motion {
+    tbx_calc     calc;
     double               v[3][3];
     double               lo[3];
     double               hi[3];
     double               velocity[3];
-    tribox_impl_fraction first;     /* the interval of t so far */
-    tribox_impl_fraction last;
+    tbx_fraction first;     /* the interval of t so far */
+    tbx_fraction last;
     int                  empty;
     int                  n_sign[3]; /* of the normal */
     int                  opens;     /* the axis whose interval opens at `first`, -1 if none; its side of T: */
     int                  opens_side;
     int                  touches;   /* the first axis of zero gap at t = 0, -1 if none */
     int                  touches_side;
-} tribox_impl_motion;
+} tbx_motion;
 
 /* Keeps those t of the interval for which c0 + t c1 >= 0, by axis and side of T. */
-TRIBOX_IMPL_FN void tribox_impl_motion_keep(tribox_impl_motion *m, const tribox_impl_num *c0,
-                                            const tribox_impl_num *c1, int axis, int side)
+TBX_FN void tbx_motion_keep(tbx_motion *m, const tbx_num *c0,
+                                            const tbx_num *c1, int axis, int side)
 {
-    tribox_impl_calc *c = &m->calc;
-    const int direction = tribox_impl_num_sign(c, c1);
-    const int gap = tribox_impl_num_sign(c, c0);
-    tribox_impl_fraction t;
-    tribox_impl_fraction *end = direction > 0 ? &m->first : &m->last;
+    tbx_calc *c = &m->calc;
+    const int direction = tbx_num_sign(c, c1);
+    const int gap = tbx_num_sign(c, c0);
+    tbx_fraction t;
+    tbx_fraction *end = direction > 0 ? &m->first : &m->last;
     int tighter;
     if (gap == 0 && m->touches < 0) {
         m->touches = axis;
@@ -6724,57 +6724,57 @@ TRIBOX_IMPL_FN void tribox_impl_motion_keep(tribox_impl_motion *m, const tribox_
         m->empty |= gap < 0;
         return;
     }
-    tribox_impl_num_copy(c, &t.n, c0);
-    tribox_impl_num_copy(c, &t.d, c1);
-    tribox_impl_num_flip(c, &t.n, -direction);
-    tribox_impl_num_flip(c, &t.d, direction);
-    tighter = direction * tribox_impl_fraction_compare(c, &t, end);
+    tbx_num_copy(c, &t.n, c0);
+    tbx_num_copy(c, &t.d, c1);
+    tbx_num_flip(c, &t.n, -direction);
+    tbx_num_flip(c, &t.d, direction);
+    tighter = direction * tbx_fraction_compare(c, &t, end);
     if (direction > 0 && (tighter > 0 || (tighter == 0 && m->opens < 0))) {
         m->opens = axis;
         m->opens_side = side;
     }
     if (tighter > 0) {
-        tribox_impl_num_copy(c, &end->n, &t.n);
-        tribox_impl_num_copy(c, &end->d, &t.d);
+        tbx_num_copy(c, &end->n, &t.n);
+        tbx_num_copy(c, &end->d, &t.d);
     }
 }
 
 /* The axis as a vector: unit, normal, or edge i x unit a = (0, e_c, -e_b) from component a on. */
-TRIBOX_IMPL_FN void tribox_impl_motion_axis(tribox_impl_motion *m, int axis, tribox_impl_num l[3])
+TBX_FN void tbx_motion_axis(tbx_motion *m, int axis, tbx_num l[3])
 {
-    const tribox_impl_calc *c = &m->calc;
+    const tbx_calc *c = &m->calc;
     int k;
-    if (axis < TRIBOX_IMPL_AXIS_NORMAL) {
+    if (axis < TBX_AXIS_NORMAL) {
         for (k = 0; k < 3; k++) {
-            tribox_impl_num_set(c, &l[k], k == axis ? 1.0 : 0.0);
+            tbx_num_set(c, &l[k], k == axis ? 1.0 : 0.0);
         }
-    } else if (axis == TRIBOX_IMPL_AXIS_NORMAL) {
-        tribox_impl_num_normal(c, l, m->v[0], m->v[1], m->v[2]);
+    } else if (axis == TBX_AXIS_NORMAL) {
+        tbx_num_normal(c, l, m->v[0], m->v[1], m->v[2]);
     } else {
         const int a = (axis - 4) / 3;
         const int i = (axis - 4) % 3;
         const int b = (a + 1) % 3;
         const int e = (a + 2) % 3;
         const int j = (i + 1) % 3;
-        tribox_impl_num_set(c, &l[a], 0.0);
-        tribox_impl_num_difference(c, &l[b], m->v[j][e], m->v[i][e]);
-        tribox_impl_num_difference(c, &l[e], m->v[i][b], m->v[j][b]);
+        tbx_num_set(c, &l[a], 0.0);
+        tbx_num_difference(c, &l[b], m->v[j][e], m->v[i][e]);
+        tbx_num_difference(c, &l[e], m->v[i][b], m->v[j][b]);
     }
 }
 
 /* The corner of T that is least (want = 1) or greatest (-1) along the axis. Along edge i x unit a: the
  * third corner lies at -n_a from corner i. */
-TRIBOX_IMPL_FN int tribox_impl_motion_corner(const tribox_impl_motion *m, int axis, int want)
+TBX_FN int tbx_motion_corner(const tbx_motion *m, int axis, int want)
 {
     int best = 0;
     int i;
-    if (axis > TRIBOX_IMPL_AXIS_NORMAL) {
+    if (axis > TBX_AXIS_NORMAL) {
         i = (axis - 4) % 3;
         return m->n_sign[(axis - 4) / 3] * want > 0 ? (i + 2) % 3 : i;
     }
-    for (i = 1; i < 3 && axis < TRIBOX_IMPL_AXIS_NORMAL; i++) {
-        const int below = tribox_impl_less(m->v[i][axis], m->v[best][axis]);
-        const int above = tribox_impl_less(m->v[best][axis], m->v[i][axis]);
+    for (i = 1; i < 3 && axis < TBX_AXIS_NORMAL; i++) {
+        const int below = tbx_less(m->v[i][axis], m->v[best][axis]);
+        const int above = tbx_less(m->v[best][axis], m->v[i][axis]);
         best = (want > 0 ? below : above) ? i : best;
     }
     return best;
@@ -6782,51 +6782,51 @@ TRIBOX_IMPL_FN int tribox_impl_motion_corner(const tribox_impl_motion *m, int ax
 
 /* Both conditions of one axis. An axis that is zero says nothing; one along a unit vector says what a face
  * says. */
-TRIBOX_IMPL_FN void tribox_impl_motion_clip(tribox_impl_motion *m, int axis)
+TBX_FN void tbx_motion_clip(tbx_motion *m, int axis)
 {
-    tribox_impl_calc *c = &m->calc;
-    tribox_impl_num l[3];
-    tribox_impl_num u[3];
+    tbx_calc *c = &m->calc;
+    tbx_num l[3];
+    tbx_num u[3];
     int l_sign[3];
     int side;
     int k;
-    tribox_impl_motion_axis(m, axis, l);
+    tbx_motion_axis(m, axis, l);
     for (k = 0; k < 3; k++) {
-        l_sign[k] = tribox_impl_num_sign(c, &l[k]);
-        if (axis == TRIBOX_IMPL_AXIS_NORMAL) {
+        l_sign[k] = tbx_num_sign(c, &l[k]);
+        if (axis == TBX_AXIS_NORMAL) {
             m->n_sign[k] = l_sign[k];
         }
-        tribox_impl_num_set(c, &u[k], m->velocity[k]);
+        tbx_num_set(c, &u[k], m->velocity[k]);
     }
-    if (axis >= TRIBOX_IMPL_AXIS_NORMAL &&
+    if (axis >= TBX_AXIS_NORMAL &&
         l_sign[0] * l_sign[0] + l_sign[1] * l_sign[1] + l_sign[2] * l_sign[2] < 2) {
         return;
     }
-    tribox_impl_num_dot(c, &u[0], l, u);
+    tbx_num_dot(c, &u[0], l, u);
     for (side = 1; side >= -1; side -= 2) {
-        const double *v = m->v[tribox_impl_motion_corner(m, axis, side)];
-        tribox_impl_num gap[3];
+        const double *v = m->v[tbx_motion_corner(m, axis, side)];
+        tbx_num gap[3];
         int infinite = 0;
         for (k = 0; k < 3; k++) {
             const double q = l_sign[k] * side > 0 ? m->hi[k] : m->lo[k];
             const int used = l_sign[k] != 0;
-            infinite |= used && !tribox_impl_is_finite(q);
-            tribox_impl_num_difference(c, &gap[k], used && !infinite ? q : 0.0, used &&
+            infinite |= used && !tbx_is_finite(q);
+            tbx_num_difference(c, &gap[k], used && !infinite ? q : 0.0, used &&
                                        !infinite ? v[k] : 0.0);
         }
         if (!infinite) {
-            tribox_impl_num_dot(c, &gap[0], l, gap);
-            tribox_impl_num_flip(c, &gap[0], side);
-            tribox_impl_num_flip(c, &u[0], side);
-            tribox_impl_motion_keep(m, &gap[0], &u[0], axis, -side);
-            tribox_impl_num_flip(c, &u[0], side);
+            tbx_num_dot(c, &gap[0], l, gap);
+            tbx_num_flip(c, &gap[0], side);
+            tbx_num_flip(c, &u[0], side);
+            tbx_motion_keep(m, &gap[0], &u[0], axis, -side);
+            tbx_num_flip(c, &u[0], side);
         }
     }
 }
 
 /* Do T and the moving box meet at some t in [t_min, t_max], by the first so many axes? Leaves the interval
  * in m. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_motion_run(tribox_impl_motion *m, int axes, double t_min, double t_max,
+TBX_NOINLINE int tbx_motion_run(tbx_motion *m, int axes, double t_min, double t_max,
                                                  int exact)
 {
     int axis;
@@ -6835,56 +6835,56 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_motion_run(tribox_impl_motion *m, int axes,
     m->empty = 0;
     m->opens = -1;
     m->touches = -1;
-    tribox_impl_fraction_set(&m->calc, &m->first, t_min);
-    tribox_impl_fraction_set(&m->calc, &m->last, t_max);
+    tbx_fraction_set(&m->calc, &m->first, t_min);
+    tbx_fraction_set(&m->calc, &m->last, t_max);
     for (axis = 0; axis < axes && !m->calc.unsure && !m->empty; axis++) {
-        tribox_impl_motion_clip(m, axis);
-        if (axis == TRIBOX_IMPL_AXIS_NORMAL - 1 || axis == axes - 1) {
-            m->empty |= tribox_impl_fraction_compare(&m->calc, &m->first, &m->last) > 0;
+        tbx_motion_clip(m, axis);
+        if (axis == TBX_AXIS_NORMAL - 1 || axis == axes - 1) {
+            m->empty |= tbx_fraction_compare(&m->calc, &m->first, &m->last) > 0;
         }
     }
     return !m->empty;
 }
 
-TRIBOX_IMPL_FN void tribox_impl_motion_round(tribox_impl_motion *m, float *out_first, float *out_last)
+TBX_FN void tbx_motion_round(tbx_motion *m, float *out_first, float *out_last)
 {
     if (out_first != NULL) {
-        *out_first = tribox_impl_fraction_round(&m->calc, &m->first, TRIBOX_IMPL_DOWN);
+        *out_first = tbx_fraction_round(&m->calc, &m->first, TBX_DOWN);
     }
     if (out_last != NULL) {
-        *out_last = tribox_impl_fraction_round(&m->calc, &m->last, TRIBOX_IMPL_UP);
+        *out_last = tbx_fraction_round(&m->calc, &m->last, TBX_UP);
     }
 }
 
 /* A ray as a question: origin and direction finite, some real t in [t_min, t_max]. */
-TRIBOX_IMPL_FN int tribox_impl_ray_valid(const double origin[3], const double dir[3], double t_min,
+TBX_FN int tbx_ray_valid(const double origin[3], const double dir[3], double t_min,
                                          double t_max)
 {
-    return tribox_impl_finite3(origin) && tribox_impl_finite3(dir) && !tribox_impl_is_nan(t_min) &&
-           !tribox_impl_is_nan(t_max) && !tribox_impl_less(t_max, t_min) &&
-           (tribox_impl_is_finite(t_min) || tribox_impl_sign(t_min) < 0) &&
-           (tribox_impl_is_finite(t_max) || tribox_impl_sign(t_max) > 0);
+    return tbx_finite3(origin) && tbx_finite3(dir) && !tbx_is_nan(t_min) &&
+           !tbx_is_nan(t_max) && !tbx_less(t_max, t_min) &&
+           (tbx_is_finite(t_min) || tbx_sign(t_min) < 0) &&
+           (tbx_is_finite(t_max) || tbx_sign(t_max) > 0);
 }
 
 /* What the filter leaves open: in double with bounds, then in integers. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_ray_box(const float origin[3], const float dir[3], float t_min,
+TBX_NOINLINE int tbx_ray_box(const float origin[3], const float dir[3], float t_min,
                                              float t_max, const float box_min[3], const float box_max[3],
                                              float *out_t0, float *out_t1)
 {
-    tribox_impl_motion m;
+    tbx_motion m;
     double d[3];
     float t[2] = { 0.0f, 0.0f };
-    const double t0 = tribox_impl_widen(&t_min);
-    const double t1 = tribox_impl_widen(&t_max);
+    const double t0 = tbx_widen(&t_min);
+    const double t1 = tbx_widen(&t_max);
     int hit = 0;
     int exact;
     int k;
     /* cppcheck-suppress uninitvar ; it is written there */
-    tribox_impl_widen3(m.v[0], origin);
-    tribox_impl_widen3(d, dir);
-    tribox_impl_widen3(m.lo, box_min);
-    tribox_impl_widen3(m.hi, box_max);
-    if (!tribox_impl_ray_valid(m.v[0], d, t0, t1) || !tribox_impl_box_valid(m.lo, m.hi)) {
+    tbx_widen3(m.v[0], origin);
+    tbx_widen3(d, dir);
+    tbx_widen3(m.lo, box_min);
+    tbx_widen3(m.hi, box_max);
+    if (!tbx_ray_valid(m.v[0], d, t0, t1) || !tbx_box_valid(m.lo, m.hi)) {
         return 0;
     }
     for (k = 0; k < 3; k++) {
@@ -6893,9 +6893,9 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_ray_box(const float origin[3], const float 
     }
     m.calc.unsure = 1;
     for (exact = 0; exact < 2 && m.calc.unsure; exact++) {
-        hit = tribox_impl_motion_run(&m, TRIBOX_IMPL_AXIS_NORMAL, t0, t1, exact);
+        hit = tbx_motion_run(&m, TBX_AXIS_NORMAL, t0, t1, exact);
         if (hit && !m.calc.unsure) {
-            tribox_impl_motion_round(&m, &t[0], &t[1]);
+            tbx_motion_round(&m, &t[0], &t[1]);
         }
     }
     if (hit && out_t0 != NULL) {
@@ -6910,15 +6910,15 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_ray_box(const float origin[3], const float 
 #if TRIBOX_SIMD
 /* The key of the float at or below (up = 0) or above (1) every number within 64 ulp of t, 1e-6 < |t| < 2^82;
  * 0 where these have several. */
-TRIBOX_IMPL_FN int32_t tribox_impl_slab_round(double t, int up)
+TBX_FN int32_t tbx_slab_round(double t, int up)
 {
-    const uint64_t bits = tribox_impl_bits64(&t);
+    const uint64_t bits = tbx_bits64(&t);
     const uint64_t rest = bits & 0x1fffffffu;
     const int64_t bias = (int64_t)(1023 - 127) << 23;
     const int32_t magnitude = (int32_t)((int64_t)((bits & 0x7fffffffffffffffu) >> 29) - bias);
     const int32_t negative = (int32_t)(bits >> 63);
     const int32_t key = magnitude + (negative ^ up);
-    if (TRIBOX_IMPL_RARELY(rest - 128u > 0x1fffffffu - 256u)) {
+    if (TBX_RARELY(rest - 128u > 0x1fffffffu - 256u)) {
         return 0;
     }
     return (key ^ -negative) + negative;
@@ -6927,20 +6927,20 @@ TRIBOX_IMPL_FN int32_t tribox_impl_slab_round(double t, int up)
 /* The same of a / d, t being about that: where t is too close to a float f, f * d, which is exact in double,
  * is compared with a = face - origin; 0 where that difference is not exact. The float sought is not three
  * away from f, as t is within an ulp of a / d, and f of t. */
-TRIBOX_IMPL_NOINLINE int32_t tribox_impl_slab_exact(float origin, float dir, float face, double t, int up)
+TBX_NOINLINE int32_t tbx_slab_exact(float origin, float dir, float face, double t, int up)
 {
-    const double d = tribox_impl_widen(&dir);
-    const double from = tribox_impl_widen(&origin);
-    const double to = tribox_impl_widen(&face);
+    const double d = tbx_widen(&dir);
+    const double from = tbx_widen(&origin);
+    const double to = tbx_widen(&face);
     const double a = to - from;
     const float narrow = (float)t;
-    int32_t key = tribox_impl_key32(&narrow) + (up ? -2 : 2);
+    int32_t key = tbx_key32(&narrow) + (up ? -2 : 2);
     int before = 1;     /* is the key's float on the wrong side? */
-    if (!tribox_impl_sum_is_exact(to, from)) {
+    if (!tbx_sum_is_exact(to, from)) {
         return 0;
     }
     while (before) {
-        const double product = tribox_impl_key32_value(key) * d;
+        const double product = tbx_key32_value(key) * d;
         before = up != (d < 0.0) ? product < a : product > a;
         key += before ? (up ? 1 : -1) : 0;
     }
@@ -6951,32 +6951,32 @@ TRIBOX_IMPL_NOINLINE int32_t tribox_impl_slab_exact(float origin, float dir, flo
  * floats errs by 2^-52 of itself, the quotient is checked to 2^-48 and 2^-51: less than 2^-47, which is at
  * most 64 ulp. What was read as zero moves an end by 2^-85 (2^-125 * 2^40), so ends below 1e-6 are left
  * open. */
-TRIBOX_IMPL_FN int32_t tribox_impl_slab_end(float origin, float dir, float lo, float hi, int up)
+TBX_FN int32_t tbx_slab_end(float origin, float dir, float lo, float hi, int up)
 {
     /* no branch: dir's sign is a coin toss */
-    const uint32_t to_hi = 0u - ((tribox_impl_bits32(&dir) >> 31) ^ (uint32_t)up);
-    const uint32_t bits_lo = tribox_impl_bits32(&lo);
-    const float face = tribox_impl_from_bits32(bits_lo ^ ((bits_lo ^ tribox_impl_bits32(&hi)) & to_hi));
+    const uint32_t to_hi = 0u - ((tbx_bits32(&dir) >> 31) ^ (uint32_t)up);
+    const uint32_t bits_lo = tbx_bits32(&lo);
+    const float face = tbx_from_bits32(bits_lo ^ ((bits_lo ^ tbx_bits32(&hi)) & to_hi));
     const double d = (double)dir;
     double a = (double)face - (double)origin;
     double t;
     int32_t key;
-    TRIBOX_IMPL_KEEP4(a);
+    TBX_KEEP4(a);
     t = a / d;
-    TRIBOX_IMPL_KEEP4(t);
-    if (!(tribox_impl_abs(t * d - a) < tribox_impl_abs(a) * (1.0 / 281474976710656.0) &&     /* 2^-48 */
-          tribox_impl_abs(t) > 1e-6)) {
+    TBX_KEEP4(t);
+    if (!(tbx_abs(t * d - a) < tbx_abs(a) * (1.0 / 281474976710656.0) &&     /* 2^-48 */
+          tbx_abs(t) > 1e-6)) {
         return 0;
     }
-    key = tribox_impl_slab_round(t, up);
-    return TRIBOX_IMPL_RARELY(key == 0) ? tribox_impl_slab_exact(origin, dir, face, t, up) : key;
+    key = tbx_slab_round(t, up);
+    return TBX_RARELY(key == 0) ? tbx_slab_exact(origin, dir, face, t, up) : key;
 }
 
 /* Slabs in float, x, y, z in three lanes, t_min and t_max in the fourth. Differences are at most 2^41,
  * reciprocals 2^40, so every t in a box is at most 2^81. A difference errs by 2^-23 of itself, a reciprocal
  * is checked to 2^-20, a product errs by 2^-23: 2^-19 in all, and 2^-80 for what was flushed or read as zero
  * (2^-125 * 2^40). The largest lower and the least upper end are no farther from the exact ones than that. */
-TRIBOX_IMPL_FN int tribox_impl_ray_filter(const float origin[3], const float dir[3], float t_min, float t_max,
+TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], float t_min, float t_max,
                                           const float box_min[3], const float box_max[3], float *out_t0,
                                           float *out_t1)
 {
@@ -6985,20 +6985,20 @@ TRIBOX_IMPL_FN int tribox_impl_ray_filter(const float origin[3], const float dir
     const float absolute = 8.271806125530277e-25f;      /* 2^-80 */
     const float from_t = t_min > -beyond ? t_min : -beyond;
     const float to_t = t_max < beyond ? t_max : beyond;
-    const tribox_impl_i4 last_one = { 0, 0, 0, 0x3f800000 };
-    const tribox_impl_f4 o = tribox_impl_load3(origin);
-    const tribox_impl_f4 d = (tribox_impl_f4)((tribox_impl_i4)tribox_impl_load3(dir) | last_one);
-    const tribox_impl_f4 lo = tribox_impl_load3(box_min);
-    const tribox_impl_f4 hi = tribox_impl_load3(box_max);
-    const tribox_impl_f4 one = tribox_impl_splat(1.0f);
-    const tribox_impl_i4 most = tribox_impl_splat_int(0x54000000);     /* 2^41 */
-    tribox_impl_f4 inverse = one / d;
-    tribox_impl_f4 a = lo - o;
-    tribox_impl_f4 b = hi - o;
-    tribox_impl_f4 lower;
-    tribox_impl_f4 upper;
-    tribox_impl_f4 ends;
-    tribox_impl_i4 doubt;
+    const tbx_i4 last_one = { 0, 0, 0, 0x3f800000 };
+    const tbx_f4 o = tbx_load3(origin);
+    const tbx_f4 d = (tbx_f4)((tbx_i4)tbx_load3(dir) | last_one);
+    const tbx_f4 lo = tbx_load3(box_min);
+    const tbx_f4 hi = tbx_load3(box_max);
+    const tbx_f4 one = tbx_splat(1.0f);
+    const tbx_i4 most = tbx_splat_int(0x54000000);     /* 2^41 */
+    tbx_f4 inverse = one / d;
+    tbx_f4 a = lo - o;
+    tbx_f4 b = hi - o;
+    tbx_f4 lower;
+    tbx_f4 upper;
+    tbx_f4 ends;
+    tbx_i4 doubt;
     float first;
     float last;
     float error;
@@ -7006,69 +7006,69 @@ TRIBOX_IMPL_FN int tribox_impl_ray_filter(const float origin[3], const float dir
     int32_t key1 = 0;
     int reached0;
     int reached1;
-    TRIBOX_IMPL_KEEP4(inverse);
-    TRIBOX_IMPL_KEEP4(a);
-    TRIBOX_IMPL_KEEP4(b);
+    TBX_KEEP4(inverse);
+    TBX_KEEP4(a);
+    TBX_KEEP4(b);
     /* by their sign bits: too large, also from NaN and infinities; a reciprocal off by 2^-20; lo > hi */
-    doubt = (most - tribox_impl_magnitude(a)) | (most - tribox_impl_magnitude(b)) |
-            (tribox_impl_splat_int(0x53800000) - tribox_impl_magnitude(inverse)) |
-            (tribox_impl_splat_int(0x35800000) - tribox_impl_magnitude(inverse * d - one)) |
-            (tribox_impl_i4)(hi - lo);
-    if (TRIBOX_IMPL_RARELY(tribox_impl_any(doubt))) {
-        return TRIBOX_IMPL_UNSURE;
+    doubt = (most - tbx_magnitude(a)) | (most - tbx_magnitude(b)) |
+            (tbx_splat_int(0x53800000) - tbx_magnitude(inverse)) |
+            (tbx_splat_int(0x35800000) - tbx_magnitude(inverse * d - one)) |
+            (tbx_i4)(hi - lo);
+    if (TBX_RARELY(tbx_any(doubt))) {
+        return TBX_UNSURE;
     }
     a = a * inverse;
     b = b * inverse;
-    lower = tribox_impl_min4(a, b);
-    upper = tribox_impl_max4(a, b);
+    lower = tbx_min4(a, b);
+    upper = tbx_max4(a, b);
     lower[3] = from_t;
     upper[3] = to_t;
-    ends = tribox_impl_min4(TRIBOX_IMPL_LANES(-lower, upper, 0, 1, 4, 5),
-                            TRIBOX_IMPL_LANES(-lower, upper, 2, 3, 6, 7));
-    ends = tribox_impl_min4(ends, TRIBOX_IMPL_LANES(ends, ends, 1, 0, 3, 2));
+    ends = tbx_min4(TBX_LANES(-lower, upper, 0, 1, 4, 5),
+                            TBX_LANES(-lower, upper, 2, 3, 6, 7));
+    ends = tbx_min4(ends, TBX_LANES(ends, ends, 1, 0, 3, 2));
     first = -ends[0];
     last = ends[2];
-    error = relative * (tribox_impl_absf(first) + tribox_impl_absf(last)) + absolute;
+    error = relative * (tbx_absf(first) + tbx_absf(last)) + absolute;
     if (first - last > error) {
-        return TRIBOX_IMPL_MISS;
+        return TBX_MISS;
     }
     if (!(last - first > error)) {
-        return TRIBOX_IMPL_UNSURE;
+        return TBX_UNSURE;
     }
-    error = 2.0f * relative * tribox_impl_absf(first) + 2.0f * absolute;
-    reached0 = tribox_impl_signs(lower >= tribox_impl_splat(first - error));
-    error = 2.0f * relative * tribox_impl_absf(last) + 2.0f * absolute;
-    reached1 = tribox_impl_signs(upper <= tribox_impl_splat(last + error));
-    if (TRIBOX_IMPL_RARELY(((reached0 & (reached0 - 1)) | (reached1 & (reached1 - 1))) != 0)) {
-        return TRIBOX_IMPL_UNSURE;      /* more than one axis may be the first or last */
+    error = 2.0f * relative * tbx_absf(first) + 2.0f * absolute;
+    reached0 = tbx_signs(lower >= tbx_splat(first - error));
+    error = 2.0f * relative * tbx_absf(last) + 2.0f * absolute;
+    reached1 = tbx_signs(upper <= tbx_splat(last + error));
+    if (TBX_RARELY(((reached0 & (reached0 - 1)) | (reached1 & (reached1 - 1))) != 0)) {
+        return TBX_UNSURE;      /* more than one axis may be the first or last */
     }
     if (reached0 < 8 && out_t0 != NULL) {
         const int k = reached0 >> 1;    /* 1, 2, 4: 0, 1, 2 */
-        key0 = tribox_impl_slab_end(origin[k], dir[k], box_min[k], box_max[k], 0);
+        key0 = tbx_slab_end(origin[k], dir[k], box_min[k], box_max[k], 0);
         if (key0 == 0) {
-            return TRIBOX_IMPL_UNSURE;
+            return TBX_UNSURE;
         }
     }
     if (reached1 < 8 && out_t1 != NULL) {
         const int k = reached1 >> 1;
-        key1 = tribox_impl_slab_end(origin[k], dir[k], box_min[k], box_max[k], 1);
+        key1 = tbx_slab_end(origin[k], dir[k], box_min[k], box_max[k], 1);
         if (key1 == 0) {
-            return TRIBOX_IMPL_UNSURE;
+            return TBX_UNSURE;
         }
     }
     if (out_t0 != NULL) {
-        *out_t0 = tribox_impl_from_key32(key0 != 0 ? key0 : tribox_impl_key32(&t_min));     /* never -0 */
+        *out_t0 = tbx_from_key32(key0 != 0 ? key0 : tbx_key32(&t_min));     /* never -0 */
     }
     if (out_t1 != NULL) {
-        *out_t1 = tribox_impl_from_key32(key1 != 0 ? key1 : tribox_impl_key32(&t_max));
+        *out_t1 = tbx_from_key32(key1 != 0 ? key1 : tbx_key32(&t_max));
     }
-    return TRIBOX_IMPL_HIT;
+    return TBX_HIT;
 }
 
 /* Again, where components of dir are 0: such an axis either has no t at all, or all, which is decided by the
  * bits. In the latter case it may as well be met by a slab so long that its ends, 2^81, are not nearer than
  * those of any slab that the filter takes; it takes no part unless others end there too, which is unsure. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_ray_flat(const float origin[3], const float dir[3], float t_min,
+TBX_NOINLINE int tbx_ray_flat(const float origin[3], const float dir[3], float t_min,
                                               float t_max, const float box_min[3], const float box_max[3],
                                               float *out_t0, float *out_t1)
 {
@@ -7080,13 +7080,13 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_ray_flat(const float origin[3], const float
         x[1][k] = dir[k];
         x[2][k] = box_min[k];
         x[3][k] = box_max[k];
-        if (tribox_impl_bits32(dir + k) << 1 == 0) {
+        if (tbx_bits32(dir + k) << 1 == 0) {
             const int32_t infinity = 0x7f800000;
-            const int32_t at = tribox_impl_key32(origin + k);
-            const int32_t lo = tribox_impl_key32(box_min + k);
-            const int32_t hi = tribox_impl_key32(box_max + k);
+            const int32_t at = tbx_key32(origin + k);
+            const int32_t lo = tbx_key32(box_min + k);
+            const int32_t hi = tbx_key32(box_max + k);
             if (lo > at || at > hi || lo < -infinity || hi > infinity || at <= -infinity || at >= infinity) {
-                return TRIBOX_IMPL_MISS;        /* outside; NaN, whose keys lie past infinity */
+                return TBX_MISS;        /* outside; NaN, whose keys lie past infinity */
             }
             x[0][k] = 0.0f;
             x[1][k] = 9.094947017729282e-13f;   /* 2^-40 */
@@ -7096,9 +7096,9 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_ray_flat(const float origin[3], const float
         }
     }
     if (zeros == 0 || zeros == 3) {
-        return TRIBOX_IMPL_UNSURE;
+        return TBX_UNSURE;
     }
-    return tribox_impl_ray_filter(x[0], x[1], t_min, t_max, x[2], x[3], out_t0, out_t1);
+    return tbx_ray_filter(x[0], x[1], t_min, t_max, x[2], x[3], out_t0, out_t1);
 }
 #endif
 
@@ -7106,66 +7106,66 @@ TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_
                              const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
 {
     const uint32_t infinity = 0x7f800000u;
-    if ((tribox_impl_bits32(&t_min) & 0x7fffffffu) > infinity ||
-        (tribox_impl_bits32(&t_max) & 0x7fffffffu) > infinity) {
+    if ((tbx_bits32(&t_min) & 0x7fffffffu) > infinity ||
+        (tbx_bits32(&t_max) & 0x7fffffffu) > infinity) {
         return 0;
     }
 #if TRIBOX_SIMD
     {
-        int verdict = tribox_impl_ray_filter(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
-        if (!TRIBOX_IMPL_RARELY(verdict == TRIBOX_IMPL_UNSURE)) {
+        int verdict = tbx_ray_filter(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
+        if (!TBX_RARELY(verdict == TBX_UNSURE)) {
             return verdict;
         }
-        verdict = tribox_impl_ray_flat(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
-        if (verdict != TRIBOX_IMPL_UNSURE) {
+        verdict = tbx_ray_flat(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
+        if (verdict != TBX_UNSURE) {
             return verdict;
         }
     }
 #endif
-    return tribox_impl_ray_box(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
+    return tbx_ray_box(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
 }
 
 #if TRIBOX_SIMD
-/* tribox_impl_filter4 for a segment: two equal corners leave n = 0, so no plane, and for each axis one
+/* tbx_filter4 for a segment: two equal corners leave n = 0, so no plane, and for each axis one
  * condition r - |c| >= 0, c = m x (q - p). Errors in units of u X_b X_c: c: two products of 2 + 1 + 1, and 2
  * for their difference: 10; r: 8; r - |c|: 3 more: within ULPS. Where X_b or X_c is 0, value and bound are
  * 0. */
-TRIBOX_IMPL_FN int tribox_impl_segment_filter(const float p[3], const float q[3], const float box_min[3],
+TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float box_min[3],
                                               const float box_max[3])
 {
-    const tribox_impl_f4 half = tribox_impl_splat(0.5f);
-    const tribox_impl_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f };       /* 2^-149 */
-    const tribox_impl_f4 p0 = tribox_impl_load3(p);
-    const tribox_impl_f4 p1 = tribox_impl_load3(q);
-    const tribox_impl_f4 lo = tribox_impl_load3(box_min);
-    const tribox_impl_f4 hi = tribox_impl_load3(box_max);
-    const tribox_impl_f4 lower = tribox_impl_max4(lo, tribox_impl_min4(p0, p1));
-    const tribox_impl_f4 upper = tribox_impl_min4(hi, tribox_impl_max4(p0, p1));
-    const tribox_impl_i4 faces = lower > upper;     /* a face parts them, or min > max */
-    tribox_impl_f4 a = p1 - p0;
-    tribox_impl_f4 l = lower - p0;
-    tribox_impl_f4 u = upper - p0;
-    TRIBOX_IMPL_KEEP4(a);
-    TRIBOX_IMPL_KEEP4(l);
-    TRIBOX_IMPL_KEEP4(u);
+    const tbx_f4 half = tbx_splat(0.5f);
+    const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f };       /* 2^-149 */
+    const tbx_f4 p0 = tbx_load3(p);
+    const tbx_f4 p1 = tbx_load3(q);
+    const tbx_f4 lo = tbx_load3(box_min);
+    const tbx_f4 hi = tbx_load3(box_max);
+    const tbx_f4 lower = tbx_max4(lo, tbx_min4(p0, p1));
+    const tbx_f4 upper = tbx_min4(hi, tbx_max4(p0, p1));
+    const tbx_i4 faces = lower > upper;     /* a face parts them, or min > max */
+    tbx_f4 a = p1 - p0;
+    tbx_f4 l = lower - p0;
+    tbx_f4 u = upper - p0;
+    TBX_KEEP4(a);
+    TBX_KEEP4(l);
+    TBX_KEEP4(u);
     {
-        const tribox_impl_f4 x = tribox_impl_abs4(a);
-        const tribox_impl_f4 m = (l + u) * half;
-        const tribox_impl_f4 h = (u - l) * half;
-        const tribox_impl_f4 c = m * tribox_impl_yzx(a) - tribox_impl_yzx(m) * a;
-        const tribox_impl_f4 value = tribox_impl_radius4(x, h, tribox_impl_yzx(h)) - tribox_impl_abs4(c);
-        const tribox_impl_f4 bound = tribox_impl_splat(TRIBOX_IMPL_ULPS * TRIBOX_IMPL_U32) * x *
-                                     tribox_impl_yzx(x);
-        const int refused = tribox_impl_signs(tribox_impl_above(x, 0x53000000) |
-                                              tribox_impl_above(tribox_impl_abs4(lo), 0x7f800000) |
-                                              tribox_impl_above(tribox_impl_abs4(hi), 0x7f800000) |
-                                              tribox_impl_below(x + tiny, 0x30800000));
-        const int miss = tribox_impl_signs(faces | (value < -bound)) != 0;
-        const int open = (tribox_impl_signs(value < bound) != 0) & !miss;
-        if (TRIBOX_IMPL_RARELY((refused != 8) | open)) {
-            if (open || (refused & 7) != 0 || tribox_impl_may_flush(p) || tribox_impl_may_flush(q) ||
-                tribox_impl_may_flush(box_min) || tribox_impl_may_flush(box_max)) {
-                return TRIBOX_IMPL_UNSURE;
+        const tbx_f4 x = tbx_abs4(a);
+        const tbx_f4 m = (l + u) * half;
+        const tbx_f4 h = (u - l) * half;
+        const tbx_f4 c = m * tbx_yzx(a) - tbx_yzx(m) * a;
+        const tbx_f4 value = tbx_radius4(x, h, tbx_yzx(h)) - tbx_abs4(c);
+        const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * x *
+                                     tbx_yzx(x);
+        const int refused = tbx_signs(tbx_above(x, 0x53000000) |
+                                              tbx_above(tbx_abs4(lo), 0x7f800000) |
+                                              tbx_above(tbx_abs4(hi), 0x7f800000) |
+                                              tbx_below(x + tiny, 0x30800000));
+        const int miss = tbx_signs(faces | (value < -bound)) != 0;
+        const int open = (tbx_signs(value < bound) != 0) & !miss;
+        if (TBX_RARELY((refused != 8) | open)) {
+            if (open || (refused & 7) != 0 || tbx_may_flush(p) || tbx_may_flush(q) ||
+                tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
+                return TBX_UNSURE;
             }
         }
         return !miss;
@@ -7177,12 +7177,12 @@ TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float
                                  const float box_max[3])
 {
 #if TRIBOX_SIMD
-    const int verdict = tribox_impl_segment_filter(p, q, box_min, box_max);
-    if (!TRIBOX_IMPL_RARELY(verdict == TRIBOX_IMPL_UNSURE)) {
+    const int verdict = tbx_segment_filter(p, q, box_min, box_max);
+    if (!TBX_RARELY(verdict == TBX_UNSURE)) {
         return verdict;
     }
 #endif
-    return tribox_impl_overlap_widened(p, q, q, box_min, box_max, 0);
+    return tbx_overlap_widened(p, q, q, box_min, box_max, 0);
 }
 
 /* ---- ray and triangle */
@@ -7191,27 +7191,27 @@ TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float
  * det_i is six times the volume of the tetrahedron dir, v_i - o, v_i+1 - o. If two differ in sign, the
  * line misses T, also if it lies in T's plane (then all are 0) or T is a segment (then a line that meets
  * it makes all 0). */
-TRIBOX_IMPL_NOINLINE int tribox_impl_ray_triangle_fast(tribox_impl_calc *c, const tribox_impl_motion *m,
+TBX_NOINLINE int tbx_ray_triangle_fast(tbx_calc *c, const tbx_motion *m,
                                                        double t_min, double t_max, float *out_t)
 {
-    tribox_impl_num a[3][3];
-    tribox_impl_num d[3];
-    tribox_impl_num n[3];
-    tribox_impl_num det[3];
-    tribox_impl_fraction t;
-    tribox_impl_fraction end;
+    tbx_num a[3][3];
+    tbx_num d[3];
+    tbx_num n[3];
+    tbx_num det[3];
+    tbx_fraction t;
+    tbx_fraction end;
     int above = 0;
     int below = 0;
     int i;
     for (i = 0; i < 3; i++) {
-        tribox_impl_num_difference3(c, a[i], m->v[i], m->lo);
-        tribox_impl_num_set(c, &d[i], m->velocity[i]);
+        tbx_num_difference3(c, a[i], m->v[i], m->lo);
+        tbx_num_set(c, &d[i], m->velocity[i]);
     }
     for (i = 0; i < 3; i++) {
         int sign;
-        tribox_impl_num_cross(c, n, a[i], a[(i + 1) % 3]);
-        tribox_impl_num_dot(c, &det[i], d, n);
-        sign = tribox_impl_num_sign(c, &det[i]);
+        tbx_num_cross(c, n, a[i], a[(i + 1) % 3]);
+        tbx_num_dot(c, &det[i], d, n);
+        sign = tbx_num_sign(c, &det[i]);
         above += sign > 0;
         below += sign < 0;
     }
@@ -7219,26 +7219,26 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_ray_triangle_fast(tribox_impl_calc *c, cons
         c->unsure = 0;
         return 0;
     }
-    tribox_impl_num_normal(c, n, m->v[0], m->v[1], m->v[2]);
-    tribox_impl_num_dot(c, &t.d, n, d);
-    tribox_impl_num_dot(c, &t.n, n, a[0]);
-    i = tribox_impl_num_sign(c, &t.d);
+    tbx_num_normal(c, n, m->v[0], m->v[1], m->v[2]);
+    tbx_num_dot(c, &t.d, n, d);
+    tbx_num_dot(c, &t.n, n, a[0]);
+    i = tbx_num_sign(c, &t.d);
     if (i == 0 || c->unsure) {
         c->unsure = 1;
         return 0;
     }
-    tribox_impl_num_flip(c, &t.n, i);
-    tribox_impl_num_flip(c, &t.d, i);
-    tribox_impl_fraction_set(c, &end, t_min);
-    if (tribox_impl_fraction_compare(c, &t, &end) < 0) {
+    tbx_num_flip(c, &t.n, i);
+    tbx_num_flip(c, &t.d, i);
+    tbx_fraction_set(c, &end, t_min);
+    if (tbx_fraction_compare(c, &t, &end) < 0) {
         return 0;
     }
-    tribox_impl_fraction_set(c, &end, t_max);
-    if (tribox_impl_fraction_compare(c, &t, &end) > 0) {
+    tbx_fraction_set(c, &end, t_max);
+    if (tbx_fraction_compare(c, &t, &end) > 0) {
         return 0;
     }
     if (out_t != NULL && !c->unsure) {
-        const float rounded = tribox_impl_fraction_round(c, &t, TRIBOX_IMPL_DOWN);
+        const float rounded = tbx_fraction_round(c, &t, TBX_DOWN);
         if (!c->unsure) {
             *out_t = rounded;
         }
@@ -7246,47 +7246,47 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_ray_triangle_fast(tribox_impl_calc *c, cons
     return 1;
 }
 
-TRIBOX_IMPL_COLD int tribox_impl_ray_triangle_exact(tribox_impl_motion *m, double t_min, double t_max,
+TBX_COLD int tbx_ray_triangle_exact(tbx_motion *m, double t_min, double t_max,
                                                     float *out_t)
 {
-    if (!tribox_impl_motion_run(m, TRIBOX_IMPL_AXES, t_min, t_max, 1)) {
+    if (!tbx_motion_run(m, TBX_AXES, t_min, t_max, 1)) {
         return 0;
     }
-    tribox_impl_motion_round(m, out_t, NULL);
+    tbx_motion_round(m, out_t, NULL);
     return 1;
 }
 
 TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], float t_min, float t_max,
                                   const float v0[3], const float v1[3], const float v2[3], float *out_t)
 {
-    tribox_impl_motion m;
-    tribox_impl_calc c = { 0, 0 };
-    const double t0 = tribox_impl_widen(&t_min);
-    const double t1 = tribox_impl_widen(&t_max);
+    tbx_motion m;
+    tbx_calc c = { 0, 0 };
+    const double t0 = tbx_widen(&t_min);
+    const double t1 = tbx_widen(&t_max);
     int hit;
     /* cppcheck-suppress uninitvar ; it is written there */
-    tribox_impl_widen3(m.v[0], v0);
-    tribox_impl_widen3(m.v[1], v1);
-    tribox_impl_widen3(m.v[2], v2);
-    tribox_impl_widen3(m.lo, origin);
-    tribox_impl_widen3(m.hi, origin);
-    tribox_impl_widen3(m.velocity, dir);
-    if (!tribox_impl_ray_valid(m.lo, m.velocity, t0, t1) ||
-        !tribox_impl_corners_finite(m.v[0], m.v[1], m.v[2])) {
+    tbx_widen3(m.v[0], v0);
+    tbx_widen3(m.v[1], v1);
+    tbx_widen3(m.v[2], v2);
+    tbx_widen3(m.lo, origin);
+    tbx_widen3(m.hi, origin);
+    tbx_widen3(m.velocity, dir);
+    if (!tbx_ray_valid(m.lo, m.velocity, t0, t1) ||
+        !tbx_corners_finite(m.v[0], m.v[1], m.v[2])) {
         return 0;
     }
-    hit = tribox_impl_ray_triangle_fast(&c, &m, t0, t1, out_t);
-    return c.unsure ? tribox_impl_ray_triangle_exact(&m, t0, t1, out_t) : hit;
+    hit = tbx_ray_triangle_fast(&c, &m, t0, t1, out_t);
+    return c.unsure ? tbx_ray_triangle_exact(&m, t0, t1, out_t) : hit;
 }
 
 /* ---- sweep */
 
 /* side * x / |x|. The first guess of 1/sqrt is off by less than 4 %; each step squares that, times 1.5:
  * 2^-9, 2^-17, 2^-34, 2^-50. Squares of degree 2 neither overflow nor underflow. */
-TRIBOX_IMPL_FN void tribox_impl_unit(const double x[3], int side, float out[3])
+TBX_FN void tbx_unit(const double x[3], int side, float out[3])
 {
     const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
-    double y = tribox_impl_from_bits64(0x5fe6eb50c7b537a9u - (tribox_impl_bits64(&square) >> 1));
+    double y = tbx_from_bits64(0x5fe6eb50c7b537a9u - (tbx_bits64(&square) >> 1));
     int k;
     for (k = 0; k < 4; k++) {
         y = y * (1.5 - 0.5 * square * y * y);
@@ -7298,11 +7298,11 @@ TRIBOX_IMPL_FN void tribox_impl_unit(const double x[3], int side, float out[3])
 
 /* In double, unsure unless the vector is known to 2^-30 of its length. Only contacts at the start have no
  * axis that opens there. */
-TRIBOX_IMPL_FN void tribox_impl_motion_contact(tribox_impl_motion *m, float out_axis[3])
+TBX_FN void tbx_motion_contact(tbx_motion *m, float out_axis[3])
 {
     const int axis = m->opens < 0 ? m->touches : m->opens;
     const int side = m->opens < 0 ? m->touches_side : m->opens_side;
-    tribox_impl_num l[3];
+    tbx_num l[3];
     double x[3];
     double rad = 0.0;
     double longest = 0.0;
@@ -7311,28 +7311,28 @@ TRIBOX_IMPL_FN void tribox_impl_motion_contact(tribox_impl_motion *m, float out_
         out_axis[0] = out_axis[1] = out_axis[2] = 0.0f;
         return;
     }
-    tribox_impl_motion_axis(m, axis, l);
+    tbx_motion_axis(m, axis, l);
     for (k = 0; k < 3; k++) {
-        x[k] = tribox_impl_num_value(&m->calc, &l[k]);
+        x[k] = tbx_num_value(&m->calc, &l[k]);
         if (!m->calc.exact) {
             rad += l[k].rad;
-            longest = tribox_impl_max(longest, tribox_impl_abs(x[k]));
+            longest = tbx_max(longest, tbx_abs(x[k]));
         }
     }
     m->calc.unsure |= rad > longest * (1.0 / 4294967296.0);
-    tribox_impl_unit(x, side, out_axis);
+    tbx_unit(x, side, out_axis);
 }
 
 /* Everything about the sweep in one of the two runs. In double, nothing is to be trusted if unsure. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_sweep(tribox_impl_motion *m, int exact, float out_t[2],
+TBX_NOINLINE int tbx_sweep(tbx_motion *m, int exact, float out_t[2],
                                            float out_axis[3])
 {
-    if (!tribox_impl_motion_run(m, TRIBOX_IMPL_AXES, 0.0, 1.0, exact)) {
+    if (!tbx_motion_run(m, TBX_AXES, 0.0, 1.0, exact)) {
         return 0;
     }
     if (!m->calc.unsure) {
-        tribox_impl_motion_round(m, &out_t[0], &out_t[1]);
-        tribox_impl_motion_contact(m, out_axis);
+        tbx_motion_round(m, &out_t[0], &out_t[1]);
+        tbx_motion_contact(m, out_axis);
     }
     return 1;
 }
@@ -7341,24 +7341,24 @@ TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[
                            const float box_max[3], const float velocity[3], float *out_t0, float *out_t1,
                            float out_axis[3])
 {
-    tribox_impl_motion m;
+    tbx_motion m;
     float t[2];
     float axis[3];
     int hit;
     /* cppcheck-suppress uninitvar ; it is written there */
-    tribox_impl_widen3(m.v[0], v0);
-    tribox_impl_widen3(m.v[1], v1);
-    tribox_impl_widen3(m.v[2], v2);
-    tribox_impl_widen3(m.lo, box_min);
-    tribox_impl_widen3(m.hi, box_max);
-    tribox_impl_widen3(m.velocity, velocity);
-    if (!tribox_impl_corners_finite(m.v[0], m.v[1], m.v[2]) || !tribox_impl_finite3(m.velocity) ||
-        !tribox_impl_box_valid(m.lo, m.hi)) {
+    tbx_widen3(m.v[0], v0);
+    tbx_widen3(m.v[1], v1);
+    tbx_widen3(m.v[2], v2);
+    tbx_widen3(m.lo, box_min);
+    tbx_widen3(m.hi, box_max);
+    tbx_widen3(m.velocity, velocity);
+    if (!tbx_corners_finite(m.v[0], m.v[1], m.v[2]) || !tbx_finite3(m.velocity) ||
+        !tbx_box_valid(m.lo, m.hi)) {
         return 0;
     }
-    hit = tribox_impl_sweep(&m, 0, t, axis);
+    hit = tbx_sweep(&m, 0, t, axis);
     if (m.calc.unsure) {
-        hit = tribox_impl_sweep(&m, 1, t, axis);
+        hit = tbx_sweep(&m, 1, t, axis);
     }
     if (hit && out_t0 != NULL) {
         *out_t0 = t[0];
@@ -7367,7 +7367,7 @@ TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[
         *out_t1 = t[1];
     }
     if (hit && out_axis != NULL) {
-        TRIBOX_IMPL_COPY(out_axis, axis, sizeof axis);
+        TBX_COPY(out_axis, axis, sizeof axis);
     }
     return hit;
 }
@@ -7379,32 +7379,32 @@ TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[
  * inside the edge iff D_ij > 0 and D_ji > 0, and divides it as D_ij : D_ji; it is nearest iff the third
  * corner is not on q's side of the edge, that is, iff the third weight W_k of q's foot in the plane is <=
  * 0; W_k = n.((v_i - q) x (v_j - q)), 0 if T is a segment. Otherwise the foot in the plane is in T. */
-TRIBOX_IMPL_FN void tribox_impl_closest_dot(const tribox_impl_calc *c, tribox_impl_num *r, const double q[3],
+TBX_FN void tbx_closest_dot(const tbx_calc *c, tbx_num *r, const double q[3],
                                             const double vi[3], const double vj[3])
 {
-    tribox_impl_num x[3];
-    tribox_impl_num y[3];
-    tribox_impl_num_difference3(c, x, q, vi);
-    tribox_impl_num_difference3(c, y, vj, vi);
-    tribox_impl_num_dot(c, r, x, y);
+    tbx_num x[3];
+    tbx_num y[3];
+    tbx_num_difference3(c, x, q, vi);
+    tbx_num_difference3(c, y, vj, vi);
+    tbx_num_dot(c, r, x, y);
 }
 
 /* W_k of the face's foot */
-TRIBOX_IMPL_FN void tribox_impl_closest_face(const tribox_impl_calc *c, tribox_impl_num *r,
-                                             const tribox_impl_num n[3], const double vi[3],
+TBX_FN void tbx_closest_face(const tbx_calc *c, tbx_num *r,
+                                             const tbx_num n[3], const double vi[3],
                                              const double vj[3], const double q[3])
 {
-    tribox_impl_num x[3];
-    tribox_impl_num_normal(c, x, q, vi, vj);
-    tribox_impl_num_dot(c, r, n, x);
+    tbx_num x[3];
+    tbx_num_normal(c, x, q, vi, vj);
+    tbx_num_dot(c, r, n, x);
 }
 
-TRIBOX_IMPL_NOINLINE void tribox_impl_closest(tribox_impl_calc *c, double v[3][3], const double q[3],
+TBX_NOINLINE void tbx_closest(tbx_calc *c, double v[3][3], const double q[3],
                                               float out_weights[3])
 {
-    tribox_impl_num n[3];
-    tribox_impl_num dots[3][3];
-    tribox_impl_fraction w;
+    tbx_num n[3];
+    tbx_num dots[3][3];
+    tbx_fraction w;
     int along[3][3];
     int i;
     int j;
@@ -7414,8 +7414,8 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_closest(tribox_impl_calc *c, double v[3][3
         for (j = 0; j < 3; j++) {
             along[i][j] = 0;
             if (j != i) {
-                tribox_impl_closest_dot(c, &dots[i][j], q, v[i], v[j]);
-                along[i][j] = tribox_impl_num_sign(c, &dots[i][j]);
+                tbx_closest_dot(c, &dots[i][j], q, v[i], v[j]);
+                along[i][j] = tbx_num_sign(c, &dots[i][j]);
             }
         }
     }
@@ -7425,46 +7425,46 @@ TRIBOX_IMPL_NOINLINE void tribox_impl_closest(tribox_impl_calc *c, double v[3][3
             return;
         }
     }
-    tribox_impl_num_normal(c, n, v[0], v[1], v[2]);
+    tbx_num_normal(c, n, v[0], v[1], v[2]);
     for (k = 2; k >= 0; k--) {      /* edges 01, 02, 12 */
         i = k == 0 ? 1 : 0;
         j = 3 - i - k;
-        tribox_impl_closest_face(c, &dots[k][k], n, v[(k + 1) % 3], v[(k + 2) % 3], q);
-        if (tribox_impl_num_sign(c, &dots[k][k]) <= 0 && along[i][j] > 0 && along[j][i] > 0) {
-            tribox_impl_num_add(c, &w.d, &dots[i][j], &dots[j][i], 1);
-            tribox_impl_num_copy(c, &w.n, &dots[j][i]);
-            out_weights[i] = tribox_impl_fraction_round(c, &w, TRIBOX_IMPL_NEAREST);
-            tribox_impl_num_copy(c, &w.n, &dots[i][j]);
-            out_weights[j] = tribox_impl_fraction_round(c, &w, TRIBOX_IMPL_NEAREST);
+        tbx_closest_face(c, &dots[k][k], n, v[(k + 1) % 3], v[(k + 2) % 3], q);
+        if (tbx_num_sign(c, &dots[k][k]) <= 0 && along[i][j] > 0 && along[j][i] > 0) {
+            tbx_num_add(c, &w.d, &dots[i][j], &dots[j][i], 1);
+            tbx_num_copy(c, &w.n, &dots[j][i]);
+            out_weights[i] = tbx_fraction_round(c, &w, TBX_NEAREST);
+            tbx_num_copy(c, &w.n, &dots[i][j]);
+            out_weights[j] = tbx_fraction_round(c, &w, TBX_NEAREST);
             return;
         }
     }
-    tribox_impl_num_dot(c, &w.d, n, n);
+    tbx_num_dot(c, &w.d, n, n);
     for (k = 0; k < 3; k++) {
-        tribox_impl_num_copy(c, &w.n, &dots[k][k]);
-        out_weights[k] = tribox_impl_fraction_round(c, &w, TRIBOX_IMPL_NEAREST);
+        tbx_num_copy(c, &w.n, &dots[k][k]);
+        out_weights[k] = tbx_fraction_round(c, &w, TBX_NEAREST);
     }
 }
 
 TRIBOX_FN void tribox_closest(const float v0[3], const float v1[3], const float v2[3], const float q[3],
                               float out_weights[3])
 {
-    tribox_impl_calc c = { 0, 0 };
+    tbx_calc c = { 0, 0 };
     double v[3][3];
     double q_wide[3];
-    tribox_impl_widen3(v[0], v0);
-    tribox_impl_widen3(v[1], v1);
-    tribox_impl_widen3(v[2], v2);
-    tribox_impl_widen3(q_wide, q);
-    if (!tribox_impl_corners_finite(v[0], v[1], v[2]) || !tribox_impl_finite3(q_wide)) {
+    tbx_widen3(v[0], v0);
+    tbx_widen3(v[1], v1);
+    tbx_widen3(v[2], v2);
+    tbx_widen3(q_wide, q);
+    if (!tbx_corners_finite(v[0], v[1], v[2]) || !tbx_finite3(q_wide)) {
         out_weights[0] = 1.0f;
         out_weights[1] = out_weights[2] = 0.0f;
         return;
     }
-    tribox_impl_closest(&c, v, q_wide, out_weights);
+    tbx_closest(&c, v, q_wide, out_weights);
     if (c.unsure) {
         c.exact = 1;
-        tribox_impl_closest(&c, v, q_wide, out_weights);
+        tbx_closest(&c, v, q_wide, out_weights);
     }
 }
 
@@ -7476,97 +7476,97 @@ TRIBOX_FN void tribox_closest(const float v0[3], const float v1[3], const float 
  * exact signs, a strictly convex polygon stays one, so its vertices are extreme points of T n B, and
  * distinct. One point, or two joined by line[0], are a polygon too: of a degenerate T, or of a T that
  * touches the box. */
-typedef struct tribox_impl_vertex {
+typedef struct tbx_vertex {
     int a;
     int b;
-} tribox_impl_vertex;
+} tbx_vertex;
 
-typedef struct tribox_impl_polygon {
+typedef struct tbx_polygon {
     int                count;
-    tribox_impl_vertex vertex[9];
+    tbx_vertex vertex[9];
     int                line[9];     /* from this vertex to the next */
-} tribox_impl_polygon;
+} tbx_polygon;
 
-typedef struct tribox_impl_cut {
-    tribox_impl_calc calc;
+typedef struct tbx_cut {
+    tbx_calc calc;
     double           v[3][3];
     double           face[2][3];    /* of the box: lower, upper */
-    tribox_impl_num  n[3];          /* normal of T */
-} tribox_impl_cut;
+    tbx_num  n[3];          /* normal of T */
+} tbx_cut;
 
-TRIBOX_IMPL_FN int tribox_impl_line_axis(int line)
+TBX_FN int tbx_line_axis(int line)
 {
     return (line - 3) / 2;
 }
 
-TRIBOX_IMPL_FN double tribox_impl_line_face(const tribox_impl_cut *t, int line)
+TBX_FN double tbx_line_face(const tbx_cut *t, int line)
 {
-    return t->face[(line - 3) % 2][tribox_impl_line_axis(line)];
+    return t->face[(line - 3) % 2][tbx_line_axis(line)];
 }
 
 /* r += n_axis * (v0_axis - face), of a line that is a face */
-TRIBOX_IMPL_FN void tribox_impl_cut_add_face(const tribox_impl_cut *t, tribox_impl_num *r, int line)
+TBX_FN void tbx_cut_add_face(const tbx_cut *t, tbx_num *r, int line)
 {
-    const int axis = tribox_impl_line_axis(line);
-    tribox_impl_num x;
-    tribox_impl_num_difference(&t->calc, &x, t->v[0][axis], tribox_impl_line_face(t, line));
-    tribox_impl_num_mul(&t->calc, &x, &x, &t->n[axis]);
-    tribox_impl_num_add(&t->calc, r, r, &x, 1);
+    const int axis = tbx_line_axis(line);
+    tbx_num x;
+    tbx_num_difference(&t->calc, &x, t->v[0][axis], tbx_line_face(t, line));
+    tbx_num_mul(&t->calc, &x, &x, &t->n[axis]);
+    tbx_num_add(&t->calc, r, r, &x, 1);
 }
 
 /* Coordinate k of a vertex. Edge pq and face f across axis a: (p_k (q_a - f) + q_k (f - p_a)) / (q_a -
  * p_a). Two faces: from n.(x - v0) = 0, with the faces' two coordinates put in. */
-TRIBOX_IMPL_FN void tribox_impl_cut_coordinate(tribox_impl_cut *t, tribox_impl_vertex x, int k,
-                                               tribox_impl_fraction *r)
+TBX_FN void tbx_cut_coordinate(tbx_cut *t, tbx_vertex x, int k,
+                                               tbx_fraction *r)
 {
-    tribox_impl_calc *c = &t->calc;
+    tbx_calc *c = &t->calc;
     if (x.b < 0) {
-        tribox_impl_fraction_set(c, r, t->v[x.a][k]);
-    } else if (tribox_impl_line_axis(x.b) == k) {
-        tribox_impl_fraction_set(c, r, tribox_impl_line_face(t, x.b));
+        tbx_fraction_set(c, r, t->v[x.a][k]);
+    } else if (tbx_line_axis(x.b) == k) {
+        tbx_fraction_set(c, r, tbx_line_face(t, x.b));
     } else if (x.a < 3) {
-        const int a = tribox_impl_line_axis(x.b);
-        const double f = tribox_impl_line_face(t, x.b);
+        const int a = tbx_line_axis(x.b);
+        const double f = tbx_line_face(t, x.b);
         const double *p = t->v[x.a];
         const double *q = t->v[(x.a + 1) % 3];
-        tribox_impl_num y;
-        tribox_impl_num z;
-        tribox_impl_num_difference(c, &r->d, q[a], p[a]);
-        tribox_impl_num_difference(c, &y, q[a], f);
-        tribox_impl_num_set(c, &z, p[k]);
-        tribox_impl_num_mul(c, &r->n, &y, &z);
-        tribox_impl_num_difference(c, &y, f, p[a]);
-        tribox_impl_num_set(c, &z, q[k]);
-        tribox_impl_num_mul(c, &y, &y, &z);
-        tribox_impl_num_add(c, &r->n, &r->n, &y, 1);
-    } else if (tribox_impl_line_axis(x.a) == k) {
-        tribox_impl_fraction_set(c, r, tribox_impl_line_face(t, x.a));
+        tbx_num y;
+        tbx_num z;
+        tbx_num_difference(c, &r->d, q[a], p[a]);
+        tbx_num_difference(c, &y, q[a], f);
+        tbx_num_set(c, &z, p[k]);
+        tbx_num_mul(c, &r->n, &y, &z);
+        tbx_num_difference(c, &y, f, p[a]);
+        tbx_num_set(c, &z, q[k]);
+        tbx_num_mul(c, &y, &y, &z);
+        tbx_num_add(c, &r->n, &r->n, &y, 1);
+    } else if (tbx_line_axis(x.a) == k) {
+        tbx_fraction_set(c, r, tbx_line_face(t, x.a));
     } else {
-        tribox_impl_num v0;
-        tribox_impl_num_copy(c, &r->d, &t->n[k]);
-        tribox_impl_num_set(c, &v0, t->v[0][k]);
-        tribox_impl_num_mul(c, &r->n, &v0, &t->n[k]);
-        tribox_impl_cut_add_face(t, &r->n, x.a);
-        tribox_impl_cut_add_face(t, &r->n, x.b);
+        tbx_num v0;
+        tbx_num_copy(c, &r->d, &t->n[k]);
+        tbx_num_set(c, &v0, t->v[0][k]);
+        tbx_num_mul(c, &r->n, &v0, &t->n[k]);
+        tbx_cut_add_face(t, &r->n, x.a);
+        tbx_cut_add_face(t, &r->n, x.b);
     }
     {
-        const int sign = tribox_impl_num_sign(c, &r->d);
-        tribox_impl_num_flip(c, &r->n, sign);
-        tribox_impl_num_flip(c, &r->d, sign);
+        const int sign = tbx_num_sign(c, &r->d);
+        tbx_num_flip(c, &r->n, sign);
+        tbx_num_flip(c, &r->d, sign);
     }
 }
 
 /* The sign of the vertex's distance to the face, positive inside the box. */
-TRIBOX_IMPL_FN int tribox_impl_cut_side(tribox_impl_cut *t, tribox_impl_vertex x, int line)
+TBX_FN int tbx_cut_side(tbx_cut *t, tbx_vertex x, int line)
 {
-    tribox_impl_fraction at;
-    tribox_impl_fraction face;
-    tribox_impl_cut_coordinate(t, x, tribox_impl_line_axis(line), &at);
-    tribox_impl_fraction_set(&t->calc, &face, tribox_impl_line_face(t, line));
-    return tribox_impl_fraction_compare(&t->calc, &at, &face) * ((line - 3) % 2 == 0 ? 1 : -1);
+    tbx_fraction at;
+    tbx_fraction face;
+    tbx_cut_coordinate(t, x, tbx_line_axis(line), &at);
+    tbx_fraction_set(&t->calc, &face, tbx_line_face(t, line));
+    return tbx_fraction_compare(&t->calc, &at, &face) * ((line - 3) % 2 == 0 ? 1 : -1);
 }
 
-TRIBOX_IMPL_FN void tribox_impl_polygon_add(tribox_impl_polygon *p, int a, int b, int line)
+TBX_FN void tbx_polygon_add(tbx_polygon *p, int a, int b, int line)
 {
     p->vertex[p->count].a = a;
     p->vertex[p->count].b = b;
@@ -7575,13 +7575,13 @@ TRIBOX_IMPL_FN void tribox_impl_polygon_add(tribox_impl_polygon *p, int a, int b
 }
 
 /* Cuts the polygon by one face. New vertices lie strictly inside an edge, never at a vertex. */
-TRIBOX_IMPL_FN void tribox_impl_cut_by(tribox_impl_cut *t, tribox_impl_polygon *p, int line)
+TBX_FN void tbx_cut_by(tbx_cut *t, tbx_polygon *p, int line)
 {
-    const tribox_impl_polygon old = *p;
+    const tbx_polygon old = *p;
     int side[9];
     int i;
     for (i = 0; i < old.count; i++) {
-        side[i] = tribox_impl_cut_side(t, old.vertex[i], line);
+        side[i] = tbx_cut_side(t, old.vertex[i], line);
     }
     if (t->calc.unsure) {
         return;
@@ -7591,65 +7591,65 @@ TRIBOX_IMPL_FN void tribox_impl_cut_by(tribox_impl_cut *t, tribox_impl_polygon *
         const int last_of_chain = old.count <= 2 && i == old.count - 1;
         const int next = last_of_chain ? side[i] : side[(i + 1) % old.count];
         if (side[i] >= 0) {
-            tribox_impl_polygon_add(p, old.vertex[i].a, old.vertex[i].b,
+            tbx_polygon_add(p, old.vertex[i].a, old.vertex[i].b,
                                     side[i] == 0 && next < 0 ? line : old.line[i]);
         }
         if (side[i] * next < 0) {
-            tribox_impl_polygon_add(p, old.line[i], line, next < 0 ? line : old.line[i]);
+            tbx_polygon_add(p, old.line[i], line, next < 0 ? line : old.line[i]);
         }
     }
 }
 
 /* The sign of x - y, by the first coordinate that differs. */
-TRIBOX_IMPL_FN int tribox_impl_cut_compare(tribox_impl_cut *t, tribox_impl_vertex x, tribox_impl_vertex y)
+TBX_FN int tbx_cut_compare(tbx_cut *t, tbx_vertex x, tbx_vertex y)
 {
     int order = 0;
     int k;
     for (k = 0; k < 3 && order == 0; k++) {
-        tribox_impl_fraction x_k;
-        tribox_impl_fraction y_k;
-        tribox_impl_cut_coordinate(t, x, k, &x_k);
-        tribox_impl_cut_coordinate(t, y, k, &y_k);
-        order = tribox_impl_fraction_compare(&t->calc, &x_k, &y_k);
+        tbx_fraction x_k;
+        tbx_fraction y_k;
+        tbx_cut_coordinate(t, x, k, &x_k);
+        tbx_cut_coordinate(t, y, k, &y_k);
+        order = tbx_fraction_compare(&t->calc, &x_k, &y_k);
     }
     return order;
 }
 
 /* T itself: its corners; or, if it is a segment or a point, the ends. */
-TRIBOX_IMPL_FN void tribox_impl_cut_start(tribox_impl_cut *t, tribox_impl_polygon *p)
+TBX_FN void tbx_cut_start(tbx_cut *t, tbx_polygon *p)
 {
-    tribox_impl_vertex corner = { 0, -1 };
+    tbx_vertex corner = { 0, -1 };
     int flat = 1;
     int least = 0;
     int most = 0;
     int i;
     p->count = 0;
     for (i = 0; i < 3; i++) {
-        flat &= tribox_impl_num_sign(&t->calc, &t->n[i]) == 0;
+        flat &= tbx_num_sign(&t->calc, &t->n[i]) == 0;
     }
     for (i = 0; i < 3 && !flat; i++) {
-        tribox_impl_polygon_add(p, i, -1, i);
+        tbx_polygon_add(p, i, -1, i);
     }
     for (i = 1; i < 3 && flat; i++) {
-        tribox_impl_vertex end = { 0, -1 };
+        tbx_vertex end = { 0, -1 };
         corner.a = i;
         end.a = least;
-        least = tribox_impl_cut_compare(t, corner, end) < 0 ? i : least;
+        least = tbx_cut_compare(t, corner, end) < 0 ? i : least;
         end.a = most;
-        most = tribox_impl_cut_compare(t, corner, end) > 0 ? i : most;
+        most = tbx_cut_compare(t, corner, end) > 0 ? i : most;
     }
     if (flat) {
-        tribox_impl_polygon_add(p, least, -1, (least + 1) % 3 == most ? least : most);
+        tbx_polygon_add(p, least, -1, (least + 1) % 3 == most ? least : most);
     }
     if (least != most) {
-        tribox_impl_polygon_add(p, most, -1, p->line[0]);
+        tbx_polygon_add(p, most, -1, p->line[0]);
     }
 }
 
 /* All of it, in one of the two runs. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_cut_all(tribox_impl_cut *t, int exact, float out_polygon[9][3])
+TBX_NOINLINE int tbx_cut_all(tbx_cut *t, int exact, float out_polygon[9][3])
 {
-    tribox_impl_polygon p;
+    tbx_polygon p;
     int first = 0;
     int count = 0;
     int line;
@@ -7657,28 +7657,28 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_cut_all(tribox_impl_cut *t, int exact, floa
     int k;
     t->calc.exact = exact;
     t->calc.unsure = 0;
-    tribox_impl_num_normal(&t->calc, t->n, t->v[0], t->v[1], t->v[2]);
-    tribox_impl_cut_start(t, &p);
+    tbx_num_normal(&t->calc, t->n, t->v[0], t->v[1], t->v[2]);
+    tbx_cut_start(t, &p);
     for (line = 3; line < 9 && !t->calc.unsure; line++) {
-        if (tribox_impl_is_finite(tribox_impl_line_face(t, line))) {
-            tribox_impl_cut_by(t, &p, line);
+        if (tbx_is_finite(tbx_line_face(t, line))) {
+            tbx_cut_by(t, &p, line);
         }
     }
     for (i = 1; i < p.count && !t->calc.unsure; i++) {
-        first = tribox_impl_cut_compare(t, p.vertex[i], p.vertex[first]) < 0 ? i : first;
+        first = tbx_cut_compare(t, p.vertex[i], p.vertex[first]) < 0 ? i : first;
     }
     for (i = 0; i < p.count && !t->calc.unsure; i++) {
         int same = 0;
         int j;
         for (k = 0; k < 3; k++) {
-            tribox_impl_fraction x;
-            tribox_impl_cut_coordinate(t, p.vertex[(first + i) % p.count], k, &x);
-            out_polygon[count][k] = tribox_impl_fraction_round(&t->calc, &x, TRIBOX_IMPL_NEAREST);
+            tbx_fraction x;
+            tbx_cut_coordinate(t, p.vertex[(first + i) % p.count], k, &x);
+            out_polygon[count][k] = tbx_fraction_round(&t->calc, &x, TBX_NEAREST);
         }
         for (j = 0; j < count; j++) {
-            same |= tribox_impl_key32(&out_polygon[j][0]) == tribox_impl_key32(&out_polygon[count][0]) &&
-                    tribox_impl_key32(&out_polygon[j][1]) == tribox_impl_key32(&out_polygon[count][1]) &&
-                    tribox_impl_key32(&out_polygon[j][2]) == tribox_impl_key32(&out_polygon[count][2]);
+            same |= tbx_key32(&out_polygon[j][0]) == tbx_key32(&out_polygon[count][0]) &&
+                    tbx_key32(&out_polygon[j][1]) == tbx_key32(&out_polygon[count][1]) &&
+                    tbx_key32(&out_polygon[j][2]) == tbx_key32(&out_polygon[count][2]);
         }
         count += !same;
     }
@@ -7688,58 +7688,58 @@ TRIBOX_IMPL_NOINLINE int tribox_impl_cut_all(tribox_impl_cut *t, int exact, floa
 TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
                           const float box_max[3], float out_polygon[9][3])
 {
-    tribox_impl_cut t;
+    tbx_cut t;
     int count;
     /* cppcheck-suppress uninitvar ; it is written there */
-    tribox_impl_widen3(t.v[0], v0);
-    tribox_impl_widen3(t.v[1], v1);
-    tribox_impl_widen3(t.v[2], v2);
-    tribox_impl_widen3(t.face[0], box_min);
-    tribox_impl_widen3(t.face[1], box_max);
-    if (!tribox_impl_corners_finite(t.v[0], t.v[1], t.v[2]) || !tribox_impl_box_valid(t.face[0], t.face[1])) {
+    tbx_widen3(t.v[0], v0);
+    tbx_widen3(t.v[1], v1);
+    tbx_widen3(t.v[2], v2);
+    tbx_widen3(t.face[0], box_min);
+    tbx_widen3(t.face[1], box_max);
+    if (!tbx_corners_finite(t.v[0], t.v[1], t.v[2]) || !tbx_box_valid(t.face[0], t.face[1])) {
         return 0;
     }
-    count = tribox_impl_cut_all(&t, 0, out_polygon);
-    return t.calc.unsure ? tribox_impl_cut_all(&t, 1, out_polygon) : count;
+    count = tbx_cut_all(&t, 0, out_polygon);
+    return t.calc.unsure ? tbx_cut_all(&t, 1, out_polygon) : count;
 }
 
 /* ---- meshes */
 
 #if defined(__GNUC__) && !defined(__CUDACC__)
-#define TRIBOX_IMPL_QUERY TRIBOX_IMPL_FN __attribute__((always_inline))
+#define TBX_QUERY TBX_FN __attribute__((always_inline))
 #else
-#define TRIBOX_IMPL_QUERY TRIBOX_IMPL_FN
+#define TBX_QUERY TBX_FN
 #endif
 
 /* Are three corners all below lo or all above hi on one axis? Where subnormals are read as zero, a face of
  * the box and a corner may seem equal, and do not part then: the answer only ever errs to 0. */
-TRIBOX_IMPL_FN int tribox_impl_beyond(const char *a, const char *b, const char *c, size_t at, float lo,
+TBX_FN int tbx_beyond(const char *a, const char *b, const char *c, size_t at, float lo,
                                       float hi)
 {
     float x;
     float y;
     float z;
-    TRIBOX_IMPL_COPY(&x, a + at, sizeof x);
-    TRIBOX_IMPL_COPY(&y, b + at, sizeof y);
-    TRIBOX_IMPL_COPY(&z, c + at, sizeof z);
-    return tribox_impl_maxf(tribox_impl_maxf(x, y), z) < lo || tribox_impl_minf(tribox_impl_minf(x, y),
+    TBX_COPY(&x, a + at, sizeof x);
+    TBX_COPY(&y, b + at, sizeof y);
+    TBX_COPY(&z, c + at, sizeof z);
+    return tbx_maxf(tbx_maxf(x, y), z) < lo || tbx_minf(tbx_minf(x, y),
                                                                                 z) > hi;
 }
 
 /* Out of line, so that the loop below keeps its constants in registers. */
-TRIBOX_IMPL_NOINLINE int tribox_impl_query_touches(const char *a, const char *b, const char *c,
+TBX_NOINLINE int tbx_query_touches(const char *a, const char *b, const char *c,
                                                    const float lo[3], const float hi[3])
 {
     float v[3][3];
-    TRIBOX_IMPL_COPY(v[0], a, sizeof v[0]);
-    TRIBOX_IMPL_COPY(v[1], b, sizeof v[1]);
-    TRIBOX_IMPL_COPY(v[2], c, sizeof v[2]);
+    TBX_COPY(v[0], a, sizeof v[0]);
+    TBX_COPY(v[1], b, sizeof v[1]);
+    TBX_COPY(v[2], c, sizeof v[2]);
     return tribox_overlap(v[0], v[1], v[2], lo, hi);
 }
 
 /* Neighbours in a mesh lie beyond the same face, so asking axis by axis is foreseen, and reads a third of
  * the corners. */
-TRIBOX_IMPL_QUERY size_t tribox_impl_query(const tribox_mesh *mesh, const uint32_t *index, size_t stride,
+TBX_QUERY size_t tbx_query(const tribox_mesh *mesh, const uint32_t *index, size_t stride,
                                            const float box_min[3], const float box_max[3],
                                            uint32_t *out_triangles, size_t capacity)
 {
@@ -7754,12 +7754,12 @@ TRIBOX_IMPL_QUERY size_t tribox_impl_query(const tribox_mesh *mesh, const uint32
         const char *a = positions + (index != NULL ? index[at] : at) * stride;
         const char *b = positions + (index != NULL ? index[at + 1] : at + 1) * stride;
         const char *c = positions + (index != NULL ? index[at + 2] : at + 2) * stride;
-        if (tribox_impl_beyond(a, b, c, 0, lo[0], hi[0]) ||
-            tribox_impl_beyond(a, b, c, sizeof(float), lo[1], hi[1]) ||
-            tribox_impl_beyond(a, b, c, 2 * sizeof(float), lo[2], hi[2])) {
+        if (tbx_beyond(a, b, c, 0, lo[0], hi[0]) ||
+            tbx_beyond(a, b, c, sizeof(float), lo[1], hi[1]) ||
+            tbx_beyond(a, b, c, 2 * sizeof(float), lo[2], hi[2])) {
             continue;
         }
-        if (tribox_impl_query_touches(a, b, c, lo, hi)) {
+        if (tbx_query_touches(a, b, c, lo, hi)) {
             if (count < capacity) {
                 out_triangles[count] = (uint32_t)i;
             }
@@ -7777,9 +7777,9 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
     const size_t stride = mesh->stride != 0 ? mesh->stride : packed;
     const uint32_t *index = mesh->indices;
     if (index != NULL && stride == packed) {
-        return tribox_impl_query(mesh, index, packed, box_min, box_max, out_triangles, capacity);
+        return tbx_query(mesh, index, packed, box_min, box_max, out_triangles, capacity);
     }
-    return tribox_impl_query(mesh, index, stride, box_min, box_max, out_triangles, capacity);
+    return tbx_query(mesh, index, stride, box_min, box_max, out_triangles, capacity);
 }
 
 /* ---- octree descent */
@@ -7792,43 +7792,43 @@ TRIBOX_FN void tribox_tri_resize_f64(tribox_tri *tri, const double size[3])
 TRIBOX_FN void tribox_tri_resize(tribox_tri *tri, const float size[3])
 {
     double wide[3];
-    tribox_impl_widen3(wide, size);
+    tbx_widen3(wide, size);
     tribox_tri_resize_f64(tri, wide);
 }
 
 /* The sign of p + count*size - t. */
-TRIBOX_IMPL_FN int tribox_impl_face_sign(double p, double size, int count, double t)
+TBX_FN int tbx_face_sign(double p, double size, int count, double t)
 {
-    const tribox_impl_coord face = tribox_impl_at(p, size, 2 * count);
-    const tribox_impl_coord plane = tribox_impl_at(t, 0.0, 0);
-    return tribox_impl_compare(&face, &plane);
+    const tbx_coord face = tbx_at(p, size, 2 * count);
+    const tbx_coord plane = tbx_at(t, 0.0, 0);
+    return tbx_compare(&face, &plane);
 }
 
-TRIBOX_IMPL_COLD unsigned tribox_impl_octant_faces_exact(const tribox_tri *tri, int k, double p)
+TBX_COLD unsigned tbx_octant_faces_exact(const tribox_tri *tri, int k, double p)
 {
     const int lo_is_open = (tri->flags & TRIBOX_OPEN) != 0;
     const int hi_is_open = (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
     const double size = tri->size[k];
-    const unsigned below = tribox_impl_key64(p) + lo_is_open <= tribox_impl_key64(tri->t_max[k]);
+    const unsigned below = tbx_key64(p) + lo_is_open <= tbx_key64(tri->t_max[k]);
     unsigned near_holds;
     unsigned far_holds;
-    if (!tribox_impl_is_finite(size)) {
+    if (!tbx_is_finite(size)) {
         return below;
     }
-    near_holds = tribox_impl_face_sign(p, size, 1, tri->t_min[k]) >= hi_is_open;
-    far_holds = tribox_impl_face_sign(p, size, 1, tri->t_max[k]) <= -lo_is_open &&
-                tribox_impl_face_sign(p, size, 2, tri->t_min[k]) >= hi_is_open;
+    near_holds = tbx_face_sign(p, size, 1, tri->t_min[k]) >= hi_is_open;
+    far_holds = tbx_face_sign(p, size, 1, tri->t_max[k]) <= -lo_is_open &&
+                tbx_face_sign(p, size, 2, tri->t_min[k]) >= hi_is_open;
     return (below & near_holds) | far_holds << 1;
 }
 
 /* Bit 0, bit 1: the faces of axis k hold for [p, p + size], for [p + size, p + 2 size]. With an infinite
  * size, only the first is a box. A sum x of p - t and up to two sizes is made of sums below |x| + 2 size,
  * so it errs by less than 3 u (|x| + size), and its sign is sure if |x| > 16 u size. */
-TRIBOX_IMPL_FN unsigned tribox_impl_octant_faces(const tribox_tri *tri, int k, double p)
+TBX_FN unsigned tbx_octant_faces(const tribox_tri *tri, int k, double p)
 {
     const double size = tri->size[k];
-    const double e = 16.0 * TRIBOX_IMPL_U64 * size;
-    const uint64_t exponent = tribox_impl_bits64(&size) >> 52;
+    const double e = 16.0 * TBX_U64 * size;
+    const uint64_t exponent = tbx_bits64(&size) >> 52;
     const double above = p - tri->t_min[k] + size;      /* both >= 0 where the faces hold */
     const double below = tri->t_max[k] - p;
     const double above_far = above + size;
@@ -7837,84 +7837,84 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octant_faces(const tribox_tri *tri, int k, d
     const double farther = above_far < below_far ? above_far : below_far;
     const unsigned holds = (unsigned)(nearer > e) | (unsigned)(farther > e) << 1;
     const unsigned fails = (unsigned)(nearer < -e) | (unsigned)(farther < -e) << 1;
-    if (TRIBOX_IMPL_RARELY((holds | fails) != 3u || exponent - 64u > 1919u)) {    /* 2^-959..2^960 */
-        return tribox_impl_octant_faces_exact(tri, k, p);
+    if (TBX_RARELY((holds | fails) != 3u || exponent - 64u > 1919u)) {    /* 2^-959..2^960 */
+        return tbx_octant_faces_exact(tri, k, p);
     }
     return holds;
 }
 
 /* One octant whose faces hold: by the prepared test if its corner is a double, else by exact signs. */
-TRIBOX_IMPL_COLD int tribox_impl_octant(const tribox_tri *tri, const double p[3], unsigned octant)
+TBX_COLD int tbx_octant(const tribox_tri *tri, const double p[3], unsigned octant)
 {
-    tribox_impl_exact f;
+    tbx_exact f;
     double corner[3];
     int is_double = 1;
     int k;
-    tribox_impl_exact_corners(&f, tri->v[0], tri->v[1], tri->v[2]);
+    tbx_exact_corners(&f, tri->v[0], tri->v[1], tri->v[2]);
     for (k = 0; k < 3; k++) {
         const int64_t half = (octant >> k & 1u) != 0 ? 2 : 0;
         const double size = tri->size[k];
-        const int finite = tribox_impl_is_finite(size);
-        tribox_impl_coord at;
+        const int finite = tbx_is_finite(size);
+        tbx_coord at;
         corner[k] = half != 0 ? p[k] + size : p[k];
-        at = tribox_impl_at(corner[k], 0.0, 0);
-        f.x[TRIBOX_IMPL_LO][k] = tribox_impl_at(p[k], size, half);
-        f.x[TRIBOX_IMPL_MID][k] = tribox_impl_at(p[k], size, half + 1);
-        f.x[TRIBOX_IMPL_HI][k] = tribox_impl_at(p[k], size, finite ? half + 2 : 8);
+        at = tbx_at(corner[k], 0.0, 0);
+        f.x[TBX_LO][k] = tbx_at(p[k], size, half);
+        f.x[TBX_MID][k] = tbx_at(p[k], size, half + 1);
+        f.x[TBX_HI][k] = tbx_at(p[k], size, finite ? half + 2 : 8);
         /* no corner is infinite: it is at most t_max */
-        is_double = is_double && tribox_impl_compare(&at, &f.x[TRIBOX_IMPL_LO][k]) == 0;
+        is_double = is_double && tbx_compare(&at, &f.x[TBX_LO][k]) == 0;
     }
-    return is_double ? tribox_impl_tri_test(tri, corner) : tribox_impl_exact_overlap(&f, tri->flags);
+    return is_double ? tbx_tri_test(tri, corner) : tbx_exact_overlap(&f, tri->flags);
 }
 
 #if TRIBOX_SIMD
 /* The least of the three edge conditions across axis k, plus 1, at q_b = b, q_c = c. */
-TRIBOX_IMPL_FN tribox_impl_f4 tribox_impl_octant_edges(const tribox_tri *tri, int k, tribox_impl_f4 b,
-                                                       tribox_impl_f4 c)
+TBX_FN tbx_f4 tbx_octant_edges(const tribox_tri *tri, int k, tbx_f4 b,
+                                                       tbx_f4 c)
 {
-    const tribox_impl_f4 first =
-        tribox_impl_fma4(tribox_impl_splat(tri->first_b[k]), b,
-        tribox_impl_fma4(tribox_impl_splat(tri->first_c[k]), c, tribox_impl_splat(tri->first_d[k])));
-    const tribox_impl_f4 second =
-        tribox_impl_fma4(tribox_impl_splat(tri->second_b[k]), b,
-        tribox_impl_fma4(tribox_impl_splat(tri->second_c[k]), c, tribox_impl_splat(tri->second_d[k])));
-    const tribox_impl_f4 third = tribox_impl_splat(tri->third_d[k]) - (first + second);
-    return tribox_impl_min4(tribox_impl_min4(first, second), third);
+    const tbx_f4 first =
+        tbx_fma4(tbx_splat(tri->first_b[k]), b,
+        tbx_fma4(tbx_splat(tri->first_c[k]), c, tbx_splat(tri->first_d[k])));
+    const tbx_f4 second =
+        tbx_fma4(tbx_splat(tri->second_b[k]), b,
+        tbx_fma4(tbx_splat(tri->second_c[k]), c, tbx_splat(tri->second_d[k])));
+    const tbx_f4 third = tbx_splat(tri->third_d[k]) - (first + second);
+    return tbx_min4(tbx_min4(first, second), third);
 }
 
 /* The conditions of the prepared test in float at the eight octants ref + q, q being lower or upper on each
  * axis: bits of those where all hold, and of those where that is unsure. Edges see two axes: in lanes at the
  * four pairs of their lower and upper, for both halves of the third. */
-TRIBOX_IMPL_FN unsigned tribox_impl_octant_lanes(const tribox_tri *tri, tribox_impl_f4 lower,
-                                                 tribox_impl_f4 upper, unsigned *out_doubt)
+TBX_FN unsigned tbx_octant_lanes(const tribox_tri *tri, tbx_f4 lower,
+                                                 tbx_f4 upper, unsigned *out_doubt)
 {
-    const tribox_impl_f4 both = TRIBOX_IMPL_LANES(lower, upper, 0, 4, 1, 5);
-    const tribox_impl_f4 both_z = TRIBOX_IMPL_LANES(lower, upper, 2, 6, 2, 6);
-    const tribox_impl_f4 x = TRIBOX_IMPL_LANES(both, both, 0, 1, 0, 1);
-    const tribox_impl_f4 y = TRIBOX_IMPL_LANES(both, both, 2, 2, 3, 3);
-    const tribox_impl_f4 z = TRIBOX_IMPL_LANES(both_z, both_z, 0, 0, 1, 1);
-    const tribox_impl_f4 yz = tribox_impl_octant_edges(tri, 0, TRIBOX_IMPL_LANES(both, both, 2, 3, 2, 3), z);
-    const tribox_impl_f4 zx = tribox_impl_octant_edges(tri, 1, z, x);
-    const tribox_impl_f4 xy = tribox_impl_octant_edges(tri, 2, x, y);
-    const tribox_impl_f4 n_z = tribox_impl_splat(tri->first_z[3]);
-    const tribox_impl_f4 plane =
-        tribox_impl_fma4(tribox_impl_splat(tri->first_b[3]), x,
-        tribox_impl_fma4(tribox_impl_splat(tri->first_c[3]), y, tribox_impl_splat(tri->first_d[3])));
-    const tribox_impl_f4 below = tribox_impl_fma4(n_z, TRIBOX_IMPL_LANES(lower, lower, 2, 2, 2, 2), plane);
-    const tribox_impl_f4 above = tribox_impl_fma4(n_z, TRIBOX_IMPL_LANES(upper, upper, 2, 2, 2, 2), plane);
-    const tribox_impl_f4 sides = tribox_impl_splat(tri->third_d[3] - tri->second_d[3]);
-    const tribox_impl_f4 two = tribox_impl_splat(2.0f);
-    const tribox_impl_f4 least_below = tribox_impl_min4(
-        tribox_impl_min4(tribox_impl_min4(xy, TRIBOX_IMPL_LANES(yz, yz, 0, 0, 1, 1)),
-                         TRIBOX_IMPL_LANES(zx, zx, 0, 1, 0, 1)), tribox_impl_min4(below, sides - below));
-    const tribox_impl_f4 least_above = tribox_impl_min4(
-        tribox_impl_min4(tribox_impl_min4(xy, TRIBOX_IMPL_LANES(yz, yz, 2, 2, 3, 3)),
-                         TRIBOX_IMPL_LANES(zx, zx, 2, 3, 2, 3)), tribox_impl_min4(above, sides - above));
+    const tbx_f4 both = TBX_LANES(lower, upper, 0, 4, 1, 5);
+    const tbx_f4 both_z = TBX_LANES(lower, upper, 2, 6, 2, 6);
+    const tbx_f4 x = TBX_LANES(both, both, 0, 1, 0, 1);
+    const tbx_f4 y = TBX_LANES(both, both, 2, 2, 3, 3);
+    const tbx_f4 z = TBX_LANES(both_z, both_z, 0, 0, 1, 1);
+    const tbx_f4 yz = tbx_octant_edges(tri, 0, TBX_LANES(both, both, 2, 3, 2, 3), z);
+    const tbx_f4 zx = tbx_octant_edges(tri, 1, z, x);
+    const tbx_f4 xy = tbx_octant_edges(tri, 2, x, y);
+    const tbx_f4 n_z = tbx_splat(tri->first_z[3]);
+    const tbx_f4 plane =
+        tbx_fma4(tbx_splat(tri->first_b[3]), x,
+        tbx_fma4(tbx_splat(tri->first_c[3]), y, tbx_splat(tri->first_d[3])));
+    const tbx_f4 below = tbx_fma4(n_z, TBX_LANES(lower, lower, 2, 2, 2, 2), plane);
+    const tbx_f4 above = tbx_fma4(n_z, TBX_LANES(upper, upper, 2, 2, 2, 2), plane);
+    const tbx_f4 sides = tbx_splat(tri->third_d[3] - tri->second_d[3]);
+    const tbx_f4 two = tbx_splat(2.0f);
+    const tbx_f4 least_below = tbx_min4(
+        tbx_min4(tbx_min4(xy, TBX_LANES(yz, yz, 0, 0, 1, 1)),
+                         TBX_LANES(zx, zx, 0, 1, 0, 1)), tbx_min4(below, sides - below));
+    const tbx_f4 least_above = tbx_min4(
+        tbx_min4(tbx_min4(xy, TBX_LANES(yz, yz, 2, 2, 3, 3)),
+                         TBX_LANES(zx, zx, 2, 3, 2, 3)), tbx_min4(above, sides - above));
     /* by their sign bits, as tribox_tri_test */
-    const int miss = tribox_impl_signs((tribox_impl_i4)least_below) |
-                     tribox_impl_signs((tribox_impl_i4)least_above) << 4;
-    const int no_hit = tribox_impl_signs((tribox_impl_i4)(least_below - two)) |
-                       tribox_impl_signs((tribox_impl_i4)(least_above - two)) << 4;
+    const int miss = tbx_signs((tbx_i4)least_below) |
+                     tbx_signs((tbx_i4)least_above) << 4;
+    const int no_hit = tbx_signs((tbx_i4)(least_below - two)) |
+                       tbx_signs((tbx_i4)(least_above - two)) << 4;
     *out_doubt = (unsigned)(no_hit & ~miss);
     return (unsigned)~no_hit;
 }
@@ -7922,15 +7922,15 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octant_lanes(const tribox_tri *tri, tribox_i
 
 /* The conditions of the prepared test at the eight octants ref + q, q_k being q_near[k] or q_far[k]: bits of
  * those where all hold, and of those where that is unsure. */
-TRIBOX_IMPL_FN unsigned tribox_impl_octant_values(const tribox_tri *tri, const double q_near[3],
+TBX_FN unsigned tbx_octant_values(const tribox_tri *tri, const double q_near[3],
                                                   const double q_far[3], unsigned *out_doubt)
 {
 #if TRIBOX_SIMD
-    tribox_impl_f4 lower = { (float)q_near[0], (float)q_near[1], (float)q_near[2], 0.0f };
-    tribox_impl_f4 upper = { (float)q_far[0], (float)q_far[1], (float)q_far[2], 0.0f };
-    TRIBOX_IMPL_KEEP4(lower);
-    TRIBOX_IMPL_KEEP4(upper);
-    return tribox_impl_octant_lanes(tri, lower, upper, out_doubt);
+    tbx_f4 lower = { (float)q_near[0], (float)q_near[1], (float)q_near[2], 0.0f };
+    tbx_f4 upper = { (float)q_far[0], (float)q_far[1], (float)q_far[2], 0.0f };
+    TBX_KEEP4(lower);
+    TBX_KEEP4(upper);
+    return tbx_octant_lanes(tri, lower, upper, out_doubt);
 #else
     unsigned hits = 0;
     unsigned doubt = 0;
@@ -7955,16 +7955,16 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octant_values(const tribox_tri *tri, const d
 }
 
 /* The octants that the faces of axis k leave, the upper ones `shift` bits above the lower ones. */
-TRIBOX_IMPL_FN unsigned tribox_impl_octant_axis(const tribox_tri *tri, int k, double p, unsigned lower,
+TBX_FN unsigned tbx_octant_axis(const tribox_tri *tri, int k, double p, unsigned lower,
                                                 int shift)
 {
-    const unsigned faces = tribox_impl_octant_faces(tri, k, p);
+    const unsigned faces = tbx_octant_faces(tri, k, p);
     return lower * ((faces & 1u) | (faces >> 1) << shift);
 }
 
 /* Where p - ref may be too large for a float, and where sizes are infinite, each octant is asked by
  * itself. */
-TRIBOX_IMPL_FN unsigned tribox_impl_octants(const tribox_tri *tri, const double p[3])
+TBX_FN unsigned tbx_octants(const tribox_tri *tri, const double p[3])
 {
     unsigned asked;
     unsigned hits = 0;
@@ -7976,25 +7976,25 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octants(const tribox_tri *tri, const double 
     if (tri->empty) {
         return 0;
     }
-    asked = tribox_impl_octant_axis(tri, 0, p[0], 0x55, 1);
-    asked &= tribox_impl_octant_axis(tri, 1, p[1], 0x33, 2);
-    asked &= tribox_impl_octant_axis(tri, 2, p[2], 0x0f, 4);
+    asked = tbx_octant_axis(tri, 0, p[0], 0x55, 1);
+    asked &= tbx_octant_axis(tri, 1, p[1], 0x33, 2);
+    asked &= tbx_octant_axis(tri, 2, p[2], 0x0f, 4);
     doubt = asked;
-    if (asked != 0 && !TRIBOX_IMPL_RARELY(tri->huge)) {
+    if (asked != 0 && !TBX_RARELY(tri->huge)) {
         for (k = 0; k < 3; k++) {
             q_near[k] = p[k] - (double)tri->ref[k];
         }
-        TRIBOX_IMPL_KEEP(q_near);
+        TBX_KEEP(q_near);
         for (k = 0; k < 3; k++) {
             q_far[k] = q_near[k] + tri->size[k];
         }
-        TRIBOX_IMPL_KEEP(q_far);
-        hits = asked & tribox_impl_octant_values(tri, q_near, q_far, &doubt);
+        TBX_KEEP(q_far);
+        hits = asked & tbx_octant_values(tri, q_near, q_far, &doubt);
         doubt &= asked;
     }
-    for (o = 0; TRIBOX_IMPL_RARELY(doubt >> o != 0); o++) {
+    for (o = 0; TBX_RARELY(doubt >> o != 0); o++) {
         if ((doubt >> o & 1u) != 0) {
-            hits |= (unsigned)tribox_impl_octant(tri, p, o) << o;
+            hits |= (unsigned)tbx_octant(tri, p, o) << o;
         }
     }
     return hits;
@@ -8002,24 +8002,24 @@ TRIBOX_IMPL_FN unsigned tribox_impl_octants(const tribox_tri *tri, const double 
 
 TRIBOX_FN unsigned tribox_tri_octants_f64(const tribox_tri *tri, const double p[3])
 {
-    return tribox_impl_finite3(p) ? tribox_impl_octants(tri, p) : 0;
+    return tbx_finite3(p) ? tbx_octants(tri, p) : 0;
 }
 
-TRIBOX_IMPL_NOINLINE unsigned tribox_impl_octants_widened(const tribox_tri *tri, const float p[3])
+TBX_NOINLINE unsigned tbx_octants_widened(const tribox_tri *tri, const float p[3])
 {
     double wide[3];
-    tribox_impl_widen3(wide, p);
+    tbx_widen3(wide, p);
     return tribox_tri_octants_f64(tri, wide);
 }
 
 #if TRIBOX_SIMD
 /* The octants in the lower, or the upper, halves of axes that bits 0..2 name. */
-TRIBOX_IMPL_FN unsigned tribox_impl_lower_halves(unsigned axes)
+TBX_FN unsigned tbx_lower_halves(unsigned axes)
 {
     return (unsigned)(0x7f3f5f0f77335500u >> (axes << 3)) & 0xffu;
 }
 
-TRIBOX_IMPL_FN unsigned tribox_impl_upper_halves(unsigned axes)
+TBX_FN unsigned tbx_upper_halves(unsigned axes)
 {
     return (unsigned)(0xfefcfaf0eeccaa00u >> (axes << 3)) & 0xffu;
 }
@@ -8028,86 +8028,86 @@ TRIBOX_IMPL_FN unsigned tribox_impl_upper_halves(unsigned axes)
 TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
 {
 #if TRIBOX_SIMD
-    const tribox_impl_i4 in = tribox_impl_load4i(tri->face_in);
-    const tribox_impl_i4 out = tribox_impl_load4i(tri->face_out);
-    const tribox_impl_f4 middle = tribox_impl_load4(tri->middle);
-    tribox_impl_f4 lower = tribox_impl_load_xyzz(p) - tribox_impl_load4(tri->ref);
-    tribox_impl_f4 upper;
-    TRIBOX_IMPL_KEEP4(lower);
-    upper = lower + tribox_impl_load4(tri->step);
-    TRIBOX_IMPL_KEEP4(upper);
+    const tbx_i4 in = tbx_load4i(tri->face_in);
+    const tbx_i4 out = tbx_load4i(tri->face_out);
+    const tbx_f4 middle = tbx_load4(tri->middle);
+    tbx_f4 lower = tbx_load_xyzz(p) - tbx_load4(tri->ref);
+    tbx_f4 upper;
+    TBX_KEEP4(lower);
+    upper = lower + tbx_load4(tri->step);
+    TBX_KEEP4(upper);
     {
         /* by sign bits of differences: faces that do not hold, and such as may or may not; in integers, to
          * which NaN is far out */
-        const tribox_impl_i4 from_lower = tribox_impl_magnitude(lower - middle);
-        const tribox_impl_i4 from_upper = tribox_impl_magnitude(upper - middle);
-        const tribox_impl_i4 lower_out = out - from_lower;
-        const tribox_impl_i4 upper_out = out - from_upper;
-        const tribox_impl_i4 unsure = ((in - from_lower) ^ lower_out) | ((in - from_upper) ^ upper_out);
+        const tbx_i4 from_lower = tbx_magnitude(lower - middle);
+        const tbx_i4 from_upper = tbx_magnitude(upper - middle);
+        const tbx_i4 lower_out = out - from_lower;
+        const tbx_i4 upper_out = out - from_upper;
+        const tbx_i4 unsure = ((in - from_lower) ^ lower_out) | ((in - from_upper) ^ upper_out);
         const unsigned asked =
-            ~(tribox_impl_lower_halves((unsigned)tribox_impl_signs(lower_out) & 7u) |
-              tribox_impl_upper_halves((unsigned)tribox_impl_signs(upper_out) & 7u)) & 0xffu;
+            ~(tbx_lower_halves((unsigned)tbx_signs(lower_out) & 7u) |
+              tbx_upper_halves((unsigned)tbx_signs(upper_out) & 7u)) & 0xffu;
         unsigned doubt;
-        const unsigned hits = tribox_impl_octant_lanes(tri, lower, upper, &doubt);
-        if (TRIBOX_IMPL_RARELY(((doubt & asked) | (unsigned)tribox_impl_signs(unsure)) != 0)) {
-            return tribox_impl_octants_widened(tri, p);
+        const unsigned hits = tbx_octant_lanes(tri, lower, upper, &doubt);
+        if (TBX_RARELY(((doubt & asked) | (unsigned)tbx_signs(unsure)) != 0)) {
+            return tbx_octants_widened(tri, p);
         }
         return hits & asked;
     }
 #else
-    return tribox_impl_octants_widened(tri, p);
+    return tbx_octants_widened(tri, p);
 #endif
 }
 #endif /* TRIBOX_NO_COMPANIONS */
 
 /* ---- 14. Undefine private macros ----------------------------------------------------------------------- */
 
-#undef TRIBOX_IMPL_HD
-#undef TRIBOX_IMPL_INLINE
-#undef TRIBOX_IMPL_FN
-#undef TRIBOX_IMPL_COLD
-#undef TRIBOX_IMPL_NOINLINE
-#undef TRIBOX_IMPL_RARELY
-#undef TRIBOX_IMPL_PREFETCH
-#undef TRIBOX_IMPL_COPY
-#undef TRIBOX_IMPL_KEEP
-#undef TRIBOX_IMPL_KEEP4
-#undef TRIBOX_IMPL_KEEP_HERE
-#undef TRIBOX_IMPL_LIMBS
-#undef TRIBOX_IMPL_NO_EXPONENT
-#undef TRIBOX_IMPL_ALL_AXES
-#undef TRIBOX_IMPL_ULPS
-#undef TRIBOX_IMPL_U32
-#undef TRIBOX_IMPL_U64
-#undef TRIBOX_IMPL_LANES
-#undef TRIBOX_IMPL_JOIN
-#undef TRIBOX_IMPL_PAIR
-#undef TRIBOX_IMPL_KEY32_MAX
-#undef TRIBOX_IMPL_TILE
-#undef TRIBOX_IMPL_FAR
-#undef TRIBOX_IMPL_SIGN_BIT
-#undef TRIBOX_IMPL_FORCED
-#undef TRIBOX_IMPL_QUERY
-#undef TRIBOX_IMPL_DWORDS
-#undef TRIBOX_IMPL_FIRST
-#undef TRIBOX_IMPL_SECOND
-#undef TRIBOX_IMPL_MARGIN
-#undef TRIBOX_IMPL_FINE
-#undef TRIBOX_IMPL_PARTS
-#undef TRIBOX_IMPL_PARTS_LOG2
-#undef TRIBOX_IMPL_ON_LATTICE
-#undef TRIBOX_IMPL_IS_CUT
-#undef TRIBOX_IMPL_OFF
-#undef TRIBOX_IMPL_NOT_KNOWN
-#undef TRIBOX_IMPL_STRIDE
-#undef TRIBOX_IMPL_AT0
-#undef TRIBOX_IMPL_FEW
-#undef TRIBOX_IMPL_ALL
-#undef TRIBOX_IMPL_MOST_INDEX
-#undef TRIBOX_IMPL_BATCH
-#undef TRIBOX_IMPL_NUM_LIMBS
-#undef TRIBOX_IMPL_NUM_U
-#undef TRIBOX_IMPL_KEY_INFINITY
+#undef TBX_HD
+#undef TBX_INLINE
+#undef TBX_FN
+#undef TBX_COLD
+#undef TBX_NOINLINE
+#undef TBX_RARELY
+#undef TBX_PREFETCH
+#undef TBX_COPY
+#undef TBX_KEEP
+#undef TBX_KEEP4
+#undef TBX_KEEP_HERE
+#undef TBX_LIMBS
+#undef TBX_NO_EXPONENT
+#undef TBX_ALL_AXES
+#undef TBX_ULPS
+#undef TBX_U32
+#undef TBX_U64
+#undef TBX_LANES
+#undef TBX_JOIN
+#undef TBX_PAIR
+#undef TBX_KEY32_MAX
+#undef TBX_TILE
+#undef TBX_FAR
+#undef TBX_SIGN_BIT
+#undef TBX_FORCED
+#undef TBX_QUERY
+#undef TBX_DWORDS
+#undef TBX_FIRST
+#undef TBX_SECOND
+#undef TBX_MARGIN
+#undef TBX_FINE
+#undef TBX_PARTS
+#undef TBX_PARTS_LOG2
+#undef TBX_ON_LATTICE
+#undef TBX_IS_CUT
+#undef TBX_OFF
+#undef TBX_NOT_KNOWN
+#undef TBX_STRIDE
+#undef TBX_AT0
+#undef TBX_FEW
+#undef TBX_ALL
+#undef TBX_MOST_INDEX
+#undef TBX_BATCH
+#undef TBX_NUM_LIMBS
+#undef TBX_NUM_U
+#undef TBX_KEY_INFINITY
 
 #ifdef __cplusplus
 }

@@ -59,7 +59,7 @@ END {
     }
     for (title in node) {
         name = name_of(title)
-        if (name ~ /^tribox_/ && name !~ /^tribox_impl_/) {
+        if (name ~ /^tribox_/ && name !~ /^tbx_/) {
             printf "  %-28s %6d bytes\n", name, depth(title) | "sort -k2 -n -r"
             if (known[title] > known[worst]) {
                 worst = title

@@ -21,17 +21,17 @@ constant() { # sed pattern with one group, sed pattern of the line before
     printf '%g\n' "$value"
 }
 
-ULPS=$(constant '^#define TRIBOX_IMPL_ULPS \([0-9]*\)$')
-TERMS=$(constant '.*bound = \([0-9.]*\) \* u \* terms + [0-9.]* \* TRIBOX_IMPL_U64 \* made.*')
-MADE=$(constant '.*bound = [0-9.]* \* u \* terms + \([0-9.]*\) \* TRIBOX_IMPL_U64 \* made.*')
-FACES=$(constant '.*bound = \([0-9.]*\) \* (double)TRIBOX_IMPL_U32 \* (bound > least.*')
-NORMAL=$(constant '.*abs(p) + tribox_impl_abs(q)) \* (\([0-9.]*\) \* TRIBOX_IMPL_U64);.*')
-FRAME=$(constant '^ *(\([0-9.]*\) \* TRIBOX_IMPL_U64);$' 'w->slack\[k\] = (farthest')
-REACH=$(constant '.*w->slack\[k\] += reach \* (\([0-9.]*\) \* TRIBOX_IMPL_U64);.*')
-LANES=$(constant '.*bound = c->bound \* scale + (double)(\([0-9.]*\)f \* TRIBOX_IMPL_U32);.*')
-GRID=$(constant '^ *(\([0-9.]*\) \* TRIBOX_IMPL_U64);$' 'abs(x) + tribox_impl_abs(along)')
+ULPS=$(constant '^#define TBX_ULPS \([0-9]*\)$')
+TERMS=$(constant '.*bound = \([0-9.]*\) \* u \* terms + [0-9.]* \* TBX_U64 \* made.*')
+MADE=$(constant '.*bound = [0-9.]* \* u \* terms + \([0-9.]*\) \* TBX_U64 \* made.*')
+FACES=$(constant '.*bound = \([0-9.]*\) \* (double)TBX_U32 \* (bound > least.*')
+NORMAL=$(constant '.*abs(p) + tbx_abs(q)) \* (\([0-9.]*\) \* TBX_U64);.*')
+FRAME=$(constant '^ *(\([0-9.]*\) \* TBX_U64);$' 'w->slack\[k\] = (farthest')
+REACH=$(constant '.*w->slack\[k\] += reach \* (\([0-9.]*\) \* TBX_U64);.*')
+LANES=$(constant '.*bound = c->bound \* scale + (double)(\([0-9.]*\)f \* TBX_U32);.*')
+GRID=$(constant '^ *(\([0-9.]*\) \* TBX_U64);$' 'abs(x) + tbx_abs(along)')
 # groups: delta's share of n u; the bounds in units of n delta and n^2 delta
-SHARE=$(constant '.*const float delta = \([0-9.]*\)f \* TRIBOX_IMPL_U32 \* (float)n + q->delta_low;.*')
+SHARE=$(constant '.*const float delta = \([0-9.]*\)f \* TBX_U32 \* (float)n + q->delta_low;.*')
 LINES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)n \* delta).*')
 PLANES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)(n \* n) \* delta).*')
 export SHARE LINES PLANES ULPS TERMS MADE FACES NORMAL FRAME REACH LANES GRID

@@ -39,7 +39,7 @@ typedef struct computed {
     double bound[VALUES];
     double slope[VALUES][3];    /* a prepared condition's scaled normal */
     int    index[3];            /* the voxel asked about */
-    tribox_impl_clip clip;
+    tbx_clip clip;
 } computed;
 
 static uint64_t random_state = 1;
@@ -66,13 +66,13 @@ static double random_signed(void)
 
 __attribute__((noinline)) static void one_box(computed *r, const numbers *q)
 {
-    tribox_impl_values values;
+    tbx_values values;
     int k;
 
-    if (!tribox_impl_clip_box(&r->clip, q->x, q->x + 3, q->x + 6, q->x + 9, q->x + 12, 0)) {
+    if (!tbx_clip_box(&r->clip, q->x, q->x + 3, q->x + 6, q->x + 9, q->x + 12, 0)) {
         return;
     }
-    tribox_impl_filter(&values, q->x, q->x + 3, q->x + 6, &r->clip);
+    tbx_filter(&values, q->x, q->x + 3, q->x + 6, &r->clip);
     for (k = 0; k < 4 && values.in_range; k++) {
         r->value[k] = values.value[k];
         r->bound[k] = values.bound[k];
@@ -130,7 +130,7 @@ __attribute__((noinline)) static void prepared(computed *r, const numbers *q, in
     for (k = 0; k < 3; k++) {
         p[k] = q->x[9 + k];
         if (tri.empty || p[k] + octants * tri.size[k] > tri.t_max[k] ||
-            tribox_impl_far_face(p[k] + octants * tri.size[k], tri.size[k], tri.t_min[k]) < 0) {
+            tbx_far_face(p[k] + octants * tri.size[k], tri.size[k], tri.t_min[k]) < 0) {
             return;     /* the bound holds where the faces do */
         }
     }
@@ -153,7 +153,7 @@ __attribute__((noinline)) static void prepared(computed *r, const numbers *q, in
 
 __attribute__((noinline)) static void walked(computed *r, const numbers *q)
 {
-    tribox_impl_walk w;
+    tbx_walk w;
     tribox_grid grid;
     int i;
     int k;
@@ -165,12 +165,12 @@ __attribute__((noinline)) static void walked(computed *r, const numbers *q)
         grid.hi[k] = 1000;
     }
     grid.flags = q->thin ? TRIBOX_THIN : 0u;
-    if (!tribox_impl_grid_valid(&grid) || !tribox_impl_walk_start(&w, &grid, q->x, q->x + 3, q->x + 6) ||
+    if (!tbx_grid_valid(&grid) || !tbx_walk_start(&w, &grid, q->x, q->x + 3, q->x + 6) ||
         w.on_lattice || !w.in_range) {
         return;
     }
     for (i = 0; i < w.limits; i++) {
-        const tribox_impl_limit *c = &w.limit[i];
+        const tbx_limit *c = &w.limit[i];
         int64_t at[3];
         for (k = 0; k < 3; k++) {
             at[k] = q->index[k] % w.count[k];
@@ -183,7 +183,7 @@ __attribute__((noinline)) static void walked(computed *r, const numbers *q)
 
 #if TRIBOX_SIMD
 enum { ROWS_ASKED = 2 };
-enum { MARGIN = 16 };   /* TRIBOX_IMPL_MARGIN, which the header undefines */
+enum { MARGIN = 16 };   /* TBX_MARGIN, which the header undefines */
 
 /* What the header computed of a triangle's way through the fill. */
 typedef struct filled {
@@ -201,7 +201,7 @@ typedef struct filled {
     int    flat[3];             /* edges bound from both sides */
     int    bounds_side[3][3][2];            /* edge, plane, lo and hi */
     float  bound[3][3][ROWS_ASKED][2][2];   /* and row, least and most; row: as above */
-    tribox_impl_lane_bounds bounds[3];
+    tbx_lane_bounds bounds[3];
     int    has_plane;
     float  plane[ROWS_ASKED][2][2];         /* in row y = row[0], z = row[1] */
     float  plane_error;
@@ -211,12 +211,12 @@ typedef struct filled {
 static const int bounded_axis[3] = {0, 0, 1};
 static const int row_axis[3] = {1, 2, 2};
 
-__attribute__((noinline)) static void fill_boxes(filled *r, tribox_impl_fine *fine, tribox_impl_quick *quick,
+__attribute__((noinline)) static void fill_boxes(filled *r, tbx_fine *fine, tbx_quick *quick,
                                                   const numbers *q)
 {
-    tribox_impl_target target;
-    tribox_impl_points v[3];
-    tribox_impl_boxes box;
+    tbx_target target;
+    tbx_points v[3];
+    tbx_boxes box;
     tribox_grid grid;
     int c;
     int k;
@@ -230,22 +230,22 @@ __attribute__((noinline)) static void fill_boxes(filled *r, tribox_impl_fine *fi
         grid.hi[k] = q->lo[k] + q->n[k];
     }
     grid.flags = q->thin ? TRIBOX_THIN : 0u;
-    if (!tribox_impl_grid_valid(&grid)) {
+    if (!tbx_grid_valid(&grid)) {
         return;
     }
-    tribox_impl_fine_init(fine, &grid);
-    tribox_impl_quick_init(quick, &grid, fine, &target);
+    tbx_fine_init(fine, &grid);
+    tbx_quick_init(quick, &grid, fine, &target);
     if (!quick->on) {
         return;
     }
     for (c = 0; c < 3; c++) {
-        v[c].x = tribox_impl_wide_all((float)q->x[3 * c]);
-        v[c].y = tribox_impl_wide_all((float)q->x[3 * c + 1]);
-        v[c].z = tribox_impl_wide_all((float)q->x[3 * c + 2]);
+        v[c].x = tbx_wide_all((float)q->x[3 * c]);
+        v[c].y = tbx_wide_all((float)q->x[3 * c + 1]);
+        v[c].z = tbx_wide_all((float)q->x[3 * c + 2]);
     }
     quick->step[0] = quick->step[1] = quick->step[2] = 0.0f;    /* bounds of rounding alone */
     quick->lattice = 0;
-    tribox_impl_boxes_of(quick, v, 0, &box);
+    tbx_boxes_of(quick, v, 0, &box);
     r->boxed = 1;
     r->unsure = box.unsure[0] != 0;
     for (k = 0; k < 3; k++) {
@@ -269,11 +269,11 @@ __attribute__((noinline)) static void fill_boxes(filled *r, tribox_impl_fine *fi
 }
 
 /* As the rows of a group do it, its lanes being copies of one triangle. */
-__attribute__((noinline)) static void fill_rows(filled *r, const tribox_impl_quick *quick, const numbers *q)
+__attribute__((noinline)) static void fill_rows(filled *r, const tbx_quick *quick, const numbers *q)
 {
-    tribox_impl_rows rows;
-    const tribox_impl_row_lines *lines[3];
-    tribox_impl_group g;
+    tbx_rows rows;
+    const tbx_row_lines *lines[3];
+    tbx_group g;
     tribox_mesh mesh;
     float x[9];
     int count[3];
@@ -288,7 +288,7 @@ __attribute__((noinline)) static void fill_rows(filled *r, const tribox_impl_qui
         r->at[k] = r->first[k] - MARGIN;
         count[k] = r->last[k] - r->first[k] + 1;
         if (r->last[k] < MARGIN || r->first[k] > r->end[k] || r->first[k] <= 0 ||
-            r->last[k] > r->end[k] + MARGIN || count[k] > TRIBOX_IMPL_ROWS) {
+            r->last[k] > r->end[k] + MARGIN || count[k] > TBX_ROWS) {
             return;
         }
         r->start[k] = r->at[k] < 0 ? -r->at[k] : 0;
@@ -307,8 +307,8 @@ __attribute__((noinline)) static void fill_rows(filled *r, const tribox_impl_qui
     }
     g.box[0][3] = (count[0] - 1) | (count[1] - 1) << 8 | (count[2] - 1) << 16;
     g.n = 1;
-    tribox_impl_group_pad(&g);
-    tribox_impl_rows_set(&rows, quick, &g, &mesh);
+    tbx_group_pad(&g);
+    tbx_rows_set(&rows, quick, &g, &mesh);
     if (rows.unsure[0] != 0) {
         return;
     }
@@ -317,13 +317,13 @@ __attribute__((noinline)) static void fill_rows(filled *r, const tribox_impl_qui
     lines[2] = &rows.y_of_z;
     r->placed = 1;
     for (k = 0; k < 3; k++) {
-        const tribox_impl_row_lines *l = lines[k];
+        const tbx_row_lines *l = lines[k];
         const int b = bounded_axis[k];
-        tribox_impl_lane_bounds_set(&r->bounds[k], l, 0, r->rows[row_axis[k]], r->start[b], r->rows[b]);
+        tbx_lane_bounds_set(&r->bounds[k], l, 0, r->rows[row_axis[k]], r->start[b], r->rows[b]);
         for (i = 0; i < 3; i++) {
             /* NOWHERE is further away than any bound, and than its error */
-            r->bounds_side[i][k][0] = l->lo_least[i][0] > -0.5f * TRIBOX_IMPL_NOWHERE || l->lo_slope[i][0] != 0.0f;
-            r->bounds_side[i][k][1] = l->hi_most[i][0] < 0.5f * TRIBOX_IMPL_NOWHERE || l->hi_slope[i][0] != 0.0f;
+            r->bounds_side[i][k][0] = l->lo_least[i][0] > -0.5f * TBX_NOWHERE || l->lo_slope[i][0] != 0.0f;
+            r->bounds_side[i][k][1] = l->hi_most[i][0] < 0.5f * TBX_NOWHERE || l->hi_slope[i][0] != 0.0f;
             r->flat[k] |= r->bounds_side[i][k][0] && r->bounds_side[i][k][1];
         }
         for (j = 0; j < ROWS_ASKED; j++) {
@@ -339,7 +339,7 @@ __attribute__((noinline)) static void fill_rows(filled *r, const tribox_impl_qui
             }
         }
     }
-    r->has_plane = rows.hi_least[0] < TRIBOX_IMPL_NOWHERE;
+    r->has_plane = rows.hi_least[0] < TBX_NOWHERE;
     for (j = 0; j < ROWS_ASKED && r->has_plane; j++) {
         const float middle = rows.at[0] + (float)r->row[1][j] * rows.slope_z[0];
         const float step = (float)r->row[0][j] * rows.slope_y[0];
@@ -830,8 +830,8 @@ static double plane_part(const filled *r, const numbers *q)
 
 static double ask_fill(const numbers *q, int kind, int mode)
 {
-    tribox_impl_fine fine;
-    tribox_impl_quick quick;
+    tbx_fine fine;
+    tbx_quick quick;
     filled r;
     int from[3];
     int k;
@@ -938,7 +938,7 @@ static void any_fill(numbers *q)
         for (c = 0; c < 3; c++) {
             q->x[3 * c + k] = (double)(float)q->x[3 * c + k];
         }
-        q->index[k] = random_below(TRIBOX_IMPL_ROWS);
+        q->index[k] = random_below(TBX_ROWS);
     }
     q->thin = random_below(4) == 0;
 }
@@ -956,7 +956,7 @@ static void change_fill(numbers *q)
         q->x[i] = (double)(float)q->x[i];
     }
     if (random_below(4) == 0) {
-        q->index[random_below(3)] = random_below(TRIBOX_IMPL_ROWS);
+        q->index[random_below(3)] = random_below(TBX_ROWS);
     }
     if (random_below(8) == 0) {
         q->x[9 + i % 3] += random_signed() * q->x[12 + i % 3] * ldexp(64.0, -random_below(55));

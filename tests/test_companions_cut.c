@@ -710,10 +710,10 @@ static void sure_runs_equal_exact_runs(void)
 
     random_seed(65);
     for (i = 0; i < TEST_LOOPS(10000); i++) {
-        tribox_impl_calc   fast = {0, 0};
-        tribox_impl_calc   exact = {1, 0};
-        tribox_impl_cut    cut;
-        tribox_impl_motion m;
+        tbx_calc   fast = {0, 0};
+        tbx_calc   exact = {1, 0};
+        tbx_cut    cut;
+        tbx_motion m;
         double             q[3];
         float              w[2][3];
         float              p[2][9][3];
@@ -728,20 +728,20 @@ static void sure_runs_equal_exact_runs(void)
             float  b = (float)(random_signed() * unit);
             for (j = 0; j < 3; j++) {
                 float x = (float)(random_signed() * unit);
-                m.v[j][k] = cut.v[j][k] = tribox_impl_widen(&x);
+                m.v[j][k] = cut.v[j][k] = tbx_widen(&x);
             }
-            q[k] = tribox_impl_widen(&q32);
+            q[k] = tbx_widen(&q32);
             m.velocity[k] = q[k];
-            m.lo[k] = cut.face[0][k] = tribox_impl_widen(a < b ? &a : &b);
-            m.hi[k] = cut.face[1][k] = tribox_impl_widen(a < b ? &b : &a);
+            m.lo[k] = cut.face[0][k] = tbx_widen(a < b ? &a : &b);
+            m.hi[k] = cut.face[1][k] = tbx_widen(a < b ? &b : &a);
         }
-        tribox_impl_closest(&fast, cut.v, q, w[0]);
-        tribox_impl_closest(&exact, cut.v, q, w[1]);
+        tbx_closest(&fast, cut.v, q, w[0]);
+        tbx_closest(&exact, cut.v, q, w[1]);
         CHECK(fast.unsure || same_vector(w[0], w[1]));
         unsure += fast.unsure;
-        hit = tribox_impl_sweep(&m, 0, t[0], axis[0]);
+        hit = tbx_sweep(&m, 0, t[0], axis[0]);
         if (!m.calc.unsure) {
-            CHECK(hit == tribox_impl_sweep(&m, 1, t[1], axis[1]));
+            CHECK(hit == tbx_sweep(&m, 1, t[1], axis[1]));
             CHECK(!hit || (same_float(t[0][0], t[1][0]) && same_float(t[0][1], t[1][1])));
             for (k = 0; k < 3; k++) {
                 float apart = hit ? axis[0][k] - axis[1][k] : 0;
@@ -749,9 +749,9 @@ static void sure_runs_equal_exact_runs(void)
             }
         }
         unsure += m.calc.unsure;
-        count = tribox_impl_cut_all(&cut, 0, p[0]);
+        count = tbx_cut_all(&cut, 0, p[0]);
         if (!cut.calc.unsure) {
-            CHECK(count == tribox_impl_cut_all(&cut, 1, p[1]));
+            CHECK(count == tbx_cut_all(&cut, 1, p[1]));
             for (j = 0; j < count; j++) {
                 CHECK(same_vector(p[0][j], p[1][j]));
             }
@@ -773,8 +773,8 @@ static double any_bits(void)
  * are exact. */
 static void numbers_in_double_hold_their_bound(void)
 {
-    const tribox_impl_calc fast = {0, 0};
-    const tribox_impl_calc exact = {1, 0};
+    const tbx_calc fast = {0, 0};
+    const tbx_calc exact = {1, 0};
     int                    exactly = 0;
     int                    i;
     int                    side;
@@ -783,31 +783,31 @@ static void numbers_in_double_hold_their_bound(void)
     for (i = 0; i < TEST_LOOPS(40000); i++) {
         double          x = any_bits();
         double          y = any_bits();
-        tribox_impl_num a;
-        tribox_impl_num b;
-        tribox_impl_num r;
-        tribox_impl_num truth;
-        tribox_impl_num bound;
-        tribox_impl_num_set(&fast, &a, x);
-        tribox_impl_num_set(&fast, &b, y);
+        tbx_num a;
+        tbx_num b;
+        tbx_num r;
+        tbx_num truth;
+        tbx_num bound;
+        tbx_num_set(&fast, &a, x);
+        tbx_num_set(&fast, &b, y);
         if (i % 2) {
-            tribox_impl_num_mul(&fast, &r, &a, &b);
+            tbx_num_mul(&fast, &r, &a, &b);
         } else {
-            tribox_impl_num_add(&fast, &r, &a, &b, -1);
+            tbx_num_add(&fast, &r, &a, &b, -1);
         }
-        tribox_impl_num_set(&exact, &a, x);
-        tribox_impl_num_set(&exact, &b, y);
+        tbx_num_set(&exact, &a, x);
+        tbx_num_set(&exact, &b, y);
         if (i % 2) {
-            tribox_impl_num_mul(&exact, &truth, &a, &b);
+            tbx_num_mul(&exact, &truth, &a, &b);
         } else {
-            tribox_impl_num_add(&exact, &truth, &a, &b, -1);
+            tbx_num_add(&exact, &truth, &a, &b, -1);
         }
         exactly += !(r.rad > 0);
-        tribox_impl_num_set(&exact, &bound, 2 * r.rad);
-        tribox_impl_num_set(&exact, &a, r.mid);
-        tribox_impl_num_add(&exact, &truth, &truth, &a, -1);
+        tbx_num_set(&exact, &bound, 2 * r.rad);
+        tbx_num_set(&exact, &a, r.mid);
+        tbx_num_add(&exact, &truth, &truth, &a, -1);
         for (side = -1; side <= 1; side += 2) {
-            tribox_impl_num_add(&exact, &a, &bound, &truth, side);
+            tbx_num_add(&exact, &a, &bound, &truth, side);
             CHECK(a.sign >= 0);
         }
     }

@@ -255,8 +255,8 @@ static void counts_saturate(void)
 
     CHECK(tribox_grid_spans_f64(&grid, v0, v1, v2, 0, 0) == expected);
     /* no grid has the rows for it where size_t has 64 bits, so the sum itself is asked */
-    CHECK(tribox_impl_saturating_add((size_t)-1, 2) == (size_t)-1);
-    CHECK(tribox_impl_saturating_add((size_t)-3, 2) == (size_t)-1);
+    CHECK(tbx_saturating_add((size_t)-1, 2) == (size_t)-1);
+    CHECK(tbx_saturating_add((size_t)-3, 2) == (size_t)-1);
 }
 
 /* Voxel sizes near 1e308: differences of corner and origin overflow, so the first guess at an index is an
