@@ -57,7 +57,7 @@
 #ifndef TRIBOX_H
 #define TRIBOX_H
 
-/* ---- 1. Version, options, compiler support ------------------------------------------------------------- */
+/* ---- 1. Version and linkage ---------------------------------------------------------------------------- */
 
 #define TRIBOX_VERSION_MAJOR 0
 #define TRIBOX_VERSION_MINOR 1
@@ -87,82 +87,11 @@
 #endif
 #define TBX_FN TBX_HD TBX_INLINE
 
-/* The rare path: kept out of line, so that its stack and code stay out of the callers. */
-#if defined(__CUDACC__)
-#define TBX_COLD TBX_HD static __noinline__
-#define TBX_NOINLINE TBX_COLD
-#elif defined(__GNUC__)
-#define TBX_COLD static __attribute__((noinline, cold, unused))
-#define TBX_NOINLINE static __attribute__((noinline, unused))
-#elif defined(_MSC_VER)
-#define TBX_COLD static __declspec(noinline)
-#define TBX_NOINLINE TBX_COLD
-#else
-#define TBX_COLD static inline
-#define TBX_NOINLINE TBX_COLD
-#endif
-
-/* The slow way of a test: rare, and kept to a single branch that the processor can foresee. */
-#if defined(__GNUC__)
-#define TBX_RARELY(condition) __builtin_expect((condition), 0)
-#else
-#define TBX_RARELY(condition) (condition)
-#endif
-
-/* Asks for memory that will be written soon. The address is an integer: it may lie outside of any array,
- * where pointer arithmetic is undefined. */
-#if defined(__GNUC__) && !defined(__CUDA_ARCH__)
-#define TBX_PREFETCH(address) \
-    __builtin_prefetch((const void *)(address), 1) /* NOLINT(*-no-int-to-ptr) */
-#else
-#define TBX_PREFETCH(address) ((void)0)
-#endif
-
-/* Copies a few bytes of any alignment; compilers turn it into one move. */
-#if defined(__GNUC__)
-#define TBX_COPY(dst, src, bytes) ((void)__builtin_memcpy((dst), (src), (bytes)))
-#else
-#define TBX_COPY(dst, src, bytes) tbx_copy((dst), (src), (bytes))
-#endif
-
-/* Vectors of four floats, by the vector extensions of gcc and clang: no header, and the same source on every
- * ISA. 0 leaves the scalar body alone. Both give the same answers. */
-#ifndef TRIBOX_SIMD
-#if (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 9)) && \
-    (defined(__SSE2__) || defined(__aarch64__)) && \
-    !defined(__CUDACC__) && !defined(__TINYC__) && !defined(__INTEL_COMPILER) && !defined(__NVCOMPILER)
-#define TRIBOX_SIMD 1
-#else
-#define TRIBOX_SIMD 0
-#endif
-#endif
-#if TRIBOX_SIMD != 0 && TRIBOX_SIMD != 1
-#error "TRIBOX_SIMD must be 0 (scalar) or 1 (vector extensions of gcc and clang)"
-#endif
-
-/* -funsafe-math-optimizations lets a compiler turn w*(q - v) into w*q - w*v, and it defines no macro. After
- * this line it must take the memory or register named as it stands. */
-#if defined(__CUDA_ARCH__)
-#define TBX_KEEP(object) ((void)0)          /* nvcc does not reassociate */
-#define TBX_KEEP4(vector) ((void)0)
-#elif defined(__GNUC__)
-#define TBX_KEEP(object) __asm__("" : "+m"(object))
-#if defined(__aarch64__)
-#define TBX_KEEP4(vector) __asm__("" : "+w"(vector))
-#define TBX_KEEP_HERE(scalar) __asm__ volatile("" : "+w"(scalar))
-#else
-#define TBX_KEEP4(vector) __asm__("" : "+x"(vector))
-#define TBX_KEEP_HERE(scalar) __asm__ volatile("" : "+x"(scalar))
-#endif
-#else
-#define TBX_KEEP(object) tbx_keep(&(object))
-#endif
-
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* ---- 2. Types ------------------------------------------------------------------------------------------ */
+/* ---- 2. API -------------------------------------------------------------------------------------------- */
 
 enum {                      /* flags; 0 = closed, conservative */
     TRIBOX_HALF_OPEN = 1,   /* the box is [min, max) on each axis: every point lies in exactly one
@@ -170,6 +99,49 @@ enum {                      /* flags; 0 = closed, conservative */
     TRIBOX_OPEN      = 2,   /* the box is its interior: touching does not count */
     TRIBOX_THIN      = 4    /* 6-separating test of [SS10] instead of the conservative one; always closed */
 };
+
+/* Does the triangle share a point with the closed box?
+ *
+ *   v0, v1, v2        corners, 3 numbers each, any unit; any winding; may coincide (segment, point)
+ *   box_min, box_max  opposite corners, same unit; faces belong to the box; may be infinite
+ *
+ * Returns     1 = they share a point, 0 = they do not. NaN or an infinite corner: 0. box_min > box_max: 0.
+ * Guarantees  Exact for every input; the same answer with any compiler, flags and rounding mode.
+ * Cost        About 90 vector operations (float), 180 (double); within 2^-14 (2^-43) of
+ *             touching, relative to the triangle's extent, integers decide: their time grows with the
+ *             number of bits that the coordinates span.
+ * Source      [AM01] for the axes; the bound is derived in "Implementation: one box".
+ */
+TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
+                             const float box_min[3], const float box_max[3]);
+TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const double v2[3],
+                                 const double box_min[3], const double box_max[3]);
+
+/* The same under a touching rule.
+ *
+ *   flags  0: closed. TRIBOX_HALF_OPEN: the box is min <= x < max per axis. TRIBOX_OPEN: min < x < max.
+ *          Both: open. TRIBOX_THIN means closed here; other bits are ignored.
+ *
+ * Returns     1 or 0; a flat box holds no points under HALF_OPEN and OPEN.
+ * Guarantees, Cost, Source: as tribox_overlap.
+ */
+TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const float v2[3],
+                                  const float box_min[3], const float box_max[3], unsigned flags);
+TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
+                                      const double box_min[3], const double box_max[3], unsigned flags);
+
+/* The reference: the 13-axis test as published, in plain float.
+ *
+ * Returns     1 or 0, as tribox_overlap's arguments.
+ * Guarantees  None near touching: it may err either way within rounding of it, misses 2 % of the pairs on a
+ *             grid of 0.1f, and depends on compiler and flags. NaN: unspecified, 0 or 1.
+ * Cost        About 170 flops.
+ * Source      [AM01].
+ */
+TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3],
+                         const float box_min[3], const float box_max[3]);
+
+/* ---- One triangle, many voxels */
 
 /* One triangle prepared for boxes [p, p + size]. Read it freely; only the init and resize functions write it.
  * Condition i of 12 holds at p iff
@@ -219,70 +191,6 @@ typedef struct tribox_tri {
     int      unused;        /* a multiple of 16 bytes: in arrays, too, the vectors lie well */
 } tribox_tri;
 
-/* A voxel grid. Voxel (i,j,k) is [origin + (i,j,k)*size, origin + (i+1,j+1,k+1)*size], in real numbers. */
-typedef struct tribox_grid {
-    double   origin[3];     /* minimum corner of voxel (0,0,0) */
-    double   size[3];       /* of a voxel, > 0 */
-    int      lo[3];         /* the region that a call works on: lo <= index < hi; indices may be negative */
-    int      hi[3];
-    unsigned flags;         /* TRIBOX_HALF_OPEN, TRIBOX_OPEN or TRIBOX_THIN; 0 = closed, conservative */
-} tribox_grid;
-
-/* Receives voxels x0..x1, both included, of row y, z. */
-typedef void (*tribox_span_fn)(void *user, int x0, int x1, int y, int z);
-
-typedef struct tribox_mesh {
-    const float    *positions;  /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
-    size_t          stride;     /* bytes between vertices; 0 means 3*sizeof(float) */
-    const uint32_t *indices;    /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
-    size_t          triangles;
-} tribox_mesh;
-
-/* ---- 3. API: one box ----------------------------------------------------------------------------------- */
-
-/* Does the triangle share a point with the closed box?
- *
- *   v0, v1, v2        corners, 3 numbers each, any unit; any winding; may coincide (segment, point)
- *   box_min, box_max  opposite corners, same unit; faces belong to the box; may be infinite
- *
- * Returns     1 = they share a point, 0 = they do not. NaN or an infinite corner: 0. box_min > box_max: 0.
- * Guarantees  Exact for every input; the same answer with any compiler, flags and rounding mode.
- * Cost        About 90 vector operations (float), 180 (double); within 2^-14 (2^-43) of
- *             touching, relative to the triangle's extent, integers decide: their time grows with the
- *             number of bits that the coordinates span.
- * Source      [AM01] for the axes; the bound is derived in "Implementation: one box".
- */
-TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
-                             const float box_min[3], const float box_max[3]);
-TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const double v2[3],
-                                 const double box_min[3], const double box_max[3]);
-
-/* The same under a touching rule.
- *
- *   flags  0: closed. TRIBOX_HALF_OPEN: the box is min <= x < max per axis. TRIBOX_OPEN: min < x < max.
- *          Both: open. TRIBOX_THIN means closed here; other bits are ignored.
- *
- * Returns     1 or 0; a flat box holds no points under HALF_OPEN and OPEN.
- * Guarantees, Cost, Source: as tribox_overlap.
- */
-TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const float v2[3],
-                                  const float box_min[3], const float box_max[3], unsigned flags);
-TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
-                                      const double box_min[3], const double box_max[3], unsigned flags);
-
-/* The reference: the 13-axis test as published, in plain float.
- *
- * Returns     1 or 0, as tribox_overlap's arguments.
- * Guarantees  None near touching: it may err either way within rounding of it, misses 2 % of the pairs on a
- *             grid of 0.1f, and depends on compiler and flags. NaN: unspecified, 0 or 1.
- * Cost        About 170 flops.
- * Source      [AM01].
- */
-TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3],
-                         const float box_min[3], const float box_max[3]);
-
-/* ---- 4. API: one triangle, many voxels ----------------------------------------------------------------- */
-
 /* Prepares a triangle for boxes of one size: the setup of [SS10].
  *
  *   tri         is written; plain data, may be copied
@@ -314,7 +222,26 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
 TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3]);
 TRIBOX_FN int tribox_tri_test_f64(const tribox_tri *tri, const double p[3]);
 
-/* ---- 5. API: grids ------------------------------------------------------------------------------------- */
+/* ---- Grids */
+
+/* A voxel grid. Voxel (i,j,k) is [origin + (i,j,k)*size, origin + (i+1,j+1,k+1)*size], in real numbers. */
+typedef struct tribox_grid {
+    double   origin[3];     /* minimum corner of voxel (0,0,0) */
+    double   size[3];       /* of a voxel, > 0 */
+    int      lo[3];         /* the region that a call works on: lo <= index < hi; indices may be negative */
+    int      hi[3];
+    unsigned flags;         /* TRIBOX_HALF_OPEN, TRIBOX_OPEN or TRIBOX_THIN; 0 = closed, conservative */
+} tribox_grid;
+
+/* Receives voxels x0..x1, both included, of row y, z. */
+typedef void (*tribox_span_fn)(void *user, int x0, int x1, int y, int z);
+
+typedef struct tribox_mesh {
+    const float    *positions;  /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
+    size_t          stride;     /* bytes between vertices; 0 means 3*sizeof(float) */
+    const uint32_t *indices;    /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
+    size_t          triangles;
+} tribox_mesh;
 
 /* The voxels of the grid's region that the triangle touches, as runs along x.
  *
@@ -383,7 +310,7 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
  */
 TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3], int out_index[3]);
 
-/* ---- 6. API: companions --------------------------------------------------------------------------------
+/* ---- Companions
  *
  * The questions beside the question, with the same promise: every number is the exact real number it is,
  * sets are closed, and every yes or no is exact. Boxes may have infinite faces; a box with min > max, NaN,
@@ -547,7 +474,80 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
                                    uint32_t *out_triangles, size_t capacity);
 #endif /* TRIBOX_NO_COMPANIONS */
 
-/* ---- 7. Implementation: bits of floating-point numbers -------------------------------------------------
+/* ---- 3. Platform --------------------------------------------------------------------------------------- */
+
+/* The rare path: kept out of line, so that its stack and code stay out of the callers. */
+#if defined(__CUDACC__)
+#define TBX_COLD TBX_HD static __noinline__
+#define TBX_NOINLINE TBX_COLD
+#elif defined(__GNUC__)
+#define TBX_COLD static __attribute__((noinline, cold, unused))
+#define TBX_NOINLINE static __attribute__((noinline, unused))
+#elif defined(_MSC_VER)
+#define TBX_COLD static __declspec(noinline)
+#define TBX_NOINLINE TBX_COLD
+#else
+#define TBX_COLD static inline
+#define TBX_NOINLINE TBX_COLD
+#endif
+
+/* The slow way of a test: rare, and kept to a single branch that the processor can foresee. */
+#if defined(__GNUC__)
+#define TBX_RARELY(condition) __builtin_expect((condition), 0)
+#else
+#define TBX_RARELY(condition) (condition)
+#endif
+
+/* Asks for memory that will be written soon. The address is an integer: it may lie outside of any array,
+ * where pointer arithmetic is undefined. */
+#if defined(__GNUC__) && !defined(__CUDA_ARCH__)
+#define TBX_PREFETCH(address) \
+    __builtin_prefetch((const void *)(address), 1) /* NOLINT(*-no-int-to-ptr) */
+#else
+#define TBX_PREFETCH(address) ((void)0)
+#endif
+
+/* Copies a few bytes of any alignment; compilers turn it into one move. */
+#if defined(__GNUC__)
+#define TBX_COPY(dst, src, bytes) ((void)__builtin_memcpy((dst), (src), (bytes)))
+#else
+#define TBX_COPY(dst, src, bytes) tbx_copy((dst), (src), (bytes))
+#endif
+
+/* Vectors of four floats, by the vector extensions of gcc and clang: no header, and the same source on every
+ * ISA. 0 leaves the scalar body alone. Both give the same answers. */
+#ifndef TRIBOX_SIMD
+#if (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 9)) && \
+    (defined(__SSE2__) || defined(__aarch64__)) && \
+    !defined(__CUDACC__) && !defined(__TINYC__) && !defined(__INTEL_COMPILER) && !defined(__NVCOMPILER)
+#define TRIBOX_SIMD 1
+#else
+#define TRIBOX_SIMD 0
+#endif
+#endif
+#if TRIBOX_SIMD != 0 && TRIBOX_SIMD != 1
+#error "TRIBOX_SIMD must be 0 (scalar) or 1 (vector extensions of gcc and clang)"
+#endif
+
+/* -funsafe-math-optimizations lets a compiler turn w*(q - v) into w*q - w*v, and it defines no macro. After
+ * this line it must take the memory or register named as it stands. */
+#if defined(__CUDA_ARCH__)
+#define TBX_KEEP(object) ((void)0)          /* nvcc does not reassociate */
+#define TBX_KEEP4(vector) ((void)0)
+#elif defined(__GNUC__)
+#define TBX_KEEP(object) __asm__("" : "+m"(object))
+#if defined(__aarch64__)
+#define TBX_KEEP4(vector) __asm__("" : "+w"(vector))
+#define TBX_KEEP_HERE(scalar) __asm__ volatile("" : "+w"(scalar))
+#else
+#define TBX_KEEP4(vector) __asm__("" : "+x"(vector))
+#define TBX_KEEP_HERE(scalar) __asm__ volatile("" : "+x"(scalar))
+#endif
+#else
+#define TBX_KEEP(object) tbx_keep(&(object))
+#endif
+
+/* ---- 4. Bits of floating-point numbers -------------------------------------------------
  *
  * Whatever decides is read from the bits, so that no compiler flag (-ffast-math folds x != x) and no
  * processor mode (flush-to-zero reads subnormals as zero) can change it. */
@@ -663,7 +663,7 @@ TBX_FN int tbx_sign(double x)
     return (key > 0) - (key < 0);
 }
 
-/* ---- 8. Implementation: exact integers -----------------------------------------------------------------
+/* ---- 5. Exact integers ------------------------------------------------------------------------------------
  *
  * A coordinate is base + half*(step/2): a corner (half = 0), a face p + size (half = 2), a grid face
  * origin + i*size (half = 2i), or the centre of a voxel (half = 2i + 1). All coordinates of one question are
@@ -675,19 +675,19 @@ TBX_FN int tbx_sign(double x)
 #define TBX_LIMBS 208
 
 typedef struct tbx_coord {
-    double  base;
-    double  step;
+    double base;
+    double step;
     int64_t half;
 } tbx_coord;
 
 /* sign * sum of limb[i] * 2^(32 i); limb[n - 1] != 0; sign = 0 iff n = 0 */
 typedef struct tbx_big {
-    int      sign;
-    int      n;
+    int sign;
+    int n;
     uint32_t limb[TBX_LIMBS];
 } tbx_big;
 
-#define TBX_NO_EXPONENT 4096    /* above every exponent: of zero */
+#define TBX_NO_EXPONENT 4096 /* above every exponent: of zero */
 
 /* x = mantissa * 2^exponent with an odd mantissa. Returns the exponent (NO_EXPONENT for 0). */
 TBX_FN int tbx_split(double x, int64_t *out_mantissa)
@@ -789,7 +789,7 @@ TBX_FN void tbx_big_add(tbx_big *r, const tbx_big *b, int sign)
         r->sign = b_sign;
         return;
     }
-    {   /* opposite signs: the smaller magnitude from the larger */
+    { /* opposite signs: the smaller magnitude from the larger */
         const int order = tbx_big_compare_magnitude(r, b);
         const tbx_big *large = order < 0 ? b : r;
         const tbx_big *small = order < 0 ? r : b;
@@ -810,8 +810,7 @@ TBX_FN void tbx_big_add(tbx_big *r, const tbx_big *b, int sign)
 }
 
 /* r = a * b; r is neither a nor b */
-TBX_FN void tbx_big_mul(tbx_big *r, const tbx_big *a,
-                                        const tbx_big *b)
+TBX_FN void tbx_big_mul(tbx_big *r, const tbx_big *a, const tbx_big *b)
 {
     int i;
     int j;
@@ -858,8 +857,7 @@ TBX_FN void tbx_big_add_coord(tbx_big *r, const tbx_coord *x, int e, int sign)
 }
 
 /* r = (a - b) / 2^e */
-TBX_FN void tbx_big_difference(tbx_big *r, const tbx_coord *a,
-                                               const tbx_coord *b, int e)
+TBX_FN void tbx_big_difference(tbx_big *r, const tbx_coord *a, const tbx_coord *b, int e)
 {
     r->sign = 0;
     r->n = 0;
@@ -898,10 +896,10 @@ TBX_FN int tbx_short(const tbx_coord *x, int e, int64_t *out)
 enum { TBX_LO = 3, TBX_MID = 4, TBX_HI = 5, TBX_ROWS = 6 };
 
 typedef struct tbx_exact {
-    tbx_coord x[TBX_ROWS][3];   /* rows 0..2: corners; LO, MID, HI */
-    int64_t           s[TBX_ROWS][3];   /* x / 2^e - (v0 / 2^e), if is_short: |s| < 2^28 */
-    int               e;
-    int               is_short;
+    tbx_coord x[TBX_ROWS][3]; /* rows 0..2: corners; LO, MID, HI */
+    int64_t s[TBX_ROWS][3];   /* x / 2^e - (v0 / 2^e), if is_short: |s| < 2^28 */
+    int e;
+    int is_short;
 } tbx_exact;
 
 TBX_FN tbx_coord tbx_at(double base, double step, int64_t half)
@@ -963,10 +961,8 @@ TBX_COLD int tbx_compare(const tbx_coord *a, const tbx_coord *b)
 }
 
 /* r += sign * (b - a).x * (q - a).y, the points a, b, q being rows */
-TBX_FN void tbx_big_add_product(tbx_big *r, const tbx_exact *f,
-                                                const tbx_coord *a_x, const tbx_coord *b_x,
-                                                const tbx_coord *a_y, const tbx_coord *q_y,
-                                                int sign)
+TBX_FN void tbx_big_add_product(tbx_big *r, const tbx_exact *f, const tbx_coord *a_x, const tbx_coord *b_x,
+                                const tbx_coord *a_y, const tbx_coord *q_y, int sign)
 {
     tbx_big x;
     tbx_big y;
@@ -978,8 +974,7 @@ TBX_FN void tbx_big_add_product(tbx_big *r, const tbx_exact *f,
 }
 
 /* r = (b - a) x (q - a) in the plane of axes x, y; a, b are corners, q is (x of row qx, y of row qy) */
-TBX_FN void tbx_big_orient2(tbx_big *r, const tbx_exact *f, int x, int y,
-                                            int a, int b, int qx, int qy)
+TBX_FN void tbx_big_orient2(tbx_big *r, const tbx_exact *f, int x, int y, int a, int b, int qx, int qy)
 {
     r->sign = 0;
     r->n = 0;
@@ -987,8 +982,7 @@ TBX_FN void tbx_big_orient2(tbx_big *r, const tbx_exact *f, int x, int y,
     tbx_big_add_product(r, f, &f->x[a][y], &f->x[b][y], &f->x[a][x], &f->x[qx][x], -1);
 }
 
-TBX_COLD int tbx_orient2_long(const tbx_exact *f, int x, int y, int a, int b,
-                                              int qx, int qy)
+TBX_COLD int tbx_orient2_long(const tbx_exact *f, int x, int y, int a, int b, int qx, int qy)
 {
     tbx_big r;
     tbx_big_orient2(&r, f, x, y, a, b, qx, qy);
@@ -1016,8 +1010,7 @@ TBX_COLD int tbx_orient3_long(const tbx_exact *f, const int q[3])
 }
 
 /* |s| < 2^28, differences < 2^29, products < 2^58, their difference < 2^59: no overflow */
-TBX_FN int64_t tbx_orient2_short(const tbx_exact *f, int x, int y,
-                                                 int a, int b, int qx, int qy)
+TBX_FN int64_t tbx_orient2_short(const tbx_exact *f, int x, int y, int a, int b, int qx, int qy)
 {
     return (f->s[b][x] - f->s[a][x]) * (f->s[qy][y] - f->s[a][y]) -
            (f->s[b][y] - f->s[a][y]) * (f->s[qx][x] - f->s[a][x]);
@@ -1056,7 +1049,7 @@ TBX_FN int tbx_orient3(const tbx_exact *f, const int q[3])
     return tbx_orient3_long(f, q);
 }
 
-/* ---- 9. Implementation: the exact test ----------------------------------------------------------------- */
+/* ---- 5b. The exact test -------------------------------------------------------------------------------- */
 
 /* The sign of component k of edge v[i+1] - v[i]. */
 TBX_FN int tbx_edge_sign(const tbx_exact *f, int i, int k)
@@ -1080,26 +1073,23 @@ TBX_FN int tbx_uses_open(unsigned open_lo, unsigned open_hi, int k, int sign)
 
 /* Edge i in the plane across axis a, [SS10] with the sign of n_a given:
  * max over the box of w.(q - v_i) >= 0. */
-TBX_FN int tbx_exact_edge(const tbx_exact *f, int a, int i, int n_sign,
-                                          unsigned open_lo, unsigned open_hi)
+TBX_FN int tbx_exact_edge(const tbx_exact *f, int a, int i, int n_sign, unsigned open_lo, unsigned open_hi)
 {
     const int b = (a + 1) % 3;
     const int c = (a + 2) % 3;
     const int w_sign = n_sign >= 0 ? 1 : -1;
     const int w_b = -w_sign * tbx_edge_sign(f, i, c);
     const int w_c = w_sign * tbx_edge_sign(f, i, b);
-    const int value = w_sign * tbx_orient2(f, b, c, i, (i + 1) % 3, tbx_far_row(w_b),
-                                                   tbx_far_row(w_c));
+    const int value = w_sign * tbx_orient2(f, b, c, i, (i + 1) % 3, tbx_far_row(w_b), tbx_far_row(w_c));
     if (value != 0) {
         return value > 0;
     }
-    return !tbx_uses_open(open_lo, open_hi, b, w_b) &&
-           !tbx_uses_open(open_lo, open_hi, c, w_c);
+    return !tbx_uses_open(open_lo, open_hi, b, w_b) && !tbx_uses_open(open_lo, open_hi, c, w_c);
 }
 
 /* The plane, one side: side * n.(q - v0) >= 0 at the critical point along side * n. */
-TBX_FN int tbx_exact_plane(const tbx_exact *f, const int n_sign[3], int side,
-                                           unsigned open_lo, unsigned open_hi)
+TBX_FN int tbx_exact_plane(const tbx_exact *f, const int n_sign[3], int side, unsigned open_lo,
+                           unsigned open_hi)
 {
     int q[3];
     int k;
@@ -1125,8 +1115,7 @@ TBX_FN void tbx_exact_normal(const tbx_exact *f, int n_sign[3])
  * axis, bit 3: the triangle's plane. Bit k of open_lo, open_hi: that face is not in the box. */
 #define TBX_ALL_AXES 15u
 
-TBX_FN int tbx_exact_axes(const tbx_exact *f, unsigned asked, unsigned open_lo,
-                                          unsigned open_hi)
+TBX_FN int tbx_exact_axes(const tbx_exact *f, unsigned asked, unsigned open_lo, unsigned open_hi)
 {
     int n_sign[3];
     int a;
@@ -1219,14 +1208,13 @@ TBX_COLD int tbx_exact_overlap(tbx_exact *f, unsigned flags)
         } else if (hi_is_open) {
             open_hi |= 1u << k;
         }
-        f->x[TBX_MID][k] = *lo;     /* unused */
+        f->x[TBX_MID][k] = *lo; /* unused */
     }
     tbx_exact_finish(f);
     return tbx_exact_axes(f, TBX_ALL_AXES, open_lo, open_hi);
 }
 
-TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[3],
-                                              const double v2[3])
+TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[3], const double v2[3])
 {
     int k;
     for (k = 0; k < 3; k++) {
@@ -1236,7 +1224,7 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
     }
 }
 
-/* ---- 10. Implementation: one box -----------------------------------------------------------------------
+/* ---- 6. One box -------------------------------------------------------------------------------------------
  *
  * The filter. T meets B iff T meets B clipped to T's bounding box, so every difference of two coordinates of
  * axis k is at most X_k, the triangle's extent. Twice the clipped box's centre and half size keep halves out:
@@ -1270,8 +1258,8 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
  * "value >= bound" is right, since that axis then follows from the faces, which lie strictly outside or are
  * closed there under every rule. */
 #define TBX_ULPS 128
-#define TBX_U32 1.1920928955078125e-07f             /* 2^-23 */
-#define TBX_U64 2.220446049250313080847263336e-16   /* 2^-52 */
+#define TBX_U32 1.1920928955078125e-07f           /* 2^-23 */
+#define TBX_U64 2.220446049250313080847263336e-16 /* 2^-52 */
 
 enum { TBX_MISS = 0, TBX_HIT = 1, TBX_UNSURE = 2 };
 
@@ -1304,18 +1292,17 @@ TBX_FN double tbx_abs(double x)
 
 /* The box, clipped to the triangle's bounding box. Bit k of open_lo, open_hi: that face is not in the box. */
 typedef struct tbx_clip {
-    double   lo[3];
-    double   hi[3];
-    double   extent[3];     /* of the triangle */
+    double lo[3];
+    double hi[3];
+    double extent[3]; /* of the triangle */
     unsigned open_lo;
     unsigned open_hi;
 } tbx_clip;
 
 /* Decides emptiness and the faces, on integer keys. Returns 0 if there is nothing left of the box. A face is
  * replaced by the triangle's extent, and then closed, only where it lies strictly outside. */
-TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3],
-                                        const double v2[3], const double box_min[3], const double box_max[3],
-                                        unsigned flags)
+TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3], const double v2[3],
+                        const double box_min[3], const double box_max[3], unsigned flags)
 {
     const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
     const int hi_is_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
@@ -1339,7 +1326,7 @@ TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3],
         clip->open_hi |= (unsigned)(hi_is_open && hi <= key_max) << k;
         clip->extent[k] = t_max - t_min;
         if (key_min != key_max && tbx_sign(clip->extent[k]) == 0) {
-            clip->extent[k] = DBL_MIN;      /* flushed: out of the filter's range */
+            clip->extent[k] = DBL_MIN; /* flushed: out of the filter's range */
         }
     }
     return 1;
@@ -1349,7 +1336,7 @@ TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3],
 typedef struct tbx_values {
     double value[4];
     double bound[4];
-    int    in_range;
+    int in_range;
 } tbx_values;
 
 /* An extent that the bounds hold for: 0 or in [2^-300, 2^301). Read from its bits. */
@@ -1369,7 +1356,7 @@ TBX_FN double tbx_lattice_scale(double extent)
 /* Is x a multiple of 1/scale, a power of two, and below 2^52 of them? Subnormals read as zero are not. */
 TBX_FN int tbx_on_lattice(double x, double scale)
 {
-    const double limit = 4503599627370496.0;    /* 2^52 */
+    const double limit = 4503599627370496.0; /* 2^52 */
     const double units = x * scale;
     if (!(units < limit && units > -limit)) {
         return 0;
@@ -1377,14 +1364,14 @@ TBX_FN int tbx_on_lattice(double x, double scale)
     return (double)(int64_t)units == units && (tbx_sign(units) != 0 || tbx_sign(x) == 0);
 }
 
-TBX_FN void tbx_filter(tbx_values *out, const double v0[3], const double v1[3],
-                                       const double v2[3], const tbx_clip *clip)
+TBX_FN void tbx_filter(tbx_values *out, const double v0[3], const double v1[3], const double v2[3],
+                       const tbx_clip *clip)
 {
     const double ulps = TBX_ULPS * TBX_U64;
     const double *x = clip->extent;
-    double d[4][3];         /* a_1, a_2, lo - v_0, h */
+    double d[4][3]; /* a_1, a_2, lo - v_0, h */
     double m[3];
-    double e[3][3];         /* absolute edges */
+    double e[3][3]; /* absolute edges */
     double support = 0.0;
     double at = 0.0;
     int k;
@@ -1420,14 +1407,13 @@ TBX_FN void tbx_filter(tbx_values *out, const double v0[3], const double v1[3],
     }
     out->value[3] = support - tbx_abs(at);
     out->bound[3] = ulps * x[0] * x[1] * x[2];
-    out->in_range = tbx_extent_in_range(x[0]) & tbx_extent_in_range(x[1]) &
-                    tbx_extent_in_range(x[2]);
+    out->in_range = tbx_extent_in_range(x[0]) & tbx_extent_in_range(x[1]) & tbx_extent_in_range(x[2]);
 }
 
 /* Are all values of the filter exact? Coordinates that are multiples of some unit, and differ by less
  * than 2^15 of it, make them so: the largest, n.m, is below 3 * 2^31 * 2^17 < 2^53 in that unit, cubed. */
 TBX_FN int tbx_clip_on_lattice(const double v0[3], const double v1[3], const double v2[3],
-                                               const tbx_clip *clip)
+                               const tbx_clip *clip)
 {
     const double *x = clip->extent;
     const double longest = x[0] > x[1] ? x[0] : x[1];
@@ -1435,23 +1421,22 @@ TBX_FN int tbx_clip_on_lattice(const double v0[3], const double v1[3], const dou
     int whole = 1;
     int k;
     for (k = 0; k < 3; k++) {
-        whole &= tbx_on_lattice(v0[k], scale) & tbx_on_lattice(v1[k], scale) &
-                 tbx_on_lattice(v2[k], scale) & tbx_on_lattice(clip->lo[k], scale) &
-                 tbx_on_lattice(clip->hi[k], scale);
+        whole &= tbx_on_lattice(v0[k], scale) & tbx_on_lattice(v1[k], scale) & tbx_on_lattice(v2[k], scale) &
+                 tbx_on_lattice(clip->lo[k], scale) & tbx_on_lattice(clip->hi[k], scale);
     }
     return whole;
 }
 
 /* What the filter leaves open, by exact signs. */
 TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const double v2[3],
-                                               const tbx_clip *clip, unsigned unsure)
+                               const tbx_clip *clip, unsigned unsure)
 {
     tbx_exact f;
     int k;
     tbx_exact_corners(&f, v0, v1, v2);
     for (k = 0; k < 3; k++) {
         f.x[TBX_LO][k] = tbx_at(clip->lo[k], 0.0, 0);
-        f.x[TBX_MID][k] = f.x[TBX_LO][k];   /* unused */
+        f.x[TBX_MID][k] = f.x[TBX_LO][k]; /* unused */
         f.x[TBX_HI][k] = tbx_at(clip->hi[k], 0.0, 0);
     }
     tbx_exact_finish(&f);
@@ -1461,7 +1446,7 @@ TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const dou
 /* Could a processor that reads or writes subnormals as zero see other numbers, or other differences?
  * Doubles of at least 2^-900 are multiples of 2^-952, and so are their differences. */
 TBX_NOINLINE int tbx_may_flush64(const double v0[3], const double v1[3], const double v2[3],
-                                                 const double box_min[3], const double box_max[3])
+                                 const double box_min[3], const double box_max[3])
 {
     const uint64_t least = (uint64_t)(1023 - 900) << 52;
     const double *v[5];
@@ -1482,7 +1467,7 @@ TBX_NOINLINE int tbx_may_flush64(const double v0[3], const double v1[3], const d
 /* Does this processor? */
 TBX_FN int tbx_flushes64(void)
 {
-    double tiny = 4.9406564584124654e-324;      /* 2^-1074 */
+    double tiny = 4.9406564584124654e-324; /* 2^-1074 */
     TBX_KEEP(tiny);
     tiny += tiny;
     TBX_KEEP(tiny);
@@ -1491,9 +1476,9 @@ TBX_FN int tbx_flushes64(void)
 
 /* What tbx_clip_box does, by comparing numbers instead of keys. Returns 0 where that may fail: at
  * NaN, out of the filter's range, and where subnormals may be read as zero. The extents are from X to 2X. */
-TBX_FN int tbx_clip_quick(tbx_clip *clip, int *out_parted, const double v0[3],
-                                          const double v1[3], const double v2[3], const double box_min[3],
-                                          const double box_max[3], unsigned flags)
+TBX_FN int tbx_clip_quick(tbx_clip *clip, int *out_parted, const double v0[3], const double v1[3],
+                          const double v2[3], const double box_min[3], const double box_max[3],
+                          unsigned flags)
 {
     const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
     const int hi_is_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
@@ -1533,7 +1518,7 @@ TBX_FN int tbx_clip_quick(tbx_clip *clip, int *out_parted, const double v0[3],
 /* The scalar body, which is the specification: emptiness, faces and rules, from bits where comparing might
  * fail, the nine edges and the plane by the filter in double, what that leaves open by exact signs. */
 TBX_NOINLINE int tbx_overlap(const double v0[3], const double v1[3], const double v2[3],
-                                             const double box_min[3], const double box_max[3], unsigned flags)
+                             const double box_min[3], const double box_max[3], unsigned flags)
 {
     tbx_clip clip;
     tbx_values filter;
@@ -1541,8 +1526,7 @@ TBX_NOINLINE int tbx_overlap(const double v0[3], const double v1[3], const doubl
     int miss = 0;
     int k;
     if (TBX_RARELY(!tbx_clip_quick(&clip, &miss, v0, v1, v2, box_min, box_max, flags))) {
-        if (!tbx_corners_finite(v0, v1, v2) ||
-            !tbx_clip_box(&clip, v0, v1, v2, box_min, box_max, flags)) {
+        if (!tbx_corners_finite(v0, v1, v2) || !tbx_clip_box(&clip, v0, v1, v2, box_min, box_max, flags)) {
             return 0;
         }
         miss = 0;
@@ -1555,7 +1539,7 @@ TBX_NOINLINE int tbx_overlap(const double v0[3], const double v1[3], const doubl
         miss |= filter.value[k] < -filter.bound[k];
         unsure |= (unsigned)!(filter.value[k] >= filter.bound[k]) << k;
     }
-    if (miss | (unsure == 0)) {     /* one branch, hardly ever missed: miss alone is a coin toss */
+    if (miss | (unsure == 0)) { /* one branch, hardly ever missed: miss alone is a coin toss */
         return !miss;
     }
     if ((clip.open_lo | clip.open_hi) == 0 && tbx_clip_on_lattice(v0, v1, v2, &clip)) {
@@ -1580,7 +1564,7 @@ TBX_FN float tbx_absf(float a)
 #if defined(__GNUC__) && !defined(__CUDACC__)
     return __builtin_fabsf(a);
 #else
-    const float zero = 0.0f;    /* a constant might be a double: FLT_EVAL_METHOD 1 */
+    const float zero = 0.0f; /* a constant might be a double: FLT_EVAL_METHOD 1 */
     return a < zero ? -a : a;
 #endif
 }
@@ -1607,8 +1591,7 @@ TBX_FN tbx_i4 tbx_order(int32_t i, int32_t j, int32_t k, int32_t l)
 
 /* Lanes 0, 1, 2 of a, and lane i of b: one instruction, or two, which gcc has to be told. */
 #if defined(__SSE2__) && !defined(__SSE4_1__)
-#define TBX_JOIN(a, b, i) \
-    TBX_LANES(a, TBX_LANES(a, b, 2, 2, 4 + (i), 4 + (i)), 0, 1, 4, 6)
+#define TBX_JOIN(a, b, i) TBX_LANES(a, TBX_LANES(a, b, 2, 2, 4 + (i), 4 + (i)), 0, 1, 4, 6)
 #else
 #define TBX_JOIN(a, b, i) TBX_LANES(a, b, 0, 1, 2, 4 + (i))
 #endif
@@ -1761,17 +1744,16 @@ TBX_FN int tbx_may_flush(const float v[3])
 }
 
 /* An edge's value less |n|, as z, x, y: |e_b| h_c + |e_c| h_b - |s|. e: absolute. */
-TBX_FN tbx_f4 tbx_edge4(tbx_f4 e, tbx_f4 e_yzx, tbx_f4 h,
-                                                tbx_f4 h_yzx, tbx_f4 s)
+TBX_FN tbx_f4 tbx_edge4(tbx_f4 e, tbx_f4 e_yzx, tbx_f4 h, tbx_f4 h_yzx, tbx_f4 s)
 {
     return e * h_yzx + (e_yzx * h - tbx_abs4(s));
 }
 
 /* The verdict of the float filter. rule: the box is not closed, so equality at a face is unsure. */
-TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3],
-                                       const float box_min[3], const float box_max[3], int rule)
+TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                       const float box_max[3], int rule)
 {
-    const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f };       /* 2^-149 */
+    const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f }; /* 2^-149 */
     const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
     const tbx_f4 ulps = tbx_splat(TBX_ULPS * TBX_U32);
     const tbx_f4 p0 = tbx_load3(v0);
@@ -1811,8 +1793,7 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3],
         const tbx_f4 s2 = n - c2;
         const tbx_f4 s1 = c0 - s2;
         /* lane 3: -|n.m| here, and |n|.h in place of |n| make it the plane */
-        const tbx_f4 g0 = tbx_edge4(e0, tbx_abs4(a1_yzx), h, h_yzx,
-                                                    TBX_JOIN(s0, sums, 0));
+        const tbx_f4 g0 = tbx_edge4(e0, tbx_abs4(a1_yzx), h, h_yzx, TBX_JOIN(s0, sums, 0));
         const tbx_f4 g1 = tbx_edge4(e1, tbx_yzx(e1), h, h_yzx, s1);
         const tbx_f4 g2 = tbx_edge4(e2, tbx_abs4(a2_yzx), h, h_yzx, s2);
         const tbx_f4 g = tbx_min4(tbx_min4(g1, g2), g0);
@@ -1824,9 +1805,8 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3],
         const tbx_f4 volume = area * tbx_yzx(x_yzx);
         const tbx_f4 size = TBX_JOIN(area, volume, 0);
         /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as zero */
-        const int refused = tbx_signs(tbx_above(x, 0x53000000) |
-                                              tbx_above(tbx_abs4(span), 0x7f800000) |
-                                              tbx_below(x + tiny, 0x30800000));
+        const int refused = tbx_signs(tbx_above(x, 0x53000000) | tbx_above(tbx_abs4(span), 0x7f800000) |
+                                      tbx_below(x + tiny, 0x30800000));
         /* h < 0: a face parts them, or min > max. Far apart, values overflow to NaN: never min them with h */
         const int miss = tbx_signs((h < zero) | (value + ulps * size < zero)) != 0;
         const int at_face = rule ? tbx_signs((lo >= t_max) | (t_min >= hi) | (lo >= hi)) & 7 : 0;
@@ -1834,9 +1814,8 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3],
         const int open = doubt & !miss;
         /* one branch, hardly ever taken: miss alone is a coin toss */
         if (TBX_RARELY((refused != 8) | open)) {
-            if (open || (refused & 7) != 0 || tbx_may_flush(v0) || tbx_may_flush(v1) ||
-                tbx_may_flush(v2) || tbx_may_flush(box_min) ||
-                tbx_may_flush(box_max)) {
+            if (open || (refused & 7) != 0 || tbx_may_flush(v0) || tbx_may_flush(v1) || tbx_may_flush(v2) ||
+                tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
                 return TBX_UNSURE;
             }
         }
@@ -1929,15 +1908,13 @@ typedef struct tbx_axes {
     tbx_d2 m;
     tbx_d2 h;
     tbx_d2 x;
-    tbx_l2 refused;     /* sign bits */
+    tbx_l2 refused; /* sign bits */
     tbx_l2 at_face;
 } tbx_axes;
 
 /* tiny: 0, or 2^-1074 in a lane without a coordinate: refused unless this processor reads or writes
  * subnormals as zero. */
-TBX_FN void tbx_axes_set(tbx_axes *r, tbx_d2 p0, tbx_d2 p1,
-                                         tbx_d2 p2, tbx_d2 lo, tbx_d2 hi,
-                                         tbx_d2 tiny)
+TBX_FN void tbx_axes_set(tbx_axes *r, tbx_d2 p0, tbx_d2 p1, tbx_d2 p2, tbx_d2 lo, tbx_d2 hi, tbx_d2 tiny)
 {
     const tbx_l2 infinite = tbx_splat_long((int64_t)2047 << 52);
     const tbx_l2 most = tbx_splat_long((int64_t)(1023 + 300) << 52);
@@ -1964,25 +1941,23 @@ TBX_FN void tbx_axes_set(tbx_axes *r, tbx_d2 p0, tbx_d2 p1,
         r->m = l * tbx_pair(2.0, 2.0) + h;
         r->h = h;
         r->x = x;
-        r->refused = (most - bits) | ((bits - least) & -bits) |
-                     (infinite - (tbx_l2)tbx_abs2(span));
+        r->refused = (most - bits) | ((bits - least) & -bits) | (infinite - (tbx_l2)tbx_abs2(span));
         r->at_face = (lo >= t_max) | (t_min >= hi) | (lo >= hi);
     }
 }
 
 /* One axis of a plane. */
 typedef struct tbx_side {
-    tbx_d2 a;       /* a_1, a_2 */
+    tbx_d2 a; /* a_1, a_2 */
     tbx_d2 a_swap;
-    tbx_d2 e;       /* absolute edges 0 and 2 */
-    tbx_d2 e1;      /* twice the same, as all below */
+    tbx_d2 e;  /* absolute edges 0 and 2 */
+    tbx_d2 e1; /* twice the same, as all below */
     tbx_d2 m;
     tbx_d2 h;
     tbx_d2 x;
 } tbx_side;
 
-TBX_FN void tbx_side_set(tbx_side *r, tbx_d2 a, tbx_d2 m,
-                                         tbx_d2 h, tbx_d2 x)
+TBX_FN void tbx_side_set(tbx_side *r, tbx_d2 a, tbx_d2 m, tbx_d2 h, tbx_d2 x)
 {
     r->a = a;
     r->a_swap = tbx_swap(a);
@@ -1994,13 +1969,12 @@ TBX_FN void tbx_side_set(tbx_side *r, tbx_d2 a, tbx_d2 m,
 }
 
 /* The lesser values of edges 0 and 1, and of 2 and 1. out_n: the normal's component, and its negative. */
-TBX_FN tbx_d2 tbx_edges2(const tbx_side *b, const tbx_side *c,
-                                                 tbx_d2 *out_n)
+TBX_FN tbx_d2 tbx_edges2(const tbx_side *b, const tbx_side *c, tbx_d2 *out_n)
 {
     const tbx_d2 product = b->a * c->a_swap;
     const tbx_d2 n = product - tbx_swap(product);
-    const tbx_d2 line = b->a * c->m - c->a * b->m;      /* c_0, -c_2 */
-    const tbx_d2 s = n - line;                          /* s_0, -s_2 */
+    const tbx_d2 line = b->a * c->m - c->a * b->m; /* c_0, -c_2 */
+    const tbx_d2 s = n - line;                     /* s_0, -s_2 */
     const tbx_d2 s1 = line + tbx_swap(s);
     const tbx_d2 g = b->e * c->h + (c->e * b->h - tbx_abs2(s));
     const tbx_d2 g1 = b->e1 * c->h + (c->e1 * b->h - tbx_abs2(s1));
@@ -2009,8 +1983,8 @@ TBX_FN tbx_d2 tbx_edges2(const tbx_side *b, const tbx_side *c,
 }
 
 /* The verdict of the double filter. rule as in tbx_filter4. */
-TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3],
-                                       const double box_min[3], const double box_max[3], int rule)
+TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3], const double box_min[3],
+                       const double box_max[3], int rule)
 {
     const tbx_d2 zero = { 0.0, 0.0 };
     const tbx_d2 tiny = { 0.0, 4.9406564584124654e-324 };
@@ -2024,23 +1998,21 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
     tbx_d2 n_x;
     tbx_d2 n_y;
     tbx_d2 n_z;
-    tbx_axes_set(&xy, tbx_load2(v0), tbx_load2(v1), tbx_load2(v2),
-                         tbx_load2(box_min), tbx_load2(box_max), zero);
-    tbx_axes_set(&z, tbx_pair(v0[2], 0.0), tbx_pair(v1[2], 0.0),
-                         tbx_pair(v2[2], 0.0), tbx_pair(box_min[2], 0.0),
-                         tbx_pair(box_max[2], 0.0), tiny);
-    tbx_side_set(&sx, TBX_PAIR(xy.a1, xy.a2, 0, 2), TBX_PAIR(xy.m, xy.m, 0, 0),
-                         TBX_PAIR(xy.h, xy.h, 0, 0), TBX_PAIR(xy.x, xy.x, 0, 0));
-    tbx_side_set(&sy, TBX_PAIR(xy.a1, xy.a2, 1, 3), TBX_PAIR(xy.m, xy.m, 1, 1),
-                         TBX_PAIR(xy.h, xy.h, 1, 1), TBX_PAIR(xy.x, xy.x, 1, 1));
-    tbx_side_set(&sz, TBX_PAIR(z.a1, z.a2, 0, 2), TBX_PAIR(z.m, z.m, 0, 0),
-                         TBX_PAIR(z.h, z.h, 0, 0), TBX_PAIR(z.x, z.x, 0, 0));
+    tbx_axes_set(&xy, tbx_load2(v0), tbx_load2(v1), tbx_load2(v2), tbx_load2(box_min), tbx_load2(box_max),
+                 zero);
+    tbx_axes_set(&z, tbx_pair(v0[2], 0.0), tbx_pair(v1[2], 0.0), tbx_pair(v2[2], 0.0),
+                 tbx_pair(box_min[2], 0.0), tbx_pair(box_max[2], 0.0), tiny);
+    tbx_side_set(&sx, TBX_PAIR(xy.a1, xy.a2, 0, 2), TBX_PAIR(xy.m, xy.m, 0, 0), TBX_PAIR(xy.h, xy.h, 0, 0),
+                 TBX_PAIR(xy.x, xy.x, 0, 0));
+    tbx_side_set(&sy, TBX_PAIR(xy.a1, xy.a2, 1, 3), TBX_PAIR(xy.m, xy.m, 1, 1), TBX_PAIR(xy.h, xy.h, 1, 1),
+                 TBX_PAIR(xy.x, xy.x, 1, 1));
+    tbx_side_set(&sz, TBX_PAIR(z.a1, z.a2, 0, 2), TBX_PAIR(z.m, z.m, 0, 0), TBX_PAIR(z.h, z.h, 0, 0),
+                 TBX_PAIR(z.x, z.x, 0, 0));
     {
         const tbx_d2 g_x = tbx_edges2(&sy, &sz, &n_x);
         const tbx_d2 g_y = tbx_edges2(&sz, &sx, &n_y);
         const tbx_d2 g_z = tbx_edges2(&sx, &sy, &n_z);
-        const tbx_d2 support = tbx_abs2(n_x) * sx.h + tbx_abs2(n_y) * sy.h +
-                                       tbx_abs2(n_z) * sz.h;
+        const tbx_d2 support = tbx_abs2(n_x) * sx.h + tbx_abs2(n_y) * sy.h + tbx_abs2(n_z) * sz.h;
         const tbx_d2 plane = support - tbx_abs2(n_x * sx.m + n_y * sy.m + n_z * sz.m);
         const tbx_d2 area_x = sy.x * sz.x;
         const tbx_d2 area_y = sz.x * sx.x;
@@ -2050,9 +2022,8 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
         const tbx_d2 rest = tbx_min2(g_z + ulps * area_z, plane + ulps * volume);
         const tbx_l2 axes = tbx_min2(edges_xy, rest) < zero;
         const tbx_l2 faces = tbx_min2(xy.h, z.h) < zero;
-        const tbx_l2 below =
-            (tbx_l2)(g_x - ulps * area_x) | (tbx_l2)(g_y - ulps * area_y) |
-            (tbx_l2)(g_z - ulps * area_z) | (tbx_l2)(plane - ulps * volume);
+        const tbx_l2 below = (tbx_l2)(g_x - ulps * area_x) | (tbx_l2)(g_y - ulps * area_y) |
+                             (tbx_l2)(g_z - ulps * area_z) | (tbx_l2)(plane - ulps * volume);
         const int refused = tbx_signs2(z.refused) | tbx_signs2(xy.refused) << 2;
         const int miss = tbx_signs2(faces | axes) != 0;
         const int at_face = rule ? tbx_signs2(xy.at_face) | (tbx_signs2(z.at_face) & 1) : 0;
@@ -2095,8 +2066,7 @@ TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const d
 
 /* The float entry of the scalar body. */
 TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
-                                                     const float box_min[3], const float box_max[3],
-                                                     unsigned flags)
+                                     const float box_min[3], const float box_max[3], unsigned flags)
 {
     double wide[5][3];
     int k;
@@ -2110,8 +2080,8 @@ TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const
     return tbx_overlap(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
 }
 
-TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
-                             const float box_min[3], const float box_max[3])
+TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                             const float box_max[3])
 {
 #if TRIBOX_SIMD
     const int verdict = tbx_filter4(v0, v1, v2, box_min, box_max, 0);
@@ -2136,8 +2106,8 @@ TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const fl
 }
 
 /* [AM01] in plain float: box at the origin, nine cross-product axes, three faces, the plane. */
-TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3],
-                         const float box_min[3], const float box_max[3])
+TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                         const float box_max[3])
 {
     float v[3][3];
     float e[3][3];
@@ -2185,7 +2155,7 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
     return d <= r && d >= -r;
 }
 
-/* ---- 11. Implementation: one triangle, many voxels -----------------------------------------------------
+/* ---- 7. Prepared triangle ---------------------------------------------------------------------------------
  *
  * Bound. Condition i is A.(p - ref) + D, with |p - ref| <= R per axis wherever the faces hold. In double,
  * setup finds A within 4 u64 M_A and D within 8 u64 M_D, M being the sums of absolute values of the terms
@@ -2224,14 +2194,14 @@ TBX_FN int32_t tbx_key32(const float *x)
     return (bits >> 31) != 0 ? -magnitude : magnitude;
 }
 
-#define TBX_KEY32_MAX 0x7f7fffff    /* FLT_MAX */
+#define TBX_KEY32_MAX 0x7f7fffff /* FLT_MAX */
 
 /* The key of the largest finite float <= x, x finite: by truncation of x's bits. */
 TBX_FN int32_t tbx_key32_below(double x)
 {
     const uint64_t bits = tbx_bits64(&x) & 0x7fffffffffffffffu;
     const int negative = tbx_sign(x) < 0;
-    const int exponent = (int)(bits >> 52) - (1023 - 127);      /* of the float, if normal */
+    const int exponent = (int)(bits >> 52) - (1023 - 127); /* of the float, if normal */
     const uint64_t mantissa = (bits & 0x000fffffffffffffu) | 0x0010000000000000u;
     uint64_t magnitude = (uint64_t)TBX_KEY32_MAX;
     int inexact = 1;
@@ -2245,7 +2215,7 @@ TBX_FN int32_t tbx_key32_below(double x)
         magnitude = ((uint64_t)exponent << 23) | ((bits >> 29) & 0x007fffffu);
         inexact = (bits & 0x1fffffffu) != 0;
     } else {
-        const int shift = 30 - exponent;        /* the mantissa's last bit is worth 2^-149-shift */
+        const int shift = 30 - exponent; /* the mantissa's last bit is worth 2^-149-shift */
         magnitude = shift < 64 ? mantissa >> shift : 0;
         inexact = shift >= 64 || (mantissa & (((uint64_t)1 << shift) - 1)) != 0;
     }
@@ -2256,8 +2226,8 @@ TBX_FN int32_t tbx_key32_below(double x)
 TBX_FN float tbx_key32_float(int32_t key)
 {
     const int32_t magnitude = key < 0 ? -key : key;
-    const uint32_t bits = (uint32_t)(magnitude < TBX_KEY32_MAX ? magnitude : TBX_KEY32_MAX) |
-                          (key < 0 ? 0x80000000u : 0u);
+    const uint32_t bits =
+        (uint32_t)(magnitude < TBX_KEY32_MAX ? magnitude : TBX_KEY32_MAX) | (key < 0 ? 0x80000000u : 0u);
     float x;
     TBX_COPY(&x, &bits, sizeof x);
     return x;
@@ -2295,9 +2265,9 @@ TBX_FN int tbx_far_face(double p, double size, double t)
  * to 2^31 - 1, and they are what is above `span`. */
 TBX_FN void tbx_tri_faces(tribox_tri *tri, int k, int32_t least, int32_t most)
 {
-    const int32_t zero = -2147483647 - 1;       /* -0 */
+    const int32_t zero = -2147483647 - 1; /* -0 */
     if (least > most) {
-        tri->face_most[k] = zero;               /* leaves -0, moved to 1 above it */
+        tri->face_most[k] = zero; /* leaves -0, moved to 1 above it */
         tri->face_shift[k] = 1;
         tri->face_span[k] = zero;
     } else if (least > 0) {
@@ -2332,8 +2302,7 @@ TBX_FN void tbx_tri_keys(tribox_tri *tri, int k, int lo_is_open, int hi_is_open)
             least = tbx_key32_below(t_min - size);
             least = least < -TBX_KEY32_MAX ? -TBX_KEY32_MAX : least;
         }
-        while (least <= TBX_KEY32_MAX &&
-               tbx_far_face(tbx_key32_value(least), size, t_min) < hi_is_open) {
+        while (least <= TBX_KEY32_MAX && tbx_far_face(tbx_key32_value(least), size, t_min) < hi_is_open) {
             least++;
         }
     }
@@ -2343,7 +2312,7 @@ TBX_FN void tbx_tri_keys(tribox_tri *tri, int k, int lo_is_open, int hi_is_open)
 /* The faces of axis k as octants have them. */
 TBX_FN void tbx_tri_middle(tribox_tri *tri, int k)
 {
-    const double least = 8.673617379884035e-19;     /* 2^-60 */
+    const double least = 8.673617379884035e-19; /* 2^-60 */
     const double size = tri->size[k];
     double middle;
     double half;
@@ -2366,13 +2335,12 @@ TBX_FN void tbx_tri_middle(tribox_tri *tri, int k)
     tri->face_out[k] = (int32_t)tbx_bits32(&out);
 }
 
-TBX_COLD int tbx_normal_sign_exact(const double v0[3], const double v1[3],
-                                                   const double v2[3], int b, int c)
+TBX_COLD int tbx_normal_sign_exact(const double v0[3], const double v1[3], const double v2[3], int b, int c)
 {
     tbx_exact f;
     int row;
     tbx_exact_corners(&f, v0, v1, v2);
-    for (row = TBX_LO; row < TBX_ROWS; row++) {     /* unused */
+    for (row = TBX_LO; row < TBX_ROWS; row++) { /* unused */
         f.x[row][0] = f.x[0][0];
         f.x[row][1] = f.x[0][1];
         f.x[row][2] = f.x[0][2];
@@ -2384,13 +2352,12 @@ TBX_COLD int tbx_normal_sign_exact(const double v0[3], const double v1[3],
 /* The triangle's edges: differences, and their signs, which are exact. */
 typedef struct tbx_edges {
     double e[3][3];
-    int    e_sign[3][3];
-    int    n_sign[3];       /* of n_a = e0_b e1_c - e0_c e1_b: exact too */
+    int e_sign[3][3];
+    int n_sign[3]; /* of n_a = e0_b e1_c - e0_c e1_b: exact too */
 } tbx_edges;
 
 /* n's sign from the difference where that is certain, else exactly. A product with a zero factor is zero. */
-TBX_FN void tbx_edges_init(tbx_edges *t, const double v0[3], const double v1[3],
-                                           const double v2[3])
+TBX_FN void tbx_edges_init(tbx_edges *t, const double v0[3], const double v1[3], const double v2[3])
 {
     int a;
     for (a = 0; a < 3; a++) {
@@ -2425,10 +2392,10 @@ TBX_FN void tbx_edges_init(tbx_edges *t, const double v0[3], const double v1[3],
 /* What setup knows of the triangle, in a frame at ref. */
 typedef struct tbx_setup {
     tbx_edges t;
-    double v[3][3];         /* corners - ref */
-    double half[3];         /* half the boxes' size */
-    double reach[3];        /* R */
-    int    thin;
+    double v[3][3];  /* corners - ref */
+    double half[3];  /* half the boxes' size */
+    double reach[3]; /* R */
+    int thin;
 } tbx_setup;
 
 /* A condition before scaling: A.(p - ref) + D >= 0, and the magnitudes M of what A and D were made of. */
@@ -2437,7 +2404,7 @@ typedef struct tbx_condition {
     double m[3];
     double d;
     double m_d;
-    int    holds;           /* 1: wherever the faces do, and all else is 0 */
+    int holds; /* 1: wherever the faces do, and all else is 0 */
 } tbx_condition;
 
 /* Adds the box's support along A, to its centre and on: sum |A| h, or max |A| h for thin [SS10]. */
@@ -2470,9 +2437,8 @@ TBX_FN void tbx_add_magnitudes(tbx_condition *sum, const tbx_condition *c)
 
 /* The power of two that scales the bound below 1, for such sums; 0 where the bound does not hold.
  * Reaches are within [0, most], so M <= 48 most^2, terms and made <= 2^9 most^3, the bound below 2^900. */
-TBX_FN double tbx_condition_scale(const tbx_condition *sum,
-                                                  const tbx_setup *s, double u, double least,
-                                                  double most)
+TBX_FN double tbx_condition_scale(const tbx_condition *sum, const tbx_setup *s, double u, double least,
+                                  double most)
 {
     double terms = sum->d;
     double made = sum->m_d;
@@ -2486,7 +2452,7 @@ TBX_FN double tbx_condition_scale(const tbx_condition *sum,
         made += sum->m[k] * reach;
     }
     bound = 20.0 * u * terms + 16.0 * TBX_U64 * made;
-    if (!(in_range && bound >= 2.409919865102884e-181)) {      /* 2^-600 */
+    if (!(in_range && bound >= 2.409919865102884e-181)) { /* 2^-600 */
         return 0.0;
     }
     return tbx_from_bits64((uint64_t)(2045 - (tbx_bits64(&bound) >> 52)) << 52);
@@ -2519,8 +2485,7 @@ TBX_FN void tbx_store(tribox_tri *tri, int i, const tbx_condition *c, double g)
 
 /* Lane k of the float test: the conditions of a plane, scaled by f. The third, given by its place, is minus
  * the other two in its linear part, or holds. */
-TBX_FN void tbx_store_lane(tribox_tri *tri, int k, const tbx_condition conditions[3],
-                                           int third, double f)
+TBX_FN void tbx_store_lane(tribox_tri *tri, int k, const tbx_condition conditions[3], int third, double f)
 {
     const int b = k < 3 ? (k + 1) % 3 : 0;
     const int c = k < 3 ? (k + 2) % 3 : 1;
@@ -2536,14 +2501,13 @@ TBX_FN void tbx_store_lane(tribox_tri *tri, int k, const tbx_condition condition
     tri->second_b[k] = (float)(second->a[b] * f);
     tri->second_c[k] = (float)(second->a[c] * f);
     tri->second_d[k] = (float)(second_d + 1.0);
-    tri->third_d[k] = (float)(last->holds ? 1073741824.0        /* 2^30: more than any two */
+    tri->third_d[k] = (float)(last->holds ? 1073741824.0 /* 2^30: more than any two */
                                           : first_d + second_d + last->d * f + 3.0);
 }
 
 /* Edge i in the plane across axis a: w.(q - v_i), w = (-e_c, e_b), turned inward by the sign of n_a. An edge
  * parallel to b or c bounds what a face bounds: it stays as it was. */
-TBX_FN void tbx_set_edge(tbx_condition *edge, tribox_tri *tri,
-                                         const tbx_setup *s, int a, int i)
+TBX_FN void tbx_set_edge(tbx_condition *edge, tribox_tri *tri, const tbx_setup *s, int a, int i)
 {
     const int b = (a + 1) % 3;
     const int c = (a + 2) % 3;
@@ -2560,12 +2524,12 @@ TBX_FN void tbx_set_edge(tbx_condition *edge, tribox_tri *tri,
     edge->m_d = edge->m[b] * tbx_abs(s->v[i][b]) + edge->m[c] * tbx_abs(s->v[i][c]);
     tbx_add_support(edge, s);
     tri->strict |= (unsigned)((tri->flags & TRIBOX_OPEN) != 0 || ((tri->flags & TRIBOX_HALF_OPEN) != 0 &&
-                              (edge->a[b] > 0.0 || edge->a[c] > 0.0))) << (3 * a + i);
+                                                                  (edge->a[b] > 0.0 || edge->a[c] > 0.0)))
+                   << (3 * a + i);
 }
 
 /* side * n.(q - v0) >= 0. */
-TBX_FN void tbx_set_side(tbx_condition *plane, tribox_tri *tri,
-                                         const tbx_setup *s, int side)
+TBX_FN void tbx_set_side(tbx_condition *plane, tribox_tri *tri, const tbx_setup *s, int side)
 {
     int positive = 0;
     int k;
@@ -2582,8 +2546,9 @@ TBX_FN void tbx_set_side(tbx_condition *plane, tribox_tri *tri,
         positive |= side * s->t.n_sign[k] > 0;
     }
     tbx_add_support(plane, s);
-    tri->strict |= (unsigned)((tri->flags & TRIBOX_OPEN) != 0 ||
-                              ((tri->flags & TRIBOX_HALF_OPEN) != 0 && positive)) << (side > 0 ? 9 : 10);
+    tri->strict |=
+        (unsigned)((tri->flags & TRIBOX_OPEN) != 0 || ((tri->flags & TRIBOX_HALF_OPEN) != 0 && positive))
+        << (side > 0 ? 9 : 10);
 }
 
 /* Conditions 3*k..3*k+2, of the edges across axis k, or of the triangle's plane. What the float test finds
@@ -2638,7 +2603,7 @@ TBX_FN double tbx_tri_lattice(const tribox_tri *tri, const tbx_setup *s)
     int i;
     int k;
     longest = s->reach[2] > longest ? s->reach[2] : longest;
-    if (!(longest > 1e-40 && longest < 1e40)) {      /* so that no condition was left zero by its range */
+    if (!(longest > 1e-40 && longest < 1e40)) { /* so that no condition was left zero by its range */
         return 0.0;
     }
     scale = tbx_lattice_scale(longest);
@@ -2656,7 +2621,7 @@ TBX_FN double tbx_tri_lattice(const tribox_tri *tri, const tbx_setup *s)
 TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const double v1[3],
                                    const double v2[3], const double size[3], unsigned flags)
 {
-    const double limit = 288230376151711744.0;      /* 2^58: no p - ref is beyond 2^60, or else ref is 0 */
+    const double limit = 288230376151711744.0; /* 2^58: no p - ref is beyond 2^60, or else ref is 0 */
     const int finite = tbx_finite3(size);
     int float_range = 1;
     tbx_setup s;
@@ -2674,11 +2639,11 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
         tbx_store_true(tri, i);
     }
     for (k = 0; k < 4; k++) {
-        tri->first_b[k] = tri->first_c[k] = tri->first_z[k] = 0.0f;     /* unsure, in every rounding mode */
+        tri->first_b[k] = tri->first_c[k] = tri->first_z[k] = 0.0f; /* unsure, in every rounding mode */
         tri->second_b[k] = tri->second_c[k] = 0.0f;
         tri->first_d[k] = tri->second_d[k] = 1.0f;
         tri->third_d[k] = 3.0f;
-        tbx_tri_faces(tri, k, 1, 0);    /* none */
+        tbx_tri_faces(tri, k, 1, 0); /* none */
         tri->ref[k] = tri->step[k] = tri->middle[k] = 0.0f;
         tri->face_in[k] = tri->face_out[k] = -1;
     }
@@ -2696,17 +2661,16 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
         return;
     }
     for (k = 0; k < 3; k++) {
-        float_range &= tbx_less(tri->t_max[k], limit) & tbx_less(-limit, tri->t_min[k]) &
-                       tbx_less(size[k], limit);
+        float_range &=
+            tbx_less(tri->t_max[k], limit) & tbx_less(-limit, tri->t_min[k]) & tbx_less(size[k], limit);
     }
     tri->huge = !float_range;
     for (k = 0; k < 3; k++) {
-        tbx_tri_keys(tri, k, (rule & TRIBOX_OPEN) != 0,
-                             (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
-        if (float_range && tbx_less(1e-30, tbx_abs(v0[k]))) {   /* never subnormal */
+        tbx_tri_keys(tri, k, (rule & TRIBOX_OPEN) != 0, (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
+        if (float_range && tbx_less(1e-30, tbx_abs(v0[k]))) { /* never subnormal */
             tri->ref[k] = tbx_key32_float(tbx_key32_below(v0[k]));
         }
-        tri->face_out[k] = 2147483647;      /* unsure even of NaN */
+        tri->face_out[k] = 2147483647; /* unsure even of NaN */
         if (float_range) {
             tbx_tri_middle(tri, k);
         }
@@ -2763,8 +2727,7 @@ TBX_COLD int tbx_tri_exact(const tribox_tri *tri, const double p[3])
         f.x[TBX_LO][k] = tbx_at(p[k], 0.0, 0);
         f.x[TBX_MID][k] = tbx_at(p[k], tri->size[k], 1);
         /* an infinite step is read as 2^1024; four of them from any p lie beyond every corner */
-        f.x[TBX_HI][k] = tbx_at(p[k], tri->size[k],
-                                                tbx_is_finite(tri->size[k]) ? 2 : 8);
+        f.x[TBX_HI][k] = tbx_at(p[k], tri->size[k], tbx_is_finite(tri->size[k]) ? 2 : 8);
     }
     return tbx_exact_overlap(&f, tri->flags);
 }
@@ -2801,8 +2764,8 @@ TBX_NOINLINE int tbx_tri_test(const tribox_tri *tri, const double p[3])
     if (doubt == 0) {
         return 1;
     }
-    if (tri->lattice > 0.0 && tbx_on_lattice(p[0], tri->lattice) &&
-        tbx_on_lattice(p[1], tri->lattice) && tbx_on_lattice(p[2], tri->lattice)) {
+    if (tri->lattice > 0.0 && tbx_on_lattice(p[0], tri->lattice) && tbx_on_lattice(p[1], tri->lattice) &&
+        tbx_on_lattice(p[2], tri->lattice)) {
         for (i = 0; i < 12; i++) {
             if (value[i] < 0.0 || (value[i] <= 0.0 && ((tri->strict >> i) & 1u) != 0)) {
                 return 0;
@@ -2838,7 +2801,7 @@ TBX_FN tbx_f4 tbx_load_xyzz(const float p[3])
     x[0] = p[0];
     y[0] = p[1];
     z[0] = p[2];
-    TBX_KEEP4(x);       /* of two shuffles gcc would make three: 1.04x */
+    TBX_KEEP4(x); /* of two shuffles gcc would make three: 1.04x */
     return TBX_LANES(TBX_LANES(x, y, 0, 4, 1, 5), z, 0, 1, 4, 4);
 }
 
@@ -2846,8 +2809,7 @@ TBX_FN tbx_f4 tbx_load_xyzz(const float p[3])
  * registers for AVX-512; kept in vectors, the test gains 1.04x. */
 TBX_FN tbx_i4 tbx_faces_refuse(const tribox_tri *tri, tbx_f4 x)
 {
-    const tbx_i4 moved = (tbx_i4)((tbx_u4)x +
-                                                  (tbx_u4)tbx_load4i(tri->face_shift));
+    const tbx_i4 moved = (tbx_i4)((tbx_u4)x + (tbx_u4)tbx_load4i(tri->face_shift));
     tbx_i4 faces = (tbx_i4)x > tbx_load4i(tri->face_most);
     TBX_KEEP4(faces);
     faces |= moved > tbx_load4i(tri->face_span);
@@ -2868,18 +2830,17 @@ TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3])
         const tbx_f4 q_c = TBX_LANES(q, q, 2, 0, 1, 1);
         const tbx_f4 first =
             tbx_fma4(tbx_load4(tri->first_b), q_b,
-            tbx_fma4(tbx_load4(tri->first_c), q_c,
-            tbx_fma4(tbx_load4(tri->first_z), q, tbx_load4(tri->first_d))));
-        const tbx_f4 second =
-            tbx_fma4(tbx_load4(tri->second_b), q_b,
-            tbx_fma4(tbx_load4(tri->second_c), q_c, tbx_load4(tri->second_d)));
+                     tbx_fma4(tbx_load4(tri->first_c), q_c,
+                              tbx_fma4(tbx_load4(tri->first_z), q, tbx_load4(tri->first_d))));
+        const tbx_f4 second = tbx_fma4(tbx_load4(tri->second_b), q_b,
+                                       tbx_fma4(tbx_load4(tri->second_c), q_c, tbx_load4(tri->second_d)));
         const tbx_f4 third = tbx_load4(tri->third_d) - (first + second);
         const tbx_f4 least = tbx_min4(tbx_min4(first, second), third);
         /* by their sign bits: least <= 0 or a face, and least < 2; the conditions have 1 added */
         const int miss = tbx_signs((tbx_i4)least | faces);
         const int doubt = tbx_signs((tbx_i4)(least - tbx_splat(2.0f)));
-        const unsigned verdict = ((unsigned)miss << 4 | (unsigned)doubt) - 1u;     /* a hit wraps round */
-        if (TBX_RARELY(verdict < 15u)) {       /* no miss, but doubt */
+        const unsigned verdict = ((unsigned)miss << 4 | (unsigned)doubt) - 1u; /* a hit wraps round */
+        if (TBX_RARELY(verdict < 15u)) {                                       /* no miss, but doubt */
             return tbx_tri_test_widened(tri, p);
         }
         return (int)(verdict >> 31);
@@ -2889,7 +2850,7 @@ TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3])
 #endif
 }
 
-/* ---- 12. Implementation: grids ------------------------------------------------------------------------- */
+/* ---- 8. Grid ------------------------------------------------------------------------------------------- */
 
 /* The grid's region holds voxels: finite origin and size, size > 0, lo < hi. */
 TBX_FN int tbx_grid_valid(const tribox_grid *grid)
@@ -2909,8 +2870,7 @@ TBX_FN int tbx_plane_compare(const tribox_grid *grid, int k, int64_t i, double x
 {
     const double along = (double)i * grid->size[k];
     const double value = (grid->origin[k] - x) + along;
-    const double error = (tbx_abs(grid->origin[k]) + tbx_abs(x) + tbx_abs(along)) *
-                         (8.0 * TBX_U64);
+    const double error = (tbx_abs(grid->origin[k]) + tbx_abs(x) + tbx_abs(along)) * (8.0 * TBX_U64);
     if (tbx_is_finite(error) && error > 1e-290 && (value > error || value < -error)) {
         return value > 0.0 ? 1 : -1;
     } else {
@@ -2935,10 +2895,9 @@ TBX_FN int64_t tbx_guess(double x, int64_t lo, int64_t hi)
 }
 
 /* The least plane i in [lo, hi] with plane(i) > x (strict) or >= x; hi if none below hi. */
-TBX_FN int64_t tbx_plane_search(const tribox_grid *grid, int k, int64_t lo, int64_t hi,
-                                                double x, int strict)
+TBX_FN int64_t tbx_plane_search(const tribox_grid *grid, int k, int64_t lo, int64_t hi, double x, int strict)
 {
-    const double size = grid->size[k];      /* a subnormal may be read as 0 */
+    const double size = grid->size[k]; /* a subnormal may be read as 0 */
     int64_t i = tbx_guess(size > 0.0 ? (x - grid->origin[k]) / size + 1.0 : 0.0, lo, hi);
     int steps;
     for (steps = 0; steps < 3; steps++) {
@@ -2950,7 +2909,7 @@ TBX_FN int64_t tbx_plane_search(const tribox_grid *grid, int k, int64_t lo, int6
             return i;
         }
     }
-    while (lo < hi) {       /* a far guess: numbers of very different size */
+    while (lo < hi) { /* a far guess: numbers of very different size */
         const int64_t mid = lo + (hi - lo) / 2;
         if (tbx_plane_compare(grid, k, mid, x) < strict) {
             lo = mid + 1;
@@ -2972,31 +2931,31 @@ typedef struct tbx_limit {
     double a[3];
     double d;
     double bound;
-    double quantum;         /* if bound = 0, on the lattice: all of the above are multiples of half of it */
-    int    axis;            /* the index it limits */
-    int    sign;            /* of a[axis], exact: -1 or 1 */
-    int    id;              /* 3*plane + edge; 9, 10: the two sides of the triangle's plane */
+    double quantum; /* if bound = 0, on the lattice: all of the above are multiples of half of it */
+    int axis;       /* the index it limits */
+    int sign;       /* of a[axis], exact: -1 or 1 */
+    int id;         /* 3*plane + edge; 9, 10: the two sides of the triangle's plane */
 } tbx_limit;
 
 /* A triangle over a region of a grid, cut to the triangle's index box. */
 typedef struct tbx_walk {
     const tribox_grid *grid;
-    const double      *corner[3];
-    unsigned           flags;
-    int64_t            base[3];     /* the box's first voxel */
-    int64_t            count[3];    /* voxels per axis */
-    int                n_sign[3];
-    int                on_lattice;  /* all values are exact, and shifted off zero: see tbx_walk_add */
-    double             size[3];
-    double             v[3][3];     /* corners from the base's minimum corner */
-    double             slack[3];    /* bound of error of a coordinate difference, also of the few u of its
+    const double *corner[3];
+    unsigned flags;
+    int64_t base[3];  /* the box's first voxel */
+    int64_t count[3]; /* voxels per axis */
+    int n_sign[3];
+    int on_lattice; /* all values are exact, and shifted off zero: see tbx_walk_add */
+    double size[3];
+    double v[3][3];  /* corners from the base's minimum corner */
+    double slack[3]; /* bound of error of a coordinate difference, also of the few u of its
                                      * arithmetic */
-    int                in_range;    /* the bounds hold */
-    double             quantum;     /* on the lattice: its unit */
-    int                limits;
-    int                first[5];    /* limits first[g]..first[g+1]-1: edges of xy, zx, yz;
+    int in_range;    /* the bounds hold */
+    double quantum;  /* on the lattice: its unit */
+    int limits;
+    int first[5]; /* limits first[g]..first[g+1]-1: edges of xy, zx, yz;
                                      * the plane's sides */
-    tbx_limit  limit[11];
+    tbx_limit limit[11];
 } tbx_walk;
 
 /* The exact sign behind a limit. */
@@ -3024,11 +2983,10 @@ TBX_COLD int tbx_walk_exact(const tbx_walk *w, int id, const int64_t index[3])
 }
 
 /* Does the limit hold at this voxel? */
-TBX_FN int tbx_limit_holds(const tbx_walk *w, const tbx_limit *c,
-                                           const int64_t index[3])
+TBX_FN int tbx_limit_holds(const tbx_walk *w, const tbx_limit *c, const int64_t index[3])
 {
-    const double value = c->a[0] * (double)index[0] + c->a[1] * (double)index[1] +
-                         c->a[2] * (double)index[2] + c->d;
+    const double value =
+        c->a[0] * (double)index[0] + c->a[1] * (double)index[1] + c->a[2] * (double)index[2] + c->d;
     if (value > c->bound) {
         return 1;
     }
@@ -3040,8 +2998,8 @@ TBX_FN int tbx_limit_holds(const tbx_walk *w, const tbx_limit *c,
 
 /* Narrows [*lo, *hi] to the indices along c->axis that the limit allows, the other two being index[]. The
  * quotient is a guess; what counts is that the value is certain on both sides of it. */
-TBX_FN void tbx_limit_narrow(const tbx_walk *w, const tbx_limit *c,
-                                             int64_t index[3], int64_t *lo, int64_t *hi)
+TBX_FN void tbx_limit_narrow(const tbx_walk *w, const tbx_limit *c, int64_t index[3], int64_t *lo,
+                             int64_t *hi)
 {
     const double a = c->a[c->axis];
     int64_t least = *lo;
@@ -3084,8 +3042,8 @@ TBX_FN void tbx_limit_narrow(const tbx_walk *w, const tbx_limit *c,
  *
  * Bound: sum m_k slack_k, see tbx_walk_frame. On the lattice all this is exact; half a quantum up
  * (or down, where zero does not satisfy the limit) and no value is zero. */
-TBX_FN void tbx_walk_add(tbx_walk *w, int id, int axis, int sign, const double n[3],
-                                         const double m[3], double d)
+TBX_FN void tbx_walk_add(tbx_walk *w, int id, int axis, int sign, const double n[3], const double m[3],
+                         double d)
 {
     tbx_limit *c = &w->limit[w->limits++];
     double sum = 0.0;
@@ -3108,8 +3066,8 @@ TBX_FN void tbx_walk_add(tbx_walk *w, int id, int axis, int sign, const double n
     c->id = id;
     c->axis = axis;
     c->sign = sign;
-    if (!(w->in_range && c->bound >= 2.409919865102884e-181)) {        /* 2^-600 */
-        c->a[0] = c->a[1] = c->a[2] = c->d = 0.0;       /* exact signs alone */
+    if (!(w->in_range && c->bound >= 2.409919865102884e-181)) { /* 2^-600 */
+        c->a[0] = c->a[1] = c->a[2] = c->d = 0.0;               /* exact signs alone */
         c->bound = 1.0;
         return;
     }
@@ -3147,8 +3105,7 @@ TBX_FN void tbx_walk_frame(tbx_walk *w)
             w->v[i][k] = (x - grid->origin[k]) - base;
             farthest = tbx_abs(x) > farthest ? tbx_abs(x) : farthest;
         }
-        w->slack[k] = (farthest + tbx_abs(grid->origin[k]) + tbx_abs(base)) *
-                      (4.0 * TBX_U64);
+        w->slack[k] = (farthest + tbx_abs(grid->origin[k]) + tbx_abs(base)) * (4.0 * TBX_U64);
     }
     TBX_KEEP(w->v);
     w->in_range = 1;
@@ -3159,8 +3116,7 @@ TBX_FN void tbx_walk_frame(tbx_walk *w)
         }
         longest = reach > longest ? reach : longest;
         w->slack[k] += reach * (32.0 * TBX_U64);
-        w->in_range &= tbx_extent_in_range(reach) & (reach > 0.0) &
-                       tbx_is_finite(w->slack[k]);
+        w->in_range &= tbx_extent_in_range(reach) & (reach > 0.0) & tbx_is_finite(w->slack[k]);
     }
     w->on_lattice = 0;
     if (!(longest > 1e-80 && longest < 1e80)) {
@@ -3173,8 +3129,7 @@ TBX_FN void tbx_walk_frame(tbx_walk *w)
     w->on_lattice = 1;
     for (k = 0; k < 3 && w->on_lattice; k++) {
         /* so base*size is whole too: below 2^15 * 2^32 units, rounded nowhere */
-        w->on_lattice = tbx_on_lattice(grid->origin[k], scale) &&
-                        tbx_on_lattice(grid->size[k], scale * 0.5);
+        w->on_lattice = tbx_on_lattice(grid->origin[k], scale) && tbx_on_lattice(grid->size[k], scale * 0.5);
         for (i = 0; i < 3; i++) {
             w->on_lattice &= tbx_on_lattice(w->corner[i][k], scale);
         }
@@ -3192,11 +3147,11 @@ TBX_FN void tbx_walk_limits(tbx_walk *w, const tbx_edges *t)
     int k;
     w->limits = 0;
     for (group = 0; group < 3; group++) {
-        const int a = 2 - group;            /* planes xy, zx, yz */
+        const int a = 2 - group; /* planes xy, zx, yz */
         const int b = (a + 1) % 3;
         const int c = (a + 2) % 3;
         const double inward = t->n_sign[a] >= 0 ? 1.0 : -1.0;
-        const int axis = a == 0 ? 1 : 0;    /* xy and zx limit x, yz limits y */
+        const int axis = a == 0 ? 1 : 0; /* xy and zx limit x, yz limits y */
         first[group] = w->limits;
         for (i = 0; i < 3; i++) {
             double n[3];
@@ -3210,9 +3165,9 @@ TBX_FN void tbx_walk_limits(tbx_walk *w, const tbx_edges *t)
             for (k = 0; k < 3; k++) {
                 m[k] = tbx_abs(n[k]);
             }
-            tbx_walk_add(w, 3 * a + i, axis, (t->n_sign[a] >= 0 ? 1 : -1) *
-                                 (axis == b ? -t->e_sign[i][c] : t->e_sign[i][b]), n, m,
-                                 -(n[b] * w->v[i][b] + n[c] * w->v[i][c]));
+            tbx_walk_add(w, 3 * a + i, axis,
+                         (t->n_sign[a] >= 0 ? 1 : -1) * (axis == b ? -t->e_sign[i][c] : t->e_sign[i][b]), n,
+                         m, -(n[b] * w->v[i][b] + n[c] * w->v[i][c]));
         }
     }
     first[3] = w->limits;
@@ -3249,12 +3204,10 @@ TBX_FN int tbx_walk_box(tbx_walk *w)
         const double x2 = w->corner[2][k];
         const int64_t lo = w->grid->lo[k];
         const int64_t hi = w->grid->hi[k];
-        w->base[k] = tbx_plane_search(w->grid, k, lo + 1, hi + 1,
-                                              tbx_min(tbx_min(x0, x1), x2),
-                                              hi_is_open) - 1;
-        w->count[k] = tbx_plane_search(w->grid, k, lo, hi,
-                                               tbx_max(tbx_max(x0, x1), x2),
-                                               !lo_is_open) - w->base[k];
+        w->base[k] =
+            tbx_plane_search(w->grid, k, lo + 1, hi + 1, tbx_min(tbx_min(x0, x1), x2), hi_is_open) - 1;
+        w->count[k] =
+            tbx_plane_search(w->grid, k, lo, hi, tbx_max(tbx_max(x0, x1), x2), !lo_is_open) - w->base[k];
         if (w->count[k] <= 0) {
             return 0;
         }
@@ -3263,8 +3216,8 @@ TBX_FN int tbx_walk_box(tbx_walk *w)
 }
 
 /* Sets out over a valid grid. Returns 0 if no voxel's faces hold. */
-TBX_NOINLINE int tbx_walk_start(tbx_walk *w, const tribox_grid *grid,
-                                                const double v0[3], const double v1[3], const double v2[3])
+TBX_NOINLINE int tbx_walk_start(tbx_walk *w, const tribox_grid *grid, const double v0[3], const double v1[3],
+                                const double v2[3])
 {
     tbx_edges t;
     int k;
@@ -3288,9 +3241,9 @@ TBX_NOINLINE int tbx_walk_start(tbx_walk *w, const tribox_grid *grid,
 /* The bit array of a fill. */
 typedef struct tbx_target {
     uint64_t *bits;
-    int       lo[3];        /* the region's first voxel */
-    size_t    row_words;
-    size_t    ny;
+    int lo[3]; /* the region's first voxel */
+    size_t row_words;
+    size_t ny;
 } tbx_target;
 
 /* Sets bits from..to of a row. */
@@ -3315,19 +3268,19 @@ TBX_FN void tbx_set_run(const tbx_target *t, uint64_t *row, size_t from, size_t 
 
 /* Where spans go: into a bit array, or, counted, to a callback. */
 typedef struct tbx_sink {
-    const tbx_target *target;   /* NULL: the callback */
-    tribox_span_fn            emit;
-    void                     *user;
-    size_t                    count;
+    const tbx_target *target; /* NULL: the callback */
+    tribox_span_fn emit;
+    void *user;
+    size_t count;
 } tbx_sink;
 
-TBX_FN void tbx_walk_emit(const tbx_walk *w, int64_t lo, int64_t hi, int64_t y,
-                                          int64_t z, tbx_sink *sink)
+TBX_FN void tbx_walk_emit(const tbx_walk *w, int64_t lo, int64_t hi, int64_t y, int64_t z, tbx_sink *sink)
 {
     const tbx_target *t = sink->target;
     if (t != NULL) {
-        uint64_t *row = t->bits + ((size_t)(w->base[2] + z - t->lo[2]) * t->ny +
-                                   (size_t)(w->base[1] + y - t->lo[1])) * t->row_words;
+        uint64_t *row =
+            t->bits + ((size_t)(w->base[2] + z - t->lo[2]) * t->ny + (size_t)(w->base[1] + y - t->lo[1])) *
+                          t->row_words;
         const int64_t start = w->base[0] - t->lo[0];
         tbx_set_run(t, row, (size_t)(start + lo), (size_t)(start + hi));
         return;
@@ -3339,7 +3292,7 @@ TBX_FN void tbx_walk_emit(const tbx_walk *w, int64_t lo, int64_t hi, int64_t y,
     }
 }
 
-#define TBX_TILE 64     /* rows y, and layers z, whose bounds are kept at once */
+#define TBX_TILE 64 /* rows y, and layers z, whose bounds are kept at once */
 
 /* The row walk: for a fixed row (y, z) every limit is a bound on x, so the voxels of a row are one
  * span. The xy edges bound x per y, the zx edges x per z, the yz edges y per z; only the plane's
@@ -3348,7 +3301,7 @@ TBX_FN void tbx_walk_rows(const tbx_walk *w, tbx_sink *sink)
 {
     int64_t tile_lo[TBX_TILE];
     int64_t tile_hi[TBX_TILE];
-    int64_t tile = -1;          /* the rows that these are of */
+    int64_t tile = -1; /* the rows that these are of */
     int64_t index[3];
     int64_t y;
     int64_t z;
@@ -3408,29 +3361,27 @@ TBX_FN void tbx_walk_rows(const tbx_walk *w, tbx_sink *sink)
  * have a root takes its value at 0 for the whole line, up to |alpha| * count. */
 typedef struct tbx_lines {
     double scale;
-    float  alpha;
-    float  beta;
-    float  inverse;         /* about -1 / alpha; 0: flat */
-    float  step;            /* from the last false index to the first true one */
-    float  lo_off;          /* far down if it limits from above */
-    float  hi_off;          /* far up if it limits from below */
-    float  bound;
-    float  room;            /* |alpha| - bound, against the value at m */
+    float alpha;
+    float beta;
+    float inverse; /* about -1 / alpha; 0: flat */
+    float step;    /* from the last false index to the first true one */
+    float lo_off;  /* far down if it limits from above */
+    float hi_off;  /* far up if it limits from below */
+    float bound;
+    float room; /* |alpha| - bound, against the value at m */
 } tbx_lines;
 
-#define TBX_FAR 16777216.0f     /* 2^24, beyond every index in lanes */
+#define TBX_FAR 16777216.0f /* 2^24, beyond every index in lanes */
 
-TBX_FN void tbx_lines_init(tbx_lines *q, const tbx_walk *w,
-                                           const tbx_limit *c, int line_axis)
+TBX_FN void tbx_lines_init(tbx_lines *q, const tbx_walk *w, const tbx_limit *c, int line_axis)
 {
-    const double terms = tbx_abs(c->a[0]) * (double)w->count[0] +
-                         tbx_abs(c->a[1]) * (double)w->count[1] +
+    const double terms = tbx_abs(c->a[0]) * (double)w->count[0] + tbx_abs(c->a[1]) * (double)w->count[1] +
                          tbx_abs(c->a[2]) * (double)w->count[2] + tbx_abs(c->d) + c->bound;
     const double scale = tbx_from_bits64((uint64_t)(2045 - (tbx_bits64(&terms) >> 52)) << 52);
     const double along = tbx_abs(c->a[c->axis]) * scale;
     double bound = 0.0;
     int flat;
-    if (c->bound > 0.0 || terms > c->quantum * 8388608.0) {     /* 2^23 */
+    if (c->bound > 0.0 || terms > c->quantum * 8388608.0) { /* 2^23 */
         bound = c->bound * scale + (double)(8.0f * TBX_U32);
     }
     flat = along <= 4.0 * bound;
@@ -3447,9 +3398,8 @@ TBX_FN void tbx_lines_init(tbx_lines *q, const tbx_walk *w,
 }
 
 /* Narrows four lines. Returns the lanes in which the limit is not certain. */
-TBX_FN tbx_i4 tbx_lines_narrow(const tbx_lines *q, tbx_f4 line,
-                                                       float rest, tbx_f4 count,
-                                                       tbx_f4 *lo, tbx_f4 *hi)
+TBX_FN tbx_i4 tbx_lines_narrow(const tbx_lines *q, tbx_f4 line, float rest, tbx_f4 count, tbx_f4 *lo,
+                               tbx_f4 *hi)
 {
     const tbx_f4 at_0 = tbx_splat(q->beta) * line + tbx_splat(rest);
     const tbx_f4 root = at_0 * tbx_splat(q->inverse);
@@ -3471,8 +3421,7 @@ typedef struct tbx_bounds {
 } tbx_bounds;
 
 /* One line's bounds, narrowed by a group of limits one by one: what the lanes leave open. */
-TBX_NOINLINE void tbx_line_exact(const tbx_walk *w, int group, int64_t index[3],
-                                                 float *lo, float *hi)
+TBX_NOINLINE void tbx_line_exact(const tbx_walk *w, int group, int64_t index[3], float *lo, float *hi)
 {
     int64_t first = (int64_t)*lo;
     int64_t last = (int64_t)*hi;
@@ -3486,9 +3435,8 @@ TBX_NOINLINE void tbx_line_exact(const tbx_walk *w, int group, int64_t index[3],
 
 /* Bounds along `axis` of the tile of lines that starts at `start`, counted by line_axis,
  * by the edges of a group. */
-TBX_FN void tbx_tile_bounds(const tbx_walk *w, const tbx_lines *lines,
-                                            int group, int axis, int line_axis, int64_t start,
-                                            tbx_bounds *out)
+TBX_FN void tbx_tile_bounds(const tbx_walk *w, const tbx_lines *lines, int group, int axis, int line_axis,
+                            int64_t start, tbx_bounds *out)
 {
     const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
     const tbx_f4 count = tbx_splat((float)w->count[axis]);
@@ -3531,7 +3479,7 @@ TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink)
     tbx_bounds y_of_z;
     const tbx_target *t = sink->target;
     const size_t start_x = t != NULL ? (size_t)(w->base[0] - t->lo[0]) : 0;
-    int64_t y_start = -1;       /* the tiles that these are of */
+    int64_t y_start = -1; /* the tiles that these are of */
     int64_t z;
     int i;
     for (i = 0; i < w->limits; i++) {
@@ -3557,8 +3505,8 @@ TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink)
         for (y = (int64_t)y_of_z.lo[layer] & ~(int64_t)3; y <= y_end; y += 4) {
             const int row = (int)(y % TBX_TILE);
             const tbx_f4 line = tbx_splat((float)y) + four;
-            const tbx_i4 outside = (line < tbx_splat(y_of_z.lo[layer])) |
-                                           (line > tbx_splat(y_of_z.hi[layer]));
+            const tbx_i4 outside =
+                (line < tbx_splat(y_of_z.lo[layer])) | (line > tbx_splat(y_of_z.hi[layer]));
             tbx_i4 doubt = tbx_splat_int(0);
             tbx_f4 lo;
             tbx_f4 hi;
@@ -3573,10 +3521,8 @@ TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink)
                 y_start = y - row;
                 tbx_tile_bounds(w, lines, 0, 0, 1, y_start, &x_of_y);
             }
-            lo_edges = tbx_max4(tbx_load4(x_of_y.lo + row),
-                                        tbx_splat(x_of_z.lo[layer]));
-            hi_edges = tbx_min4(tbx_load4(x_of_y.hi + row),
-                                        tbx_splat(x_of_z.hi[layer]));
+            lo_edges = tbx_max4(tbx_load4(x_of_y.lo + row), tbx_splat(x_of_z.lo[layer]));
+            hi_edges = tbx_min4(tbx_load4(x_of_y.hi + row), tbx_splat(x_of_z.hi[layer]));
             lo = lo_edges;
             hi = hi_edges;
             for (i = w->first[3]; i < w->first[4]; i++) {
@@ -3606,9 +3552,8 @@ TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink)
                     }
                 }
                 if (t != NULL) {
-                    tbx_set_run(t, row_bits + (size_t)i * t->row_words,
-                                        start_x + (size_t)(int32_t)x_lo[i],
-                                        start_x + (size_t)(int32_t)x_hi[i]);
+                    tbx_set_run(t, row_bits + (size_t)i * t->row_words, start_x + (size_t)(int32_t)x_lo[i],
+                                start_x + (size_t)(int32_t)x_hi[i]);
                 } else {
                     tbx_walk_emit(w, (int64_t)x_lo[i], (int64_t)x_hi[i], y + i, z, sink);
                 }
@@ -3619,8 +3564,8 @@ TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink)
 #endif
 
 /* All spans of a triangle over a valid grid. */
-TBX_FN void tbx_spans(const tribox_grid *grid, const double v0[3], const double v1[3],
-                                      const double v2[3], tbx_sink *sink)
+TBX_FN void tbx_spans(const tribox_grid *grid, const double v0[3], const double v1[3], const double v2[3],
+                      tbx_sink *sink)
 {
     tbx_walk w;
     if (!tbx_walk_start(&w, grid, v0, v1, v2)) {
@@ -3719,10 +3664,10 @@ TBX_FN void tbx_mesh_corner(const tribox_mesh *mesh, size_t t, int c, double out
 typedef struct tbx_fine {
     double origin[3];
     double inverse[3];
-    double delta;       /* D */
-    int    n[3];
-    int    thin;
-    int    on;          /* 0: its numbers are out of range */
+    double delta; /* D */
+    int n[3];
+    int thin;
+    int on; /* 0: its numbers are out of range */
 } tbx_fine;
 
 TBX_FN void tbx_fine_init(tbx_fine *f, const tribox_grid *grid)
@@ -3752,12 +3697,12 @@ typedef struct tbx_fine_line {
     double slope;
     double half;
     double error;
-    int    bounds_lo;
-    int    bounds_hi;
+    int bounds_lo;
+    int bounds_hi;
 } tbx_fine_line;
 
-TBX_FN void tbx_fine_line_set(tbx_fine_line *l, const tbx_fine *f, double v_b,
-                                              double v_r, double e_b, double e_r, double area)
+TBX_FN void tbx_fine_line_set(tbx_fine_line *l, const tbx_fine *f, double v_b, double v_r, double e_b,
+                              double e_r, double area)
 {
     const int has = e_r != 0.0;
     const double slope = has ? e_b / e_r : 0.0;
@@ -3773,7 +3718,7 @@ TBX_FN void tbx_fine_line_set(tbx_fine_line *l, const tbx_fine *f, double v_b,
 
 TBX_FN int tbx_fine_floor(double x)
 {
-    const double most = 536870912.0;        /* 2^29: differences fit, too */
+    const double most = 536870912.0; /* 2^29: differences fit, too */
     const double clamped = x < -most ? -most : x > most ? most : x;
     const int i = (int)clamped;
     return (double)i > clamped ? i - 1 : i;
@@ -3806,12 +3751,11 @@ TBX_FN int tbx_fine_narrow(const tbx_fine_line *l, int r, int *first, int *last)
 typedef struct tbx_fine_tri {
     tbx_fine_line edge[3][3];
     tbx_fine_line plane;
-    double                slope_z;
+    double slope_z;
 } tbx_fine_tri;
 
 /* x: corners in voxels from the region, e: edges, m: the longest. Returns 0 if unsure. */
-TBX_FN int tbx_fine_tri_set(tbx_fine_tri *t, const tbx_fine *f,
-                                            double x[3][3], double e[3][3], double m)
+TBX_FN int tbx_fine_tri_set(tbx_fine_tri *t, const tbx_fine *f, double x[3][3], double e[3][3], double m)
 {
     double n[3];
     int is_flat = 0;
@@ -3847,8 +3791,8 @@ TBX_FN int tbx_fine_tri_set(tbx_fine_tri *t, const tbx_fine *f,
         t->plane.slope = slope_y;
         t->slope_z = slope_z;
         t->plane.half = 0.5 * (!f->thin ? steep_y + steep_z : most > 1.0 ? most - 1.0 : 0.0);
-        t->plane.error = (1.0 + steep_y + steep_z) *
-                         (8.0 * f->delta + 64.0 * TBX_U64 * m * m * m / tbx_abs(n[0]));
+        t->plane.error =
+            (1.0 + steep_y + steep_z) * (8.0 * f->delta + 64.0 * TBX_U64 * m * m * m / tbx_abs(n[0]));
     }
     return 1;
 }
@@ -3858,7 +3802,7 @@ TBX_FN void tbx_fine_run(const tbx_target *target, int first, int last, int y, i
 {
     if (first <= last) {
         tbx_set_run(target, target->bits + ((size_t)z * target->ny + (size_t)y) * target->row_words,
-                            (size_t)first, (size_t)last);
+                    (size_t)first, (size_t)last);
     }
 }
 
@@ -3869,8 +3813,8 @@ typedef struct tbx_part {
 } tbx_part;
 
 /* A part of a triangle. Returns 0 if unsure; voxels set by then are right. */
-TBX_NOINLINE int tbx_fine_fill(const tbx_fine *f, const tbx_target *target,
-                                               double v[3][3], const tbx_part *part)
+TBX_NOINLINE int tbx_fine_fill(const tbx_fine *f, const tbx_target *target, double v[3][3],
+                               const tbx_part *part)
 {
     tbx_fine_tri t;
     double x[3][3];
@@ -3878,7 +3822,7 @@ TBX_NOINLINE int tbx_fine_fill(const tbx_fine *f, const tbx_target *target,
     double m = 1.0;
     int first[3];
     int last[3];
-    int longer = 0;     /* axes with more than one voxel */
+    int longer = 0; /* axes with more than one voxel */
     int i;
     int k;
     int y;
@@ -3910,8 +3854,8 @@ TBX_NOINLINE int tbx_fine_fill(const tbx_fine *f, const tbx_target *target,
         most = most > x[2][k] ? most : x[2][k];
         first[k] = tbx_fine_floor(least - f->delta);
         last[k] = tbx_fine_floor(most + f->delta);
-        if (first[k] != tbx_fine_floor(least + f->delta) ||
-            last[k] != tbx_fine_floor(most - f->delta) || last[k] - first[k] >= TBX_FINE) {
+        if (first[k] != tbx_fine_floor(least + f->delta) || last[k] != tbx_fine_floor(most - f->delta) ||
+            last[k] - first[k] >= TBX_FINE) {
             return 0;
         }
         m = most - least > m ? most - least : m;
@@ -3968,10 +3912,8 @@ TBX_NOINLINE int tbx_fine_fill(const tbx_fine *f, const tbx_target *target,
 }
 
 /* A part of one triangle, by the row walk where nothing else is sure. */
-TBX_NOINLINE void tbx_fill_part(const tribox_grid *grid, const tbx_fine *fine,
-                                                const tribox_mesh *mesh, size_t triangle,
-                                                const tbx_part *part,
-                                                const tbx_target *target)
+TBX_NOINLINE void tbx_fill_part(const tribox_grid *grid, const tbx_fine *fine, const tribox_mesh *mesh,
+                                size_t triangle, const tbx_part *part, const tbx_target *target)
 {
     tribox_grid cut = *grid;
     tbx_sink sink;
@@ -4003,7 +3945,7 @@ TBX_FN double tbx_floor_pow2(double x)
 /* The multiple of q at or below x; x itself where its own spacing is no finer. */
 TBX_FN double tbx_floor_to(double x, double q)
 {
-    const double limit = 4503599627370496.0;    /* 2^52 */
+    const double limit = 4503599627370496.0; /* 2^52 */
     const double units = x / q;
     double whole;
     if (!(units < limit && units > -limit)) {
@@ -4014,7 +3956,7 @@ TBX_FN double tbx_floor_to(double x, double q)
 }
 
 #if TRIBOX_SIMD
-/* ---- Meshes, many triangles at once --------------------------------------------------------------------
+/* ---- Meshes, many triangles at once -----------------------------------------------------------------------
  *
  * Most triangles of a mesh touch few voxels. Their index boxes are found several at a time. A box whose
  * voxels are all set is done; one that is longer than one voxel on one axis at most is set whole; boxes of up
@@ -4026,14 +3968,20 @@ TBX_FN double tbx_floor_to(double x, double q)
  * u = 2^-23 bounds a relative rounding error in every mode. Coordinates below are voxels. */
 #if defined(__AVX2__)
 #define TBX_WIDE 8
-#define TBX_ALL(x) { x, x, x, x, x, x, x, x }
+#define TBX_ALL(x) \
+    { \
+        x, x, x, x, x, x, x, x \
+    }
 #else
 #define TBX_WIDE 4
-#define TBX_ALL(x) { x, x, x, x }
+#define TBX_ALL(x) \
+    { \
+        x, x, x, x \
+    }
 #endif
 #define TBX_FORCED TBX_FN __attribute__((always_inline))
 #define TBX_SIGN_BIT (-2147483647 - 1)
-#define TBX_MOST_INDEX 268435456.0f     /* 2^28: what follows fits integers */
+#define TBX_MOST_INDEX 268435456.0f /* 2^28: what follows fits integers */
 
 typedef float tbx_fw __attribute__((vector_size(4 * TBX_WIDE)));
 typedef int32_t tbx_iw __attribute__((vector_size(4 * TBX_WIDE)));
@@ -4095,14 +4043,12 @@ TBX_FORCED tbx_iw tbx_wide_up(tbx_iw a, int bits)
 }
 
 /* Lanes of a where mask, of b elsewhere; lanes of a where mask, 0 elsewhere. */
-TBX_FORCED tbx_iw tbx_wide_select(tbx_iw mask, tbx_iw a,
-                                                          tbx_iw b)
+TBX_FORCED tbx_iw tbx_wide_select(tbx_iw mask, tbx_iw a, tbx_iw b)
 {
     return (mask & a) | (~mask & b);
 }
 
-TBX_FORCED tbx_fw tbx_wide_choose(tbx_iw mask, tbx_fw a,
-                                                          tbx_fw b)
+TBX_FORCED tbx_fw tbx_wide_choose(tbx_iw mask, tbx_fw a, tbx_fw b)
 {
     return (tbx_fw)tbx_wide_select(mask, (tbx_iw)a, (tbx_iw)b);
 }
@@ -4132,8 +4078,7 @@ TBX_FORCED tbx_fw tbx_wide_of(const tbx_f4 part[TBX_WIDE / 4])
 #endif
 }
 
-TBX_FORCED void tbx_wide_parts(tbx_f4 out_part[TBX_WIDE / 4],
-                                               tbx_fw a)
+TBX_FORCED void tbx_wide_parts(tbx_f4 out_part[TBX_WIDE / 4], tbx_fw a)
 {
 #if TBX_WIDE == 4
     out_part[0] = (tbx_f4)a;
@@ -4158,8 +4103,7 @@ TBX_FORCED int tbx_wide_any(tbx_iw mask)
 }
 
 /* Lanes 0..2 of v as points, lane 3 as `last`, and back. */
-TBX_FORCED void tbx_points_from(tbx_points *out, tbx_iw *out_last,
-                                                const tbx_i4 *v)
+TBX_FORCED void tbx_points_from(tbx_points *out, tbx_iw *out_last, const tbx_i4 *v)
 {
     tbx_f4 x[TBX_WIDE / 4];
     tbx_f4 y[TBX_WIDE / 4];
@@ -4186,9 +4130,7 @@ TBX_FORCED void tbx_points_from(tbx_points *out, tbx_iw *out_last,
     *out_last = (tbx_iw)tbx_wide_of(w);
 }
 
-TBX_FORCED void tbx_points_to(tbx_i4 *out, tbx_iw first,
-                                              tbx_iw second, tbx_iw third,
-                                              tbx_iw last)
+TBX_FORCED void tbx_points_to(tbx_i4 *out, tbx_iw first, tbx_iw second, tbx_iw third, tbx_iw last)
 {
     tbx_f4 x[TBX_WIDE / 4];
     tbx_f4 y[TBX_WIDE / 4];
@@ -4229,21 +4171,20 @@ TBX_FORCED float tbx_load_z(const void *a)
     return r;
 }
 
-TBX_FORCED void tbx_load_points(tbx_f4 *x, tbx_f4 *y, tbx_f4 *z,
-                                                const void *a, const void *b, const void *c, const void *d)
+TBX_FORCED void tbx_load_points(tbx_f4 *x, tbx_f4 *y, tbx_f4 *z, const void *a, const void *b, const void *c,
+                                const void *d)
 {
     const tbx_f4 ab = tbx_load_xy(a, b);
     const tbx_f4 cd = tbx_load_xy(c, d);
-    const tbx_f4 third = { tbx_load_z(a), tbx_load_z(b), tbx_load_z(c),
-                                   tbx_load_z(d) };
+    const tbx_f4 third = { tbx_load_z(a), tbx_load_z(b), tbx_load_z(c), tbx_load_z(d) };
     *x = TBX_LANES(ab, cd, 0, 2, 4, 6);
     *y = TBX_LANES(ab, cd, 1, 3, 5, 7);
     *z = third;
 }
 
 /* Corner c of WIDE triangles: those listed, or from the first on if there is no list. */
-TBX_FORCED void tbx_load_corner(tbx_points *out, const tribox_mesh *mesh, int indexed,
-                                                const size_t *list, size_t first, size_t c)
+TBX_FORCED void tbx_load_corner(tbx_points *out, const tribox_mesh *mesh, int indexed, const size_t *list,
+                                size_t first, size_t c)
 {
     const char *positions = (const char *)mesh->positions;
     const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
@@ -4251,13 +4192,10 @@ TBX_FORCED void tbx_load_corner(tbx_points *out, const tribox_mesh *mesh, int in
     tbx_f4 y[TBX_WIDE / 4];
     tbx_f4 z[TBX_WIDE / 4];
 #define TBX_AT(i) (3 * (list != NULL ? list[i] : first + (i)) + c)
-#define TBX_POINT(i) \
-    (positions + stride * (indexed ? (size_t)mesh->indices[TBX_AT(i)] : TBX_AT(i)))
-    tbx_load_points(&x[0], &y[0], &z[0], TBX_POINT(0), TBX_POINT(1),
-                            TBX_POINT(2), TBX_POINT(3));
+#define TBX_POINT(i) (positions + stride * (indexed ? (size_t)mesh->indices[TBX_AT(i)] : TBX_AT(i)))
+    tbx_load_points(&x[0], &y[0], &z[0], TBX_POINT(0), TBX_POINT(1), TBX_POINT(2), TBX_POINT(3));
 #if TBX_WIDE > 4
-    tbx_load_points(&x[1], &y[1], &z[1], TBX_POINT(4), TBX_POINT(5),
-                            TBX_POINT(6), TBX_POINT(7));
+    tbx_load_points(&x[1], &y[1], &z[1], TBX_POINT(4), TBX_POINT(5), TBX_POINT(6), TBX_POINT(7));
 #endif
 #undef TBX_POINT
 #undef TBX_AT
@@ -4266,8 +4204,8 @@ TBX_FORCED void tbx_load_corner(tbx_points *out, const tribox_mesh *mesh, int in
     out->z = tbx_wide_of(z);
 }
 
-TBX_FORCED void tbx_load_corners(tbx_points out[3], const tribox_mesh *mesh,
-                                                 int indexed, const size_t *list, size_t first)
+TBX_FORCED void tbx_load_corners(tbx_points out[3], const tribox_mesh *mesh, int indexed, const size_t *list,
+                                 size_t first)
 {
     tbx_load_corner(&out[0], mesh, indexed, list, first, 0);
     tbx_load_corner(&out[1], mesh, indexed, list, first, 1);
@@ -4298,28 +4236,28 @@ TBX_FORCED void tbx_load_corners(tbx_points out[3], const tribox_mesh *mesh,
  *                  takes an upper face.
  *   OPEN           [i + e, i + 1 - e]: it never counts. */
 typedef struct tbx_quick {
-    float          inverse[3];
-    float          shift_down[3];   /* MARGIN - origin, less and plus the bound */
-    float          shift_up[3];
-    float          base_high[3];    /* of the first inner plane of the box that begins at X = 0 */
-    float          base_low[3];
-    float          size_high[3];
-    float          size_low[3];
-    float          step[3];         /* of the lattice; 0: there is none on this axis */
-    int32_t        end[3];          /* the region's last voxel, MARGIN added */
-    float          delta_low;
+    float inverse[3];
+    float shift_down[3]; /* MARGIN - origin, less and plus the bound */
+    float shift_up[3];
+    float base_high[3]; /* of the first inner plane of the box that begins at X = 0 */
+    float base_low[3];
+    float size_high[3];
+    float size_low[3];
+    float step[3];  /* of the lattice; 0: there is none on this axis */
+    int32_t end[3]; /* the region's last voxel, MARGIN added */
+    float delta_low;
     const tbx_fine *fine;
-    size_t         layer_words;
-    int            on;              /* 0: this grid's numbers are out of range */
-    int            thin;
-    int            lattice;         /* some step is not 0 */
-    int            upper_open;      /* touching a voxel's upper faces does not count */
-    int            lower_open;
+    size_t layer_words;
+    int on; /* 0: this grid's numbers are out of range */
+    int thin;
+    int lattice;    /* some step is not 0 */
+    int upper_open; /* touching a voxel's upper faces does not count */
+    int lower_open;
 } tbx_quick;
 
-#define TBX_MARGIN 16       /* voxels beyond the region in which X is still used */
+#define TBX_MARGIN 16 /* voxels beyond the region in which X is still used */
 #define TBX_PARTS_LOG2 4
-#define TBX_PARTS (1 << TBX_PARTS_LOG2)     /* of a voxel, in the lattice */
+#define TBX_PARTS (1 << TBX_PARTS_LOG2) /* of a voxel, in the lattice */
 
 /* The step of the lattice on axis k, or 0 if there is none. Origins are compared by their bits, subnormals
  * being no 0. */
@@ -4328,7 +4266,7 @@ TBX_FN float tbx_lattice_step(const tribox_grid *grid, int k, double spacing)
     const double step = grid->size[k] * (1.0 / TBX_PARTS);
     const double origin = tbx_abs(grid->origin[k]);
     const double origin_down = tbx_floor_to(origin, spacing);
-    const double most = spacing * 1125899906842624.0;       /* 2^50 */
+    const double most = spacing * 1125899906842624.0; /* 2^50 */
     int exact = tbx_bits64(&origin) == tbx_bits64(&origin_down);
     exact &= tbx_floor_to(step, spacing) >= step;
     exact &= origin < most;
@@ -4336,8 +4274,7 @@ TBX_FN float tbx_lattice_step(const tribox_grid *grid, int k, double spacing)
     return exact ? (float)step : 0.0f;
 }
 
-TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid,
-                                           const tbx_fine *fine, const tbx_target *t)
+TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_fine *fine, const tbx_target *t)
 {
     const double u = (double)TBX_U32;
     const double margin = (double)TBX_MARGIN;
@@ -4370,7 +4307,7 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid,
         if (!(slack < 0.125)) {
             return;
         }
-        spacing = tbx_floor_pow2(most) * (1.0 / 4194304.0);     /* 2^-22 */
+        spacing = tbx_floor_pow2(most) * (1.0 / 4194304.0); /* 2^-22 */
         base_high = tbx_floor_to(base, spacing);
         size_high = tbx_floor_to(size, spacing);
         TBX_KEEP(base_high);
@@ -4394,22 +4331,21 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid,
 /* Index boxes as the ways of a fill take them. In the last lane a byte for each extent, that is the voxels
  * less 1, and these: */
 #define TBX_ON_LATTICE (1 << 24)
-#define TBX_IS_CUT (1 << 25)        /* not all of it is in the region */
-#define TBX_OFF (-2)                /* none of it is */
-#define TBX_NOT_KNOWN (-1)          /* or it is too large, or too far off the region */
+#define TBX_IS_CUT (1 << 25) /* not all of it is in the region */
+#define TBX_OFF (-2)         /* none of it is */
+#define TBX_NOT_KNOWN (-1)   /* or it is too large, or too far off the region */
 
 /* Boxes of WIDE triangles. */
 typedef struct tbx_group {
     tbx_i4 box[TBX_WIDE];
-    size_t         word[TBX_WIDE];      /* of the first voxel */
-    size_t         triangle[TBX_WIDE];
-    int            n;
-    int32_t        lattice;                     /* not 0: some are on the lattice */
+    size_t word[TBX_WIDE]; /* of the first voxel */
+    size_t triangle[TBX_WIDE];
+    int n;
+    int32_t lattice; /* not 0: some are on the lattice */
 } tbx_group;
 
 /* Returns 1 when the group is full. */
-TBX_FORCED int tbx_group_add(tbx_group *g, tbx_i4 box, size_t word,
-                                             size_t triangle)
+TBX_FORCED int tbx_group_add(tbx_group *g, tbx_i4 box, size_t word, size_t triangle)
 {
     const int n = g->n;
     g->box[n] = box;
@@ -4432,7 +4368,7 @@ TBX_FN void tbx_group_pad(tbx_group *g)
 
 /* What a triangle leaves for the row walk. */
 typedef struct tbx_doubt {
-    size_t   triangle;
+    size_t triangle;
     uint16_t first[2];
     uint16_t last[2];
 } tbx_doubt;
@@ -4441,14 +4377,14 @@ typedef struct tbx_doubt {
 #define TBX_BATCH 16
 
 typedef struct tbx_fill {
-    const tribox_mesh        *mesh;
+    const tribox_mesh *mesh;
     const tbx_target *target;
-    const tbx_fine   *fine;
-    tbx_quick         quick;
-    tbx_group         group[3];     /* boxes of up to 2^3, 3^3, 4^3 voxels */
-    tbx_group         rows[2];      /* of up to FEW^3, ROWS^3 */
-    int                       doubts;   /* a batch's, and of what waited in groups, at most */
-    tbx_doubt         doubt[TBX_BATCH + 5 * TBX_WIDE];
+    const tbx_fine *fine;
+    tbx_quick quick;
+    tbx_group group[3]; /* boxes of up to 2^3, 3^3, 4^3 voxels */
+    tbx_group rows[2];  /* of up to FEW^3, ROWS^3 */
+    int doubts;         /* a batch's, and of what waited in groups, at most */
+    tbx_doubt doubt[TBX_BATCH + 5 * TBX_WIDE];
 } tbx_fill;
 
 TBX_FN tbx_doubt *tbx_fill_later(tbx_fill *fill, size_t triangle)
@@ -4465,11 +4401,11 @@ TBX_FN tbx_doubt *tbx_fill_later(tbx_fill *fill, size_t triangle)
 /* ---- Index boxes of WIDE triangles */
 
 typedef struct tbx_boxes {
-    tbx_iw first[3];    /* MARGIN added */
+    tbx_iw first[3]; /* MARGIN added */
     tbx_iw last[3];
-    tbx_iw cut;         /* negative: not all in the region, by the guess */
-    tbx_iw unsure;      /* not 0: a face is too near to a grid plane, or a corner is not finite */
-    tbx_iw lattice;     /* not 0: on some axis all corners are on the lattice */
+    tbx_iw cut;     /* negative: not all in the region, by the guess */
+    tbx_iw unsure;  /* not 0: a face is too near to a grid plane, or a corner is not finite */
+    tbx_iw lattice; /* not 0: on some axis all corners are on the lattice */
 } tbx_boxes;
 
 TBX_FORCED tbx_iw tbx_box_round(tbx_fw x)
@@ -4481,28 +4417,22 @@ TBX_FORCED tbx_iw tbx_box_round(tbx_fw x)
 
 /* The place next to x on axis k's lattice, in PARTS of a voxel from MARGIN voxels before the region. Clears
  * lanes of `on` where x is not there; its bits tell, but for the sign of 0. */
-TBX_FORCED tbx_fw tbx_lattice_place(const tbx_quick *q, int k,
-                                                            tbx_fw x, tbx_iw *on)
+TBX_FORCED tbx_fw tbx_lattice_place(const tbx_quick *q, int k, tbx_fw x, tbx_iw *on)
 {
     const tbx_fw parts = tbx_wide_all((float)TBX_PARTS);
-    const tbx_fw guess = x * tbx_wide_all(q->inverse[k]) +
-                                 tbx_wide_all(q->shift_down[k]);
-    const tbx_fw place = __builtin_convertvector(
-        tbx_box_round(guess * parts + tbx_wide_all(0.5f)), tbx_fw);
-    tbx_fw there = tbx_wide_all(q->base_high[k]) +
-                           (place - parts) * tbx_wide_all(q->step[k]);
+    const tbx_fw guess = x * tbx_wide_all(q->inverse[k]) + tbx_wide_all(q->shift_down[k]);
+    const tbx_fw place = __builtin_convertvector(tbx_box_round(guess * parts + tbx_wide_all(0.5f)), tbx_fw);
+    tbx_fw there = tbx_wide_all(q->base_high[k]) + (place - parts) * tbx_wide_all(q->step[k]);
     tbx_iw is_zero;
     TBX_KEEP4(there);
-    is_zero = (((tbx_iw)there | (tbx_iw)x) & tbx_wide_int(0x7fffffff)) ==
-              tbx_wide_int(0);
+    is_zero = (((tbx_iw)there | (tbx_iw)x) & tbx_wide_int(0x7fffffff)) == tbx_wide_int(0);
     *on &= ((tbx_iw)there == (tbx_iw)x) | is_zero;
     return place;
 }
 
 /* Index boxes on axis k; if asked, exactly where all corners are on the lattice. */
-TBX_FORCED void tbx_box_axis(const tbx_quick *q, int k, tbx_fw x0,
-                                             tbx_fw x1, tbx_fw x2, int on_lattice,
-                                             tbx_boxes *out)
+TBX_FORCED void tbx_box_axis(const tbx_quick *q, int k, tbx_fw x0, tbx_fw x1, tbx_fw x2, int on_lattice,
+                             tbx_boxes *out)
 {
     const tbx_fw inverse = tbx_wide_all(q->inverse[k]);
     const tbx_fw down = tbx_wide_all(q->shift_down[k]);
@@ -4513,20 +4443,16 @@ TBX_FORCED void tbx_box_axis(const tbx_quick *q, int k, tbx_fw x0,
     tbx_iw last = tbx_box_round(high + up);
     tbx_iw before;
     /* truncation is towards 0: below it is unsure, and cut; where the two guesses differ, a face is near */
-    tbx_iw unsure = (first ^ tbx_box_round(low + up)) |
-                            (last ^ tbx_box_round(high + down));
+    tbx_iw unsure = (first ^ tbx_box_round(low + up)) | (last ^ tbx_box_round(high + down));
     if (on_lattice && q->step[k] > 0.0f) {
         const tbx_iw to_voxels = tbx_wide_int(TBX_PARTS_LOG2);
         tbx_iw on = tbx_wide_int(-1);
         const tbx_fw p0 = tbx_lattice_place(q, k, x0, &on);
         const tbx_fw p1 = tbx_lattice_place(q, k, x1, &on);
         const tbx_fw p2 = tbx_lattice_place(q, k, x2, &on);
-        const tbx_iw least = __builtin_convertvector(
-            tbx_wide_min(tbx_wide_min(p0, p1), p2), tbx_iw);
-        const tbx_iw most = __builtin_convertvector(
-            tbx_wide_max(tbx_wide_max(p0, p1), p2), tbx_iw);
-        first = tbx_wide_select(on, (least - tbx_wide_int(!q->upper_open)) >> to_voxels,
-                                        first);
+        const tbx_iw least = __builtin_convertvector(tbx_wide_min(tbx_wide_min(p0, p1), p2), tbx_iw);
+        const tbx_iw most = __builtin_convertvector(tbx_wide_max(tbx_wide_max(p0, p1), p2), tbx_iw);
+        first = tbx_wide_select(on, (least - tbx_wide_int(!q->upper_open)) >> to_voxels, first);
         last = tbx_wide_select(on, (most - tbx_wide_int(q->lower_open)) >> to_voxels, last);
         unsure &= ~on;
         out->lattice |= on;
@@ -4538,11 +4464,9 @@ TBX_FORCED void tbx_box_axis(const tbx_quick *q, int k, tbx_fw x0,
     out->last[k] = last;
 }
 
-TBX_FORCED void tbx_boxes_of(const tbx_quick *q, const tbx_points v[3],
-                                             int on_lattice, tbx_boxes *out)
+TBX_FORCED void tbx_boxes_of(const tbx_quick *q, const tbx_points v[3], int on_lattice, tbx_boxes *out)
 {
-    const tbx_fw sum = ((v[0].x + v[1].x + v[2].x) + (v[0].y + v[1].y + v[2].y)) +
-                               (v[0].z + v[1].z + v[2].z);
+    const tbx_fw sum = ((v[0].x + v[1].x + v[2].x) + (v[0].y + v[1].y + v[2].y)) + (v[0].z + v[1].z + v[2].z);
     out->cut = tbx_wide_int(0);
     out->lattice = tbx_wide_int(0);
     out->unsure = ((tbx_iw)sum & tbx_wide_int(0x7fffffff)) > tbx_wide_int(0x7f7fffff);
@@ -4563,30 +4487,28 @@ TBX_FORCED tbx_iw tbx_extents(const tbx_boxes *box)
  * and in the region. */
 TBX_FORCED int tbx_boxes_are_special(const tbx_boxes *box)
 {
-    const tbx_iw extents = (box->last[0] - box->first[0]) | (box->last[1] - box->first[1]) |
-                                   (box->last[2] - box->first[2]);
+    const tbx_iw extents =
+        (box->last[0] - box->first[0]) | (box->last[1] - box->first[1]) | (box->last[2] - box->first[2]);
     const tbx_iw other = box->unsure | (extents & tbx_wide_int(~(TBX_ROWS - 1)));
     return tbx_wide_any((other != tbx_wide_int(0)) | box->cut);
 }
 
 /* Lanes of boxes off the region, by the guess on that side: X is off by its bound at most within MARGIN, by
  * 2^-20 of itself beyond; a triangle that is not finite sets nothing anyway. Empty boxes are off, too. */
-TBX_FORCED tbx_iw tbx_boxes_off(const tbx_quick *q,
-                                                        const tbx_boxes *box)
+TBX_FORCED tbx_iw tbx_boxes_off(const tbx_quick *q, const tbx_boxes *box)
 {
     tbx_iw off = tbx_wide_int(0);
     int k;
     for (k = 0; k < 3; k++) {
-        off |= (box->last[k] - tbx_wide_int(TBX_MARGIN)) |
-               (tbx_wide_int(q->end[k]) - box->first[k]) | (box->last[k] - box->first[k]);
+        off |= (box->last[k] - tbx_wide_int(TBX_MARGIN)) | (tbx_wide_int(q->end[k]) - box->first[k]) |
+               (box->last[k] - box->first[k]);
     }
     return off < tbx_wide_int(0);
 }
 
 /* Any boxes, as guessed, of triangles v. */
-TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_points v[3],
-                                                    tbx_boxes *box,
-                                                    tbx_i4 out[TBX_WIDE])
+TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_points v[3], tbx_boxes *box,
+                                    tbx_i4 out[TBX_WIDE])
 {
     const tbx_iw none = tbx_wide_int(0);
     tbx_iw off = tbx_boxes_off(q, box);
@@ -4601,14 +4523,12 @@ TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_points v[3],
         }
         for (k = 0; k < 3; k++) {
             other |= box->last[k] - box->first[k];
-            far |= (box->first[k] - tbx_wide_int(1)) |
-                   (tbx_wide_int(q->end[k] + TBX_MARGIN) - box->last[k]);
+            far |= (box->first[k] - tbx_wide_int(1)) | (tbx_wide_int(q->end[k] + TBX_MARGIN) - box->last[k]);
         }
         other = box->unsure | (other & tbx_wide_int(~(TBX_ROWS - 1)));
         last = tbx_extents(box) | (box->lattice & tbx_wide_int(TBX_ON_LATTICE)) |
                ((box->cut < none) & tbx_wide_int(TBX_IS_CUT));
-        last = tbx_wide_select((far < none) | (other != none),
-                                       tbx_wide_int(TBX_NOT_KNOWN), last);
+        last = tbx_wide_select((far < none) | (other != none), tbx_wide_int(TBX_NOT_KNOWN), last);
         last = tbx_wide_select(off, tbx_wide_int(TBX_OFF), last);
     }
     tbx_points_to(out, box->first[0], box->first[1], box->first[2], last);
@@ -4655,18 +4575,24 @@ typedef struct tbx_missed {
     tbx_iw low;
     tbx_iw high;
     tbx_iw both;
-    tbx_fw least;           /* of |E| and |area| */
-    tbx_fw least_plane;     /* of |D| */
-    tbx_fw touch_plane;     /* |D| up to which the plane touches */
+    tbx_fw least;       /* of |E| and |area| */
+    tbx_fw least_plane; /* of |D| */
+    tbx_fw touch_plane; /* |D| up to which the plane touches */
 } tbx_missed;
 
 #define TBX_STRIDE(n, k) ((k) == 0 ? 1 : (k) == 1 ? (n) : (n) * (n))
 
 /* Voxels of index 0 along axis k; n = 4: in half of them. */
 #define TBX_AT0(n, k) \
-    ((n) == 2 ? ((k) == 0 ? 0x55u : (k) == 1 ? 0x33u : 0x0fu) : \
-     (n) == 3 ? ((k) == 0 ? 0x01249249u : (k) == 1 ? 0x001c0e07u : 0x000001ffu) : \
-                ((k) == 0 ? 0x11111111u : (k) == 1 ? 0x000f000fu : 0x0000ffffu))
+    ((n) == 2   ? ((k) == 0   ? 0x55u \
+                   : (k) == 1 ? 0x33u \
+                              : 0x0fu) \
+     : (n) == 3 ? ((k) == 0   ? 0x01249249u \
+                   : (k) == 1 ? 0x001c0e07u \
+                              : 0x000001ffu) \
+                : ((k) == 0   ? 0x11111111u \
+                   : (k) == 1 ? 0x000f000fu \
+                              : 0x0000ffffu))
 
 /* Voxels of index 0 along axis k, or of index 1 where `up`; n = 2: bits above 7 are anything. */
 TBX_FORCED tbx_iw tbx_group_side(tbx_iw up, int n, int k)
@@ -4694,24 +4620,22 @@ TBX_FORCED void tbx_group_miss(tbx_missed *m, tbx_iw voxels, int n, int z)
 
 /* The inner point i, j steps along b, c from the first: e is negative outside; `cell` is missed
  * at the first. */
-TBX_FORCED void tbx_group_point(tbx_missed *m, tbx_fw e, tbx_iw cell,
-                                                int n, int b, int c, int i, int j)
+TBX_FORCED void tbx_group_point(tbx_missed *m, tbx_fw e, tbx_iw cell, int n, int b, int c, int i, int j)
 {
     const int z = b == 2 ? i : c == 2 ? j : -1;
-    const int up = (n == 4 && b == 2 ? 0 : i * TBX_STRIDE(n, b)) +
-                   (n == 4 && c == 2 ? 0 : j * TBX_STRIDE(n, c));
+    const int up =
+        (n == 4 && b == 2 ? 0 : i * TBX_STRIDE(n, b)) + (n == 4 && c == 2 ? 0 : j * TBX_STRIDE(n, c));
     m->least = tbx_wide_min(m->least, tbx_wide_abs(e));
     tbx_group_miss(m, tbx_wide_up(cell, up) & tbx_wide_sign(e), n, z);
 }
 
 /* An edge d with E = e at the first inner point; sign is the area's; |E| up to `touch` touches. */
-TBX_FORCED void tbx_group_edge(tbx_missed *m, tbx_fw e, tbx_fw d_b,
-                                               tbx_fw d_c, tbx_iw sign, tbx_fw touch,
-                                               int n, int b, int c)
+TBX_FORCED void tbx_group_edge(tbx_missed *m, tbx_fw e, tbx_fw d_b, tbx_fw d_c, tbx_iw sign, tbx_fw touch,
+                               int n, int b, int c)
 {
     const tbx_iw sign_bit = tbx_wide_int(TBX_SIGN_BIT);
-    const tbx_iw cell = tbx_group_side(tbx_wide_sign(d_c) ^ ~sign, n, b) &
-                                tbx_group_side(tbx_wide_sign(d_b) ^ sign, n, c);
+    const tbx_iw cell =
+        tbx_group_side(tbx_wide_sign(d_c) ^ ~sign, n, b) & tbx_group_side(tbx_wide_sign(d_b) ^ sign, n, c);
     const tbx_fw e00 = tbx_wide_flip(e, sign & sign_bit) + touch;
     const tbx_fw to_b = tbx_wide_flip(d_c, ~sign & sign_bit);
     const tbx_fw to_c = tbx_wide_flip(d_b, sign & sign_bit);
@@ -4736,11 +4660,8 @@ TBX_FORCED void tbx_group_edge(tbx_missed *m, tbx_fw e, tbx_fw d_b,
 }
 
 /* The three edges in the plane of axes b and c. Returns twice the area there. */
-TBX_FORCED tbx_fw tbx_group_edges(tbx_missed *m, tbx_fw b0,
-                                                          tbx_fw b1, tbx_fw b2,
-                                                          tbx_fw c0, tbx_fw c1,
-                                                          tbx_fw c2, tbx_fw touch,
-                                                          int n, int b, int c)
+TBX_FORCED tbx_fw tbx_group_edges(tbx_missed *m, tbx_fw b0, tbx_fw b1, tbx_fw b2, tbx_fw c0, tbx_fw c1,
+                                  tbx_fw c2, tbx_fw touch, int n, int b, int c)
 {
     tbx_fw e0 = b0 * c1 - c0 * b1;
     tbx_fw e1 = b1 * c2 - c1 * b2;
@@ -4761,16 +4682,15 @@ TBX_FORCED tbx_fw tbx_group_edges(tbx_missed *m, tbx_fw b0,
 
 /* The inner points of a row at y, z steps: D = d at its first. Missed there: `cell`, with `change`
  * if D < 0. */
-TBX_FORCED void tbx_group_row(tbx_missed *m, tbx_fw d, tbx_fw n_x,
-                                              tbx_iw cell, tbx_iw change, int n, int y, int z)
+TBX_FORCED void tbx_group_row(tbx_missed *m, tbx_fw d, tbx_fw n_x, tbx_iw cell, tbx_iw change, int n, int y,
+                              int z)
 {
     const int up = y * n + (n == 4 ? 0 : z * n * n);
     int x;
     for (x = 0; x < 3; x++) {
         if (x < n - 1) {
             const tbx_fw size = tbx_wide_abs(d);
-            const tbx_iw missed = (cell ^ (change & tbx_wide_sign(d))) &
-                                          (size > m->touch_plane);
+            const tbx_iw missed = (cell ^ (change & tbx_wide_sign(d))) & (size > m->touch_plane);
             m->least_plane = tbx_wide_min(m->least_plane, size);
             tbx_group_miss(m, tbx_wide_up(missed, up + x), n, z);
             d -= n_x;
@@ -4779,16 +4699,13 @@ TBX_FORCED void tbx_group_row(tbx_missed *m, tbx_fw d, tbx_fw n_x,
 }
 
 /* The plane with normal (n_x, n_y, n_z) and D = d at the first inner point. */
-TBX_FORCED void tbx_group_plane(tbx_missed *m, tbx_fw n_x, tbx_fw n_y,
-                                                tbx_fw n_z, tbx_fw d, int n)
+TBX_FORCED void tbx_group_plane(tbx_missed *m, tbx_fw n_x, tbx_fw n_y, tbx_fw n_z, tbx_fw d, int n)
 {
     const tbx_iw s_x = tbx_wide_sign(n_x);
     const tbx_iw s_y = tbx_wide_sign(n_y);
     const tbx_iw s_z = tbx_wide_sign(n_z);
-    const tbx_iw cell = tbx_group_side(s_x, n, 0) & tbx_group_side(s_y, n, 1) &
-                                tbx_group_side(s_z, n, 2);
-    const tbx_iw other = tbx_group_side(~s_x, n, 0) & tbx_group_side(~s_y, n, 1) &
-                                 tbx_group_side(~s_z, n, 2);
+    const tbx_iw cell = tbx_group_side(s_x, n, 0) & tbx_group_side(s_y, n, 1) & tbx_group_side(s_z, n, 2);
+    const tbx_iw other = tbx_group_side(~s_x, n, 0) & tbx_group_side(~s_y, n, 1) & tbx_group_side(~s_z, n, 2);
     const tbx_iw change = cell ^ other;
     m->least_plane = tbx_wide_abs(d);
     tbx_group_row(m, d, n_x, cell, change, n, 0, 0);
@@ -4813,8 +4730,7 @@ TBX_FORCED void tbx_group_plane(tbx_missed *m, tbx_fw n_x, tbx_fw n_y,
 
 /* Misses the voxels of index i = 1.. along axis k that a smaller box does not have: the triangle stays before
  * the grid plane there. */
-TBX_FORCED void tbx_group_beyond(tbx_missed *m, tbx_fw x0, tbx_fw x1,
-                                                 tbx_fw x2, int n, int k)
+TBX_FORCED void tbx_group_beyond(tbx_missed *m, tbx_fw x0, tbx_fw x1, tbx_fw x2, int n, int k)
 {
     const tbx_fw most = tbx_wide_max(tbx_wide_max(x0, x1), x2);
     const uint32_t at0 = TBX_AT0(n, k);
@@ -4830,8 +4746,7 @@ TBX_FORCED void tbx_group_beyond(tbx_missed *m, tbx_fw x0, tbx_fw x1,
 }
 
 /* Coordinates of one axis from the first inner grid plane of box `first`. */
-TBX_FORCED void tbx_group_place(const tbx_quick *q, int k, tbx_iw first,
-                                                tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
+TBX_FORCED void tbx_group_place(const tbx_quick *q, int k, tbx_iw first, tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
 {
     const tbx_fw at = __builtin_convertvector(first, tbx_fw);
     const tbx_fw inverse = tbx_wide_all(q->inverse[k]);
@@ -4858,15 +4773,14 @@ TBX_FORCED void tbx_group_place(const tbx_quick *q, int k, tbx_iw first,
  * an edge and the plane touch; lanes `plane_sure` are sure of D. */
 typedef struct tbx_group_placed {
     tbx_points v[3];
-    tbx_fw     touch[3];
-    tbx_fw     touch_plane;
-    tbx_iw     plane_sure;
+    tbx_fw touch[3];
+    tbx_fw touch_plane;
+    tbx_iw plane_sure;
 } tbx_group_placed;
 
 /* Corners of a group's triangles, and their boxes. */
-TBX_FORCED void tbx_group_corners(tbx_points out_v[3], tbx_points *out_first,
-                                                  tbx_iw *out_extents, const tbx_group *g,
-                                                  const tribox_mesh *mesh)
+TBX_FORCED void tbx_group_corners(tbx_points out_v[3], tbx_points *out_first, tbx_iw *out_extents,
+                                  const tbx_group *g, const tribox_mesh *mesh)
 {
     if (mesh->indices != NULL) {
         tbx_load_corners(out_v, mesh, 1, g->triangle, 0);
@@ -4878,11 +4792,8 @@ TBX_FORCED void tbx_group_corners(tbx_points out_v[3], tbx_points *out_first,
 
 /* Coordinates on axis k from the first inner grid plane, exactly where they are on the lattice. Returns these
  * lanes, in out_level those in which all three are the same. */
-TBX_FORCED tbx_iw tbx_group_snap(const tbx_quick *q, int k,
-                                                         tbx_iw first, tbx_fw x0,
-                                                         tbx_fw x1, tbx_fw x2,
-                                                         tbx_fw *out0, tbx_fw *out1,
-                                                         tbx_fw *out2, tbx_iw *out_level)
+TBX_FORCED tbx_iw tbx_group_snap(const tbx_quick *q, int k, tbx_iw first, tbx_fw x0, tbx_fw x1, tbx_fw x2,
+                                 tbx_fw *out0, tbx_fw *out1, tbx_fw *out2, tbx_iw *out_level)
 {
     const tbx_fw at = __builtin_convertvector(first, tbx_fw) + tbx_wide_all(1.0f);
     const tbx_fw part = tbx_wide_all(1.0f / TBX_PARTS);
@@ -4899,11 +4810,8 @@ TBX_FORCED tbx_iw tbx_group_snap(const tbx_quick *q, int k,
 
 /* The lanes in which a triangle is a segment in a plane, of those on the lattice on both axes, and of those
  * level on one. */
-TBX_FORCED tbx_iw tbx_group_flat(tbx_fw b0, tbx_fw b1,
-                                                         tbx_fw b2, tbx_fw c0,
-                                                         tbx_fw c1, tbx_fw c2,
-                                                         tbx_iw on, tbx_iw level,
-                                                         tbx_fw *out_touch)
+TBX_FORCED tbx_iw tbx_group_flat(tbx_fw b0, tbx_fw b1, tbx_fw b2, tbx_fw c0, tbx_fw c1, tbx_fw c2, tbx_iw on,
+                                 tbx_iw level, tbx_fw *out_touch)
 {
     const tbx_fw area = (b1 - b0) * (c2 - c0) - (c1 - c0) * (b2 - b0);
     const tbx_fw half = tbx_wide_all(0.5f / (TBX_PARTS * TBX_PARTS));
@@ -4911,8 +4819,8 @@ TBX_FORCED tbx_iw tbx_group_flat(tbx_fw b0, tbx_fw b1,
     return ((area == tbx_wide_all(0.0f)) & on) | level;
 }
 
-TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_group *g,
-                                                       const tribox_mesh *mesh, tbx_group_placed *p)
+TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_group *g, const tribox_mesh *mesh,
+                                       tbx_group_placed *p)
 {
     tbx_points *const a = &p->v[0];
     tbx_points *const b = &p->v[1];
@@ -4928,27 +4836,19 @@ TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_group *g,
     tbx_iw on_z;
     tbx_iw flat;
     tbx_group_corners(v, &first, &extents, g, mesh);
-    on_x = tbx_group_snap(q, 0, (tbx_iw)first.x, v[0].x, v[1].x, v[2].x, &a->x, &b->x, &c->x,
-                                  &level_x);
-    on_y = tbx_group_snap(q, 1, (tbx_iw)first.y, v[0].y, v[1].y, v[2].y, &a->y, &b->y, &c->y,
-                                  &level_y);
-    on_z = tbx_group_snap(q, 2, (tbx_iw)first.z, v[0].z, v[1].z, v[2].z, &a->z, &b->z, &c->z,
-                                  &level_z);
-    flat = tbx_group_flat(a->x, b->x, c->x, a->y, b->y, c->y, on_x & on_y, level_x | level_y,
-                                  &p->touch[0]) |
-           tbx_group_flat(a->y, b->y, c->y, a->z, b->z, c->z, on_y & on_z, level_y | level_z,
-                                  &p->touch[1]) |
-           tbx_group_flat(a->z, b->z, c->z, a->x, b->x, c->x, on_z & on_x, level_z | level_x,
-                                  &p->touch[2]);
+    on_x = tbx_group_snap(q, 0, (tbx_iw)first.x, v[0].x, v[1].x, v[2].x, &a->x, &b->x, &c->x, &level_x);
+    on_y = tbx_group_snap(q, 1, (tbx_iw)first.y, v[0].y, v[1].y, v[2].y, &a->y, &b->y, &c->y, &level_y);
+    on_z = tbx_group_snap(q, 2, (tbx_iw)first.z, v[0].z, v[1].z, v[2].z, &a->z, &b->z, &c->z, &level_z);
+    flat = tbx_group_flat(a->x, b->x, c->x, a->y, b->y, c->y, on_x & on_y, level_x | level_y, &p->touch[0]) |
+           tbx_group_flat(a->y, b->y, c->y, a->z, b->z, c->z, on_y & on_z, level_y | level_z, &p->touch[1]) |
+           tbx_group_flat(a->z, b->z, c->z, a->x, b->x, c->x, on_z & on_x, level_z | level_x, &p->touch[2]);
     p->plane_sure = flat | (on_x & on_y & on_z);
     p->touch_plane = tbx_wide_where(flat, tbx_wide_all(TBX_MOST_INDEX));
 }
 
 /* The voxels that each triangle of a group misses. Returns the lanes that are unsure. */
-TBX_FORCED tbx_iw tbx_group_decide(const tbx_quick *q,
-                                                           const tbx_group *g,
-                                                           const tribox_mesh *mesh, int n,
-                                                           tbx_missed *m)
+TBX_FORCED tbx_iw tbx_group_decide(const tbx_quick *q, const tbx_group *g, const tribox_mesh *mesh, int n,
+                                   tbx_missed *m)
 {
     const float delta = 4.1f * TBX_U32 * (float)n + q->delta_low;
     const tbx_iw none = tbx_wide_int(0);
@@ -4975,12 +4875,9 @@ TBX_FORCED tbx_iw tbx_group_decide(const tbx_quick *q,
     tbx_group_beyond(m, p.v[0].x, p.v[1].x, p.v[2].x, n, 0);
     tbx_group_beyond(m, p.v[0].y, p.v[1].y, p.v[2].y, n, 1);
     tbx_group_beyond(m, p.v[0].z, p.v[1].z, p.v[2].z, n, 2);
-    n_z = tbx_group_edges(m, p.v[0].x, p.v[1].x, p.v[2].x, p.v[0].y, p.v[1].y, p.v[2].y, p.touch[0],
-                                  n, 0, 1);
-    n_x = tbx_group_edges(m, p.v[0].y, p.v[1].y, p.v[2].y, p.v[0].z, p.v[1].z, p.v[2].z, p.touch[1],
-                                  n, 1, 2);
-    n_y = tbx_group_edges(m, p.v[0].z, p.v[1].z, p.v[2].z, p.v[0].x, p.v[1].x, p.v[2].x, p.touch[2],
-                                  n, 2, 0);
+    n_z = tbx_group_edges(m, p.v[0].x, p.v[1].x, p.v[2].x, p.v[0].y, p.v[1].y, p.v[2].y, p.touch[0], n, 0, 1);
+    n_x = tbx_group_edges(m, p.v[0].y, p.v[1].y, p.v[2].y, p.v[0].z, p.v[1].z, p.v[2].z, p.touch[1], n, 1, 2);
+    n_y = tbx_group_edges(m, p.v[0].z, p.v[1].z, p.v[2].z, p.v[0].x, p.v[1].x, p.v[2].x, p.touch[2], n, 2, 0);
     tbx_group_plane(m, n_x, n_y, n_z, (n_x * p.v[0].x + n_y * p.v[0].y) + n_z * p.v[0].z, n);
     m->low |= m->both;
     m->high |= m->both;
@@ -4989,8 +4886,7 @@ TBX_FORCED tbx_iw tbx_group_decide(const tbx_quick *q,
 }
 
 /* Sets voxels of triangle i's box, all in the region. */
-TBX_FORCED void tbx_group_set(const tbx_fill *fill, const tbx_group *g, int i,
-                                              int n, uint64_t voxels)
+TBX_FORCED void tbx_group_set(const tbx_fill *fill, const tbx_group *g, int i, int n, uint64_t voxels)
 {
     const size_t row_words = fill->target->row_words;
     const size_t layer_words = fill->quick.layer_words;
@@ -5000,7 +4896,7 @@ TBX_FORCED void tbx_group_set(const tbx_fill *fill, const tbx_group *g, int i,
     const int more_z = (g->box[i][3] >> 16) & 3;
     uint64_t *row = fill->target->bits + g->word[i];
     int z;
-    if (TBX_RARELY(x > 64 - n)) {       /* in two words, if they hold any of it */
+    if (TBX_RARELY(x > 64 - n)) { /* in two words, if they hold any of it */
         for (z = 0; z <= more_z; z++, row += layer_words) {
             int y;
             for (y = 0; y <= more_y; y++, voxels >>= n) {
@@ -5014,7 +4910,7 @@ TBX_FORCED void tbx_group_set(const tbx_fill *fill, const tbx_group *g, int i,
             voxels >>= n * (n - 1 - more_y);
         }
     } else {
-        const size_t y1 = more_y > 0 ? row_words : 0;       /* rows not in the box: no bits, into row 0 */
+        const size_t y1 = more_y > 0 ? row_words : 0; /* rows not in the box: no bits, into row 0 */
         const size_t y2 = more_y > 1 ? 2 * row_words : 0;
         const size_t y3 = more_y > 2 ? 3 * row_words : 0;
         for (z = 0; z < n; z++) {
@@ -5069,22 +4965,22 @@ typedef double tbx_dw __attribute__((vector_size(8 * TBX_WIDE)));
 
 /* What the lines of rows are made of, in lanes of triangles. */
 typedef struct tbx_row_parts {
-    tbx_points v[3];        /* from the first inner grid planes */
-    tbx_points e[3];        /* edges */
+    tbx_points v[3]; /* from the first inner grid planes */
+    tbx_points e[3]; /* edges */
     tbx_points n;
-    tbx_fw     slope_y;     /* of the plane: -n_y / n_x, -n_z / n_x */
-    tbx_fw     slope_z;
-    tbx_fw     inverse;     /* 1 / n_x */
-    tbx_fw     reach;       /* m */
-    tbx_fw     rounding;    /* 24 u (m + 2) + 2 delta_low */
-    tbx_fw     tau;
-    tbx_points step;        /* of the lattice in planes yz, zx, xy, if both axes are on it, */
-    tbx_points step_b;      /* or the bounded one, */
-    tbx_fw     step_plane;  /* or all, times that of n */
-    tbx_iw     flat_x;      /* n is exactly 0 on this axis */
-    tbx_iw     flat_y;
-    tbx_iw     flat_z;
-    int                on_lattice;  /* 0: all of step and flat are 0 */
+    tbx_fw slope_y; /* of the plane: -n_y / n_x, -n_z / n_x */
+    tbx_fw slope_z;
+    tbx_fw inverse;  /* 1 / n_x */
+    tbx_fw reach;    /* m */
+    tbx_fw rounding; /* 24 u (m + 2) + 2 delta_low */
+    tbx_fw tau;
+    tbx_points step;   /* of the lattice in planes yz, zx, xy, if both axes are on it, */
+    tbx_points step_b; /* or the bounded one, */
+    tbx_fw step_plane; /* or all, times that of n */
+    tbx_iw flat_x;     /* n is exactly 0 on this axis */
+    tbx_iw flat_y;
+    tbx_iw flat_z;
+    int on_lattice; /* 0: all of step and flat are 0 */
 } tbx_row_parts;
 
 /* A line for each edge in the plane of axes b and r: its bounds in row r are those in row 0 plus slope * r;
@@ -5104,21 +5000,20 @@ typedef struct tbx_rows {
     tbx_row_lines x_of_y;
     tbx_row_lines x_of_z;
     tbx_row_lines y_of_z;
-    tbx_fw        at;
-    tbx_fw        slope_y;
-    tbx_fw        slope_z;
-    tbx_fw        lo_least;
-    tbx_fw        lo_most;
-    tbx_fw        hi_least;
-    tbx_fw        hi_most;
-    tbx_iw        extents;
-    tbx_iw        unsure;
+    tbx_fw at;
+    tbx_fw slope_y;
+    tbx_fw slope_z;
+    tbx_fw lo_least;
+    tbx_fw lo_most;
+    tbx_fw hi_least;
+    tbx_fw hi_most;
+    tbx_iw extents;
+    tbx_iw unsure;
 } tbx_rows;
 
 /* The first two edges on one axis, and all three in floats. */
-TBX_FORCED void tbx_row_axis(tbx_dw out[2], tbx_fw *e0, tbx_fw *e1,
-                                             tbx_fw *e2, tbx_fw x0, tbx_fw x1,
-                                             tbx_fw x2, double inverse)
+TBX_FORCED void tbx_row_axis(tbx_dw out[2], tbx_fw *e0, tbx_fw *e1, tbx_fw *e2, tbx_fw x0, tbx_fw x1,
+                             tbx_fw x2, double inverse)
 {
     const tbx_dw scale = TBX_ALL(inverse);
     const tbx_dw d0 = __builtin_convertvector(x0, tbx_dw);
@@ -5139,8 +5034,7 @@ TBX_FORCED void tbx_row_axis(tbx_dw out[2], tbx_fw *e0, tbx_fw *e1,
 }
 
 /* Edges, normals and slopes, which floats would not do for. */
-TBX_FORCED void tbx_row_normals(tbx_row_parts *p, const double inverse[3],
-                                                const tbx_points v[3])
+TBX_FORCED void tbx_row_normals(tbx_row_parts *p, const double inverse[3], const tbx_points v[3])
 {
     tbx_dw x[2];
     tbx_dw y[2];
@@ -5168,53 +5062,47 @@ TBX_FORCED void tbx_row_normals(tbx_row_parts *p, const double inverse[3],
 }
 
 /* The greatest power of two of which a, b and c are multiples; they are of 1 / parts. */
-TBX_FORCED tbx_fw tbx_step_of(tbx_fw a, tbx_fw b, tbx_fw c,
-                                                      int parts)
+TBX_FORCED tbx_fw tbx_step_of(tbx_fw a, tbx_fw b, tbx_fw c, int parts)
 {
     const tbx_fw in_all = tbx_wide_all((float)parts);
     const tbx_iw bits = __builtin_convertvector(a * in_all, tbx_iw) |
-                                __builtin_convertvector(b * in_all, tbx_iw) |
-                                __builtin_convertvector(c * in_all, tbx_iw);
+                        __builtin_convertvector(b * in_all, tbx_iw) |
+                        __builtin_convertvector(c * in_all, tbx_iw);
     return __builtin_convertvector(bits & -bits, tbx_fw) * tbx_wide_all(1.0f / (float)parts);
 }
 
 /* Edges of one axis that are on the lattice, and the bits of their places. */
-TBX_FORCED tbx_iw tbx_row_snap(tbx_iw on, tbx_fw v0,
-                                                       tbx_fw v1, tbx_fw v2,
-                                                       tbx_fw *e0, tbx_fw *e1,
-                                                       tbx_fw *e2)
+TBX_FORCED tbx_iw tbx_row_snap(tbx_iw on, tbx_fw v0, tbx_fw v1, tbx_fw v2, tbx_fw *e0, tbx_fw *e1, tbx_fw *e2)
 {
     const tbx_fw parts = tbx_wide_all((float)TBX_PARTS);
     *e0 = tbx_wide_choose(on, v1 - v0, *e0);
     *e1 = tbx_wide_choose(on, v2 - v1, *e1);
     *e2 = tbx_wide_choose(on, v0 - v2, *e2);
-    return on & (__builtin_convertvector(v0 * parts, tbx_iw) |
-                 __builtin_convertvector(v1 * parts, tbx_iw) |
+    return on & (__builtin_convertvector(v0 * parts, tbx_iw) | __builtin_convertvector(v1 * parts, tbx_iw) |
                  __builtin_convertvector(v2 * parts, tbx_iw));
 }
 
 /* All of this that is on the lattice, exactly. */
-TBX_NOINLINE void tbx_row_parts_snap(tbx_row_parts *p, const tbx_quick *q,
-                                                     const tbx_points v[3],
-                                                     const tbx_points *first)
+TBX_NOINLINE void tbx_row_parts_snap(tbx_row_parts *p, const tbx_quick *q, const tbx_points v[3],
+                                     const tbx_points *first)
 {
     const tbx_fw zero = tbx_wide_all(0.0f);
     tbx_iw level_x;
     tbx_iw level_y;
     tbx_iw level_z;
-    const tbx_iw on_x = tbx_group_snap(q, 0, (tbx_iw)first->x, v[0].x, v[1].x, v[2].x,
-                                                       &p->v[0].x, &p->v[1].x, &p->v[2].x, &level_x);
-    const tbx_iw on_y = tbx_group_snap(q, 1, (tbx_iw)first->y, v[0].y, v[1].y, v[2].y,
-                                                       &p->v[0].y, &p->v[1].y, &p->v[2].y, &level_y);
-    const tbx_iw on_z = tbx_group_snap(q, 2, (tbx_iw)first->z, v[0].z, v[1].z, v[2].z,
-                                                       &p->v[0].z, &p->v[1].z, &p->v[2].z, &level_z);
+    const tbx_iw on_x = tbx_group_snap(q, 0, (tbx_iw)first->x, v[0].x, v[1].x, v[2].x, &p->v[0].x, &p->v[1].x,
+                                       &p->v[2].x, &level_x);
+    const tbx_iw on_y = tbx_group_snap(q, 1, (tbx_iw)first->y, v[0].y, v[1].y, v[2].y, &p->v[0].y, &p->v[1].y,
+                                       &p->v[2].y, &level_y);
+    const tbx_iw on_z = tbx_group_snap(q, 2, (tbx_iw)first->z, v[0].z, v[1].z, v[2].z, &p->v[0].z, &p->v[1].z,
+                                       &p->v[2].z, &level_z);
     const tbx_iw places =
         tbx_row_snap(on_x, p->v[0].x, p->v[1].x, p->v[2].x, &p->e[0].x, &p->e[1].x, &p->e[2].x) |
         tbx_row_snap(on_y, p->v[0].y, p->v[1].y, p->v[2].y, &p->e[0].y, &p->e[1].y, &p->e[2].y) |
         tbx_row_snap(on_z, p->v[0].z, p->v[1].z, p->v[2].z, &p->e[0].z, &p->e[1].z, &p->e[2].z) |
         tbx_wide_int(TBX_PARTS / 2);
-    const tbx_fw step = __builtin_convertvector(places & -places, tbx_fw) *
-                                tbx_wide_all(1.0f / TBX_PARTS);     /* the coarsest */
+    const tbx_fw step =
+        __builtin_convertvector(places & -places, tbx_fw) * tbx_wide_all(1.0f / TBX_PARTS); /* the coarsest */
     p->n.x = tbx_wide_choose(on_y & on_z, p->e[0].y * p->e[1].z - p->e[0].z * p->e[1].y, p->n.x);
     p->n.y = tbx_wide_choose(on_z & on_x, p->e[0].z * p->e[1].x - p->e[0].x * p->e[1].z, p->n.y);
     p->n.z = tbx_wide_choose(on_x & on_y, p->e[0].x * p->e[1].y - p->e[0].y * p->e[1].x, p->n.z);
@@ -5226,17 +5114,15 @@ TBX_NOINLINE void tbx_row_parts_snap(tbx_row_parts *p, const tbx_quick *q,
     p->step.z = tbx_wide_where(on_x & on_y, step);
     p->step_b.x = tbx_wide_where(on_y, step);
     p->step_b.y = p->step_b.z = tbx_wide_where(on_x, step);
-    p->step_plane = tbx_wide_where(
-        on_x & on_y & on_z,
-        step * tbx_step_of(p->n.x, p->n.y, p->n.z, TBX_PARTS * TBX_PARTS));
+    p->step_plane =
+        tbx_wide_where(on_x & on_y & on_z, step * tbx_step_of(p->n.x, p->n.y, p->n.z, TBX_PARTS * TBX_PARTS));
     p->on_lattice = 1;
 }
 
 /* Widens bounds, or narrows them, so that what lies on them counts as the rule says; uphill where the upper
  * one is attained on an upper face of its row. */
-TBX_FORCED void tbx_row_touch(tbx_fw *lo_spread, tbx_fw *hi_spread,
-                                              const tbx_quick *q, tbx_fw touch,
-                                              tbx_iw uphill)
+TBX_FORCED void tbx_row_touch(tbx_fw *lo_spread, tbx_fw *hi_spread, const tbx_quick *q, tbx_fw touch,
+                              tbx_iw uphill)
 {
     const tbx_iw sign = tbx_wide_int(TBX_SIGN_BIT);
     const tbx_iw upper_open = tbx_wide_int(-q->upper_open);
@@ -5247,11 +5133,9 @@ TBX_FORCED void tbx_row_touch(tbx_fw *lo_spread, tbx_fw *hi_spread,
 
 /* Edge i's line in a plane. Edges bound from both sides in lanes `two`; `off` is how far they may be off,
  * times d_r. */
-TBX_FORCED void tbx_row_line(tbx_row_lines *out, const tbx_row_parts *p,
-                                             const tbx_quick *q, int i, tbx_fw v_b,
-                                             tbx_fw v_r, tbx_fw e_b, tbx_fw e_r,
-                                             tbx_fw area, tbx_iw two, tbx_fw off,
-                                             tbx_fw step, tbx_fw step_b)
+TBX_FORCED void tbx_row_line(tbx_row_lines *out, const tbx_row_parts *p, const tbx_quick *q, int i,
+                             tbx_fw v_b, tbx_fw v_r, tbx_fw e_b, tbx_fw e_r, tbx_fw area, tbx_iw two,
+                             tbx_fw off, tbx_fw step, tbx_fw step_b)
 {
     const tbx_fw zero = tbx_wide_all(0.0f);
     const tbx_fw half = tbx_wide_all(0.5f);
@@ -5273,9 +5157,8 @@ TBX_FORCED void tbx_row_line(tbx_row_lines *out, const tbx_row_parts *p,
     if (p->on_lattice) {
         const tbx_fw times_d_r = step * tbx_step_of(e_b, e_r, zero, TBX_PARTS);
         tbx_row_touch(&lo_spread, &hi_spread, q,
-                              half * tbx_wide_choose(e_b == zero, step_b,
-                                                             times_d_r * tbx_wide_abs(inverse)),
-                              slope > zero);
+                      half * tbx_wide_choose(e_b == zero, step_b, times_d_r * tbx_wide_abs(inverse)),
+                      slope > zero);
     }
     lo = tbx_wide_choose(is_lo, middle - lo_spread, -nowhere);
     hi = tbx_wide_choose(is_hi, middle + hi_spread, nowhere);
@@ -5288,8 +5171,7 @@ TBX_FORCED void tbx_row_line(tbx_row_lines *out, const tbx_row_parts *p,
 }
 
 /* The plane's bounds; in lanes `vacuous` its condition follows from the edges'. */
-TBX_FORCED void tbx_row_plane(tbx_rows *out, const tbx_row_parts *p,
-                                              const tbx_quick *q, tbx_iw vacuous)
+TBX_FORCED void tbx_row_plane(tbx_rows *out, const tbx_row_parts *p, const tbx_quick *q, tbx_iw vacuous)
 {
     const tbx_fw zero = tbx_wide_all(0.0f);
     const tbx_fw half = tbx_wide_all(0.5f);
@@ -5302,14 +5184,13 @@ TBX_FORCED void tbx_row_plane(tbx_rows *out, const tbx_row_parts *p,
     const tbx_fw steep_z = tbx_wide_abs(slope_z);
     const tbx_fw inverse = tbx_wide_abs(p->inverse);
     const tbx_fw by_n_x = tbx_wide_all(4.0f) * p->tau * inverse * (p->reach + two);
-    const tbx_fw error = tbx_wide_where(~vacuous,
-                                                        (one + steep_y + steep_z) * (p->rounding + by_n_x));
+    const tbx_fw error = tbx_wide_where(~vacuous, (one + steep_y + steep_z) * (p->rounding + by_n_x));
     const tbx_fw thin = tbx_wide_max(tbx_wide_max(steep_y, steep_z) - one, zero);
     tbx_fw lo_spread = half * (q->thin ? thin : steep_y + steep_z);
     tbx_fw hi_spread = lo_spread;
     if (p->on_lattice) {
         tbx_row_touch(&lo_spread, &hi_spread, q, half * p->step_plane * inverse,
-                              (slope_y > zero) | (slope_z > zero));
+                      (slope_y > zero) | (slope_z > zero));
     }
     lo_spread = tbx_wide_choose(vacuous, nowhere, lo_spread);
     hi_spread = tbx_wide_choose(vacuous, nowhere, hi_spread);
@@ -5330,8 +5211,7 @@ TBX_FORCED tbx_iw tbx_extent(tbx_iw extents, int k)
 }
 
 /* The lines and planes of a group. */
-TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q,
-                                               const tbx_group *g, const tribox_mesh *mesh)
+TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q, const tbx_group *g, const tribox_mesh *mesh)
 {
     const tbx_fw one = tbx_wide_all(1.0f);
     const tbx_fw zero = tbx_wide_all(0.0f);
@@ -5339,18 +5219,16 @@ TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q,
     tbx_points v[3];
     tbx_points first;
     tbx_fw off;
-    tbx_iw near_x;      /* n might be 0 on this axis, */
+    tbx_iw near_x; /* n might be 0 on this axis, */
     tbx_iw near_y;
     tbx_iw near_z;
-    tbx_iw flat;        /* or is on some */
+    tbx_iw flat; /* or is on some */
     int i;
     tbx_group_corners(v, &first, &out->extents, g, mesh);
-    p.reach = one + tbx_wide_max(
-        tbx_wide_max(__builtin_convertvector(tbx_extent(out->extents, 0), tbx_fw),
-                             __builtin_convertvector(tbx_extent(out->extents, 1), tbx_fw)),
-        __builtin_convertvector(tbx_extent(out->extents, 2), tbx_fw));
-    p.rounding = tbx_wide_all(24.0f * TBX_U32) * (p.reach + one + one) +
-                 tbx_wide_all(2.0f * q->delta_low);
+    p.reach = one + tbx_wide_max(tbx_wide_max(__builtin_convertvector(tbx_extent(out->extents, 0), tbx_fw),
+                                              __builtin_convertvector(tbx_extent(out->extents, 1), tbx_fw)),
+                                 __builtin_convertvector(tbx_extent(out->extents, 2), tbx_fw));
+    p.rounding = tbx_wide_all(24.0f * TBX_U32) * (p.reach + one + one) + tbx_wide_all(2.0f * q->delta_low);
     p.tau = tbx_wide_all((float)(64.0 * TBX_U64)) * p.reach * p.reach;
     p.v[0] = v[0];
     p.v[1] = v[1];
@@ -5372,9 +5250,8 @@ TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q,
     near_y = (tbx_wide_abs(p.n.y) <= p.tau) & ~p.flat_y;
     near_z = (tbx_wide_abs(p.n.z) <= p.tau) & ~p.flat_z;
     tbx_row_plane(out, &p, q, flat | near_x);
-    out->unsure |= near_x & ~flat & (tbx_wide_abs(p.n.y) + tbx_wide_abs(p.n.z) <=
-                                     tbx_wide_all(1e-3f));
-    if (q->thin) {      /* it has to know */
+    out->unsure |= near_x & ~flat & (tbx_wide_abs(p.n.y) + tbx_wide_abs(p.n.z) <= tbx_wide_all(1e-3f));
+    if (q->thin) { /* it has to know */
         out->unsure |= near_x | near_y | near_z;
     }
     off = tbx_wide_all(8192.0f) * p.tau * p.reach * p.reach;
@@ -5382,11 +5259,11 @@ TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q,
         const tbx_points *a = &p.v[i];
         const tbx_points *e = &p.e[i];
         tbx_row_line(&out->x_of_y, &p, q, i, a->x, a->y, e->x, e->y, p.n.z, near_z,
-                             tbx_wide_where(near_z, off), p.step.z, p.step_b.z);
+                     tbx_wide_where(near_z, off), p.step.z, p.step_b.z);
         tbx_row_line(&out->x_of_z, &p, q, i, a->x, a->z, e->x, e->z, -p.n.y, near_y,
-                             tbx_wide_where(near_y, off), p.step.y, p.step_b.y);
+                     tbx_wide_where(near_y, off), p.step.y, p.step_b.y);
         tbx_row_line(&out->y_of_z, &p, q, i, a->y, a->z, e->y, e->z, p.n.x, near_x,
-                             tbx_wide_where(near_x, off), p.step.x, p.step_b.x);
+                     tbx_wide_where(near_x, off), p.step.x, p.step_b.x);
     }
 }
 
@@ -5400,29 +5277,24 @@ typedef struct tbx_row_bounds {
     tbx_fw hi_most;
 } tbx_row_bounds;
 
-TBX_FORCED tbx_fw tbx_row_most(const tbx_fw at[3],
-                                                       const tbx_fw step[3])
+TBX_FORCED tbx_fw tbx_row_most(const tbx_fw at[3], const tbx_fw step[3])
 {
     return tbx_wide_max(tbx_wide_max(at[0] + step[0], at[1] + step[1]), at[2] + step[2]);
 }
 
-TBX_FORCED tbx_fw tbx_row_least(const tbx_fw at[3],
-                                                        const tbx_fw step[3])
+TBX_FORCED tbx_fw tbx_row_least(const tbx_fw at[3], const tbx_fw step[3])
 {
     return tbx_wide_min(tbx_wide_min(at[0] + step[0], at[1] + step[1]), at[2] + step[2]);
 }
 
 /* Within lo..hi. */
-TBX_FORCED tbx_fw tbx_row_within(tbx_fw bound, tbx_fw lo,
-                                                         tbx_fw hi)
+TBX_FORCED tbx_fw tbx_row_within(tbx_fw bound, tbx_fw lo, tbx_fw hi)
 {
     return tbx_wide_min(tbx_wide_max(bound, lo), hi);
 }
 
 /* The bounds of a row, within voxels 1..extent + 1; half a voxel off what might be unsure. */
-TBX_FORCED void tbx_row_bounds_set(tbx_row_bounds *out,
-                                                   const tbx_row_lines *l, int row,
-                                                   tbx_iw extent)
+TBX_FORCED void tbx_row_bounds_set(tbx_row_bounds *out, const tbx_row_lines *l, int row, tbx_iw extent)
 {
     const tbx_fw at = tbx_wide_all((float)row);
     const tbx_fw first = tbx_wide_all(1.5f);
@@ -5456,7 +5328,7 @@ TBX_FORCED tbx_uw tbx_wide_bit(tbx_uw i)
 #else
     const tbx_uw bias = (tbx_uw)tbx_wide_int(127);
     const tbx_uw exponent = (i + bias) << (tbx_uw)tbx_wide_int(23);
-    return (tbx_uw)__builtin_convertvector((tbx_fw)exponent, tbx_iw);
+    return (tbx_uw) __builtin_convertvector((tbx_fw)exponent, tbx_iw);
 #endif
 }
 
@@ -5468,8 +5340,7 @@ typedef struct tbx_few {
     tbx_iw unsure;
 } tbx_few;
 
-TBX_FORCED void tbx_few_set(tbx_few *out, const tbx_rows *r,
-                                            int rows, int layers)
+TBX_FORCED void tbx_few_set(tbx_few *out, const tbx_rows *r, int rows, int layers)
 {
     const tbx_iw extent_x = tbx_extent(r->extents, 0);
     const tbx_iw extent_y = tbx_extent(r->extents, 1);
@@ -5495,25 +5366,25 @@ TBX_FORCED void tbx_few_set(tbx_few *out, const tbx_rows *r,
         tbx_row_bounds_set(&y_of_z, &r->y_of_z, z, extent_y);
         first_y = tbx_row_voxel(y_of_z.lo_least);
         last_y = tbx_row_voxel(y_of_z.hi_most) & ~(tbx_wide_int(z) > extent_z);
-        out->unsure |= ((first_y != tbx_row_voxel(y_of_z.lo_most)) |
-                        (last_y != tbx_row_voxel(y_of_z.hi_least))) & ~(first_y > last_y);
+        out->unsure |=
+            ((first_y != tbx_row_voxel(y_of_z.lo_most)) | (last_y != tbx_row_voxel(y_of_z.hi_least))) &
+            ~(first_y > last_y);
         out->first_y[z] = first_y;
         out->last_y[z] = last_y;
         for (y = 0; y < rows; y++) {
             const tbx_fw step = tbx_wide_all((float)y) * r->slope_y;
-            const tbx_iw first = tbx_row_voxel(tbx_wide_max(
-                tbx_wide_max(x_of_y[y].lo_least, x_of_z.lo_least), lo_least + step));
-            const tbx_iw first_most = tbx_row_voxel(tbx_wide_max(
-                tbx_wide_max(x_of_y[y].lo_most, x_of_z.lo_most), lo_most + step));
-            const tbx_iw last_least = tbx_row_voxel(tbx_wide_min(
-                tbx_wide_min(x_of_y[y].hi_least, x_of_z.hi_least), hi_least + step));
-            const tbx_iw last = tbx_row_voxel(tbx_wide_min(
-                tbx_wide_min(x_of_y[y].hi_most, x_of_z.hi_most), hi_most + step));
+            const tbx_iw first = tbx_row_voxel(
+                tbx_wide_max(tbx_wide_max(x_of_y[y].lo_least, x_of_z.lo_least), lo_least + step));
+            const tbx_iw first_most =
+                tbx_row_voxel(tbx_wide_max(tbx_wide_max(x_of_y[y].lo_most, x_of_z.lo_most), lo_most + step));
+            const tbx_iw last_least = tbx_row_voxel(
+                tbx_wide_min(tbx_wide_min(x_of_y[y].hi_least, x_of_z.hi_least), hi_least + step));
+            const tbx_iw last =
+                tbx_row_voxel(tbx_wide_min(tbx_wide_min(x_of_y[y].hi_most, x_of_z.hi_most), hi_most + step));
             const tbx_iw row = tbx_wide_int(y + 1);
             const tbx_iw none = (first > last) | (first_y > row) | (row > last_y);
             const tbx_uw before = (tbx_uw)first - (tbx_uw)tbx_wide_int(1);
-            const tbx_uw voxels = tbx_wide_bit((tbx_uw)last) -
-                                          tbx_wide_bit(before);
+            const tbx_uw voxels = tbx_wide_bit((tbx_uw)last) - tbx_wide_bit(before);
             out->unsure |= ((first != first_most) | (last != last_least)) & ~none;
             out->x[z][y] = (tbx_iw)voxels & ~none;
         }
@@ -5521,8 +5392,7 @@ TBX_FORCED void tbx_few_set(tbx_few *out, const tbx_rows *r,
 }
 
 /* Sets the voxels of lane i; asks for the memory of the layer above each. */
-TBX_FN void tbx_few_store(const tbx_few *few, const tbx_fill *fill,
-                                          const tbx_group *g, int i)
+TBX_FN void tbx_few_store(const tbx_few *few, const tbx_fill *fill, const tbx_group *g, int i)
 {
     const size_t row_words = fill->target->row_words;
     const size_t layer_words = fill->quick.layer_words;
@@ -5558,19 +5428,15 @@ typedef struct tbx_lane_bounds {
 } tbx_lane_bounds;
 
 /* The greatest and the least of three lines in four rows, from their values in row 0 and their steps. */
-TBX_FORCED tbx_f4 tbx_lane_most(const tbx_fw at[3], int lane,
-                                                        const tbx_f4 step[3])
+TBX_FORCED tbx_f4 tbx_lane_most(const tbx_fw at[3], int lane, const tbx_f4 step[3])
 {
-    const tbx_f4 ab = tbx_max4(tbx_splat(at[0][lane]) + step[0],
-                                              tbx_splat(at[1][lane]) + step[1]);
+    const tbx_f4 ab = tbx_max4(tbx_splat(at[0][lane]) + step[0], tbx_splat(at[1][lane]) + step[1]);
     return tbx_max4(ab, tbx_splat(at[2][lane]) + step[2]);
 }
 
-TBX_FORCED tbx_f4 tbx_lane_least(const tbx_fw at[3], int lane,
-                                                         const tbx_f4 step[3])
+TBX_FORCED tbx_f4 tbx_lane_least(const tbx_fw at[3], int lane, const tbx_f4 step[3])
 {
-    const tbx_f4 ab = tbx_min4(tbx_splat(at[0][lane]) + step[0],
-                                              tbx_splat(at[1][lane]) + step[1]);
+    const tbx_f4 ab = tbx_min4(tbx_splat(at[0][lane]) + step[0], tbx_splat(at[1][lane]) + step[1]);
     return tbx_min4(ab, tbx_splat(at[2][lane]) + step[2]);
 }
 
@@ -5582,8 +5448,8 @@ TBX_FORCED void tbx_lane_store(float *out, tbx_f4 bound, float lo, float hi)
 }
 
 /* The bounds of so many rows, within voxels lo..hi - 1; half a voxel off what might be unsure. */
-TBX_FN void tbx_lane_bounds_set(tbx_lane_bounds *out, const tbx_row_lines *l,
-                                                int lane, int rows, int lo, int hi)
+TBX_FN void tbx_lane_bounds_set(tbx_lane_bounds *out, const tbx_row_lines *l, int lane, int rows, int lo,
+                                int hi)
 {
     const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
     const float first = (float)lo + 1.5f;
@@ -5599,22 +5465,17 @@ TBX_FN void tbx_lane_bounds_set(tbx_lane_bounds *out, const tbx_row_lines *l,
         hi_step[0] = tbx_splat(l->hi_slope[0][lane]) * row;
         hi_step[1] = tbx_splat(l->hi_slope[1][lane]) * row;
         hi_step[2] = tbx_splat(l->hi_slope[2][lane]) * row;
-        tbx_lane_store(out->lo_least + i, tbx_lane_most(l->lo_least, lane, lo_step), first,
-                               last + 1.0f);
-        tbx_lane_store(out->lo_most + i, tbx_lane_most(l->lo_most, lane, lo_step), first,
-                               last + 1.0f);
-        tbx_lane_store(out->hi_least + i, tbx_lane_least(l->hi_least, lane, hi_step), 0.5f,
-                               last);
-        tbx_lane_store(out->hi_most + i, tbx_lane_least(l->hi_most, lane, hi_step), 0.5f,
-                               last);
+        tbx_lane_store(out->lo_least + i, tbx_lane_most(l->lo_least, lane, lo_step), first, last + 1.0f);
+        tbx_lane_store(out->lo_most + i, tbx_lane_most(l->lo_most, lane, lo_step), first, last + 1.0f);
+        tbx_lane_store(out->hi_least + i, tbx_lane_least(l->hi_least, lane, hi_step), 0.5f, last);
+        tbx_lane_store(out->hi_most + i, tbx_lane_least(l->hi_most, lane, hi_step), 0.5f, last);
     }
 }
 
 /* A bound as a whole voxel; a plane's may be far away. */
 TBX_FORCED tbx_i4 tbx_lane_voxel(tbx_f4 a)
 {
-    return __builtin_convertvector(tbx_min4(tbx_max4(a, tbx_splat(0.5f)),
-                                                    tbx_splat(TBX_NOWHERE)), tbx_i4);
+    return __builtin_convertvector(tbx_min4(tbx_max4(a, tbx_splat(0.5f)), tbx_splat(TBX_NOWHERE)), tbx_i4);
 }
 
 /* Bounds of one layer z: those of the edges in xz, and of the plane in row 0. */
@@ -5625,20 +5486,19 @@ typedef struct tbx_layer {
 } tbx_layer;
 
 /* Voxels of rows y..y + 3. Returns the lanes that are unsure. */
-TBX_FORCED tbx_i4 tbx_layer_rows(const tbx_layer *l,
-                                                         const tbx_lane_bounds *x_of_y, int y,
-                                                         tbx_i4 *out_first, tbx_i4 *out_last)
+TBX_FORCED tbx_i4 tbx_layer_rows(const tbx_layer *l, const tbx_lane_bounds *x_of_y, int y, tbx_i4 *out_first,
+                                 tbx_i4 *out_last)
 {
     const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
     const tbx_f4 step = (tbx_splat((float)y) + four) * l->slope;
-    const tbx_i4 first_least = tbx_lane_voxel(tbx_max4(
-        tbx_max4(tbx_load4(x_of_y->lo_least + y), l->lo_least), l->plane_lo_least + step));
-    const tbx_i4 first_most = tbx_lane_voxel(tbx_max4(
-        tbx_max4(tbx_load4(x_of_y->lo_most + y), l->lo_most), l->plane_lo_most + step));
-    const tbx_i4 last_least = tbx_lane_voxel(tbx_min4(
-        tbx_min4(tbx_load4(x_of_y->hi_least + y), l->hi_least), l->plane_hi_least + step));
-    const tbx_i4 last_most = tbx_lane_voxel(tbx_min4(
-        tbx_min4(tbx_load4(x_of_y->hi_most + y), l->hi_most), l->plane_hi_most + step));
+    const tbx_i4 first_least = tbx_lane_voxel(
+        tbx_max4(tbx_max4(tbx_load4(x_of_y->lo_least + y), l->lo_least), l->plane_lo_least + step));
+    const tbx_i4 first_most = tbx_lane_voxel(
+        tbx_max4(tbx_max4(tbx_load4(x_of_y->lo_most + y), l->lo_most), l->plane_lo_most + step));
+    const tbx_i4 last_least = tbx_lane_voxel(
+        tbx_min4(tbx_min4(tbx_load4(x_of_y->hi_least + y), l->hi_least), l->plane_hi_least + step));
+    const tbx_i4 last_most = tbx_lane_voxel(
+        tbx_min4(tbx_min4(tbx_load4(x_of_y->hi_most + y), l->hi_most), l->plane_hi_most + step));
     const tbx_i4 differ = (first_least ^ first_most) | (last_least ^ last_most);
     *out_first = first_least;
     *out_last = last_most;
@@ -5646,9 +5506,8 @@ TBX_FORCED tbx_i4 tbx_layer_rows(const tbx_layer *l,
 }
 
 /* Sets voxels first[i]..last[i] of rows from..to, `row` being the first of them; asks for those above. */
-TBX_FORCED void tbx_layer_set(const tbx_target *t, uint64_t *row, size_t row_words,
-                                              size_t layer_words, tbx_i4 first, tbx_i4 last,
-                                              int from, int to)
+TBX_FORCED void tbx_layer_set(const tbx_target *t, uint64_t *row, size_t row_words, size_t layer_words,
+                              tbx_i4 first, tbx_i4 last, int from, int to)
 {
     int32_t first_x[4];
     int32_t last_x[4];
@@ -5680,18 +5539,16 @@ TBX_FN void tbx_doubt_add(tbx_doubt *d, int z, int first_y, int last_y)
 }
 
 /* Lane i of a group, whose box has up to ROWS voxels on each axis. */
-TBX_FN void tbx_lane_fill(tbx_fill *fill, const tbx_rows *rows,
-                                          const tbx_group *g, int lane)
+TBX_FN void tbx_lane_fill(tbx_fill *fill, const tbx_rows *rows, const tbx_group *g, int lane)
 {
     const tbx_quick *q = &fill->quick;
     const tbx_target *t = fill->target;
-    uint64_t *const bits = t->bits;     /* stores to the bits might change what t and q hold */
+    uint64_t *const bits = t->bits; /* stores to the bits might change what t and q hold */
     const size_t row_words = t->row_words;
     const size_t layer_words = q->layer_words;
     const int *n = fill->fine->n;
     const tbx_i4 box = g->box[lane];
-    const int at[3] = { box[0] - TBX_MARGIN, box[1] - TBX_MARGIN,
-                        box[2] - TBX_MARGIN };
+    const int at[3] = { box[0] - TBX_MARGIN, box[1] - TBX_MARGIN, box[2] - TBX_MARGIN };
     const int count[3] = { (box[3] & 255) + 1, (box[3] >> 8 & 255) + 1, (box[3] >> 16 & 255) + 1 };
     tbx_lane_bounds x_of_y;
     tbx_lane_bounds x_of_z;
@@ -5746,10 +5603,10 @@ TBX_FN void tbx_lane_fill(tbx_fill *fill, const tbx_rows *rows,
                         tbx_doubt_add(&doubt, at[2] + z, at[1] + y + i, at[1] + y + i);
                     }
                 }
-                last |= unsure;     /* nothing */
+                last |= unsure; /* nothing */
             }
             tbx_layer_set(t, row, row_words, layer_words, first + tbx_splat_int(at[0] - 1),
-                                  last + tbx_splat_int(at[0] - 1), from, to);
+                          last + tbx_splat_int(at[0] - 1), from, to);
         }
     }
     if (doubt.first[0] <= doubt.last[0]) {
@@ -5810,8 +5667,7 @@ TBX_NOINLINE void tbx_rows_flush(tbx_fill *fill, tbx_group *g)
 /* ---- All ways together */
 
 /* A box of any kind, by rows or exactly. */
-TBX_FN void tbx_fill_any(tbx_fill *fill, tbx_i4 box, size_t word,
-                                         size_t triangle)
+TBX_FN void tbx_fill_any(tbx_fill *fill, tbx_i4 box, size_t word, size_t triangle)
 {
     if ((box[3] & ~(TBX_ON_LATTICE | 0x010101 * (TBX_FEW - 1))) == 0) {
         if (tbx_group_add(&fill->rows[0], box, word, triangle)) {
@@ -5873,13 +5729,12 @@ TBX_NOINLINE void tbx_group_flush4(tbx_fill *fill, tbx_group *g)
 /* Boxes, and the words of the first voxels of those in the region. */
 typedef struct tbx_batch {
     tbx_i4 box[TBX_BATCH];
-    size_t         word[TBX_BATCH];
+    size_t word[TBX_BATCH];
 } tbx_batch;
 
 /* Boxes of WIDE triangles: those listed, or from the first on if there is no list. */
-TBX_FORCED void tbx_boxes_set(tbx_i4 out[TBX_WIDE],
-                                              const tbx_fill *fill, int indexed, const size_t *list,
-                                              size_t first)
+TBX_FORCED void tbx_boxes_set(tbx_i4 out[TBX_WIDE], const tbx_fill *fill, int indexed, const size_t *list,
+                              size_t first)
 {
     tbx_points v[3];
     tbx_boxes box;
@@ -5895,8 +5750,7 @@ TBX_FORCED void tbx_boxes_set(tbx_i4 out[TBX_WIDE],
 }
 
 /* The boxes of so many triangles from t, BATCH at most; asks for the memory of their voxels. */
-TBX_NOINLINE void tbx_batch_set(tbx_batch *b, const tbx_fill *fill, size_t t,
-                                                int count)
+TBX_NOINLINE void tbx_batch_set(tbx_batch *b, const tbx_fill *fill, size_t t, int count)
 {
     const tbx_target *target = fill->target;
     const size_t layer_words = fill->quick.layer_words;
@@ -5967,7 +5821,7 @@ TBX_NOINLINE void tbx_fill_batch(tbx_fill *fill, size_t t, int count)
     tbx_batch_set(&batch, fill, t, count);
     for (i = 0; i < count; i++, t++) {
         const tbx_i4 box = batch.box[i];
-        const int more = box[3] & ~TBX_ON_LATTICE;      /* fits 2^3, 3^3, 4^3 voxels? */
+        const int more = box[3] & ~TBX_ON_LATTICE; /* fits 2^3, 3^3, 4^3 voxels? */
         if ((more & ~0x010101) == 0 && tbx_fill_short(fill, box, batch.word[i])) {
             continue;
         }
@@ -6005,8 +5859,8 @@ TBX_FN void tbx_fill_doubts(tbx_fill *fill, const tribox_grid *grid)
 }
 
 /* All triangles. Returns how many are done: 0 if the grid's numbers are out of range. */
-TBX_FN size_t tbx_fill_quick(const tribox_grid *grid, const tbx_fine *fine,
-                                             const tribox_mesh *mesh, const tbx_target *target)
+TBX_FN size_t tbx_fill_quick(const tribox_grid *grid, const tbx_fine *fine, const tribox_mesh *mesh,
+                             const tbx_target *target)
 {
     tbx_fill fill;
     size_t t = 0;
@@ -6142,7 +5996,7 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
     double t_max[3];
     double longest = 0.0;
     double size;
-    double bump = 0.0;      /* doubles, for a mesh that is small beside its coordinates */
+    double bump = 0.0; /* doubles, for a mesh that is small beside its coordinates */
     int fits = 0;
     int k;
     grid->flags = 0;
@@ -6164,7 +6018,7 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
     size = longest / n * (1.0 + 1.0 / 512.0 / n);
     while (!fits) {
         double q;
-        q = tbx_floor_pow2(size) * (1.0 / 8388608.0);       /* 2^-23: 24 bits of size */
+        q = tbx_floor_pow2(size) * (1.0 / 8388608.0); /* 2^-23: 24 bits of size */
         size = tbx_floor_to(size + bump, q) + q;
         bump = 2.0 * bump + q;
         q = tbx_floor_pow2(size) * (1.0 / 4096.0);
@@ -6185,7 +6039,7 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
 }
 
 #ifndef TRIBOX_NO_COMPANIONS
-/* ---- 13. Implementation: companions --------------------------------------------------------------------
+/* ---- 10. Companions ---------------------------------------------------------------------------------------
  *
  * Each algorithm is written once, over tbx_num, and runs at most twice: first in double with a bound
  * of the error beside each value, then, only if some sign was unsure, in integers. Both runs take the same
@@ -6204,17 +6058,17 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
 #define TBX_NUM_LIMBS 56
 
 typedef struct tbx_num {
-    double   mid;           /* in double */
-    double   rad;
-    int      sign;          /* in integers */
-    int      exponent;
-    int      n;
+    double mid; /* in double */
+    double rad;
+    int sign; /* in integers */
+    int exponent;
+    int n;
     uint32_t limb[TBX_NUM_LIMBS];
 } tbx_num;
 
 typedef struct tbx_calc {
-    int exact;              /* which of the two runs */
-    int unsure;             /* some sign was not certain: what follows means nothing */
+    int exact;  /* which of the two runs */
+    int unsure; /* some sign was not certain: what follows means nothing */
 } tbx_calc;
 
 /* r = a * 2^(a's exponent - exponent) */
@@ -6245,7 +6099,7 @@ TBX_FN void tbx_num_pack(tbx_num *r, const tbx_big *a, int exponent)
     while (zeros < a->n && a->limb[zeros] == 0) {
         zeros++;
     }
-    r->mid = 0.0;       /* unused; compilers warn of what they cannot see */
+    r->mid = 0.0; /* unused; compilers warn of what they cannot see */
     r->rad = 0.0;
     r->sign = a->sign;
     r->n = a->n - zeros;
@@ -6264,8 +6118,7 @@ TBX_COLD void tbx_num_set_exact(tbx_num *r, double x)
     tbx_num_pack(r, &a, exponent);
 }
 
-TBX_COLD void tbx_num_add_exact(tbx_num *r, const tbx_num *a,
-                                                const tbx_num *b, int sign)
+TBX_COLD void tbx_num_add_exact(tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
 {
     const int a_lower = b->sign == 0 || (a->sign != 0 && a->exponent < b->exponent);
     const int exponent = a_lower ? a->exponent : b->exponent;
@@ -6277,8 +6130,7 @@ TBX_COLD void tbx_num_add_exact(tbx_num *r, const tbx_num *a,
     tbx_num_pack(r, &x, exponent);
 }
 
-TBX_COLD void tbx_num_mul_exact(tbx_num *r, const tbx_num *a,
-                                                const tbx_num *b)
+TBX_COLD void tbx_num_mul_exact(tbx_num *r, const tbx_num *a, const tbx_num *b)
 {
     const int exponent = a->exponent + b->exponent;
     tbx_big x;
@@ -6306,7 +6158,7 @@ TBX_COLD double tbx_num_value_exact(const tbx_num *a)
     return a->sign * value * tbx_from_bits64((uint64_t)(1023 + exponent) << 52);
 }
 
-#define TBX_NUM_U 4.44089209850062616169452667236328125e-16     /* 2^-51 */
+#define TBX_NUM_U 4.44089209850062616169452667236328125e-16 /* 2^-51 */
 
 TBX_FN void tbx_num_set(const tbx_calc *c, tbx_num *r, double x)
 {
@@ -6319,8 +6171,7 @@ TBX_FN void tbx_num_set(const tbx_calc *c, tbx_num *r, double x)
 }
 
 /* What this run uses of a number: copies of whole structs would take longer than the sums. */
-TBX_FN void tbx_num_copy(const tbx_calc *c, tbx_num *r,
-                                         const tbx_num *a)
+TBX_FN void tbx_num_copy(const tbx_calc *c, tbx_num *r, const tbx_num *a)
 {
     if (c->exact) {
         *r = *a;
@@ -6344,8 +6195,7 @@ TBX_FN int tbx_sum_is_exact(double a, double b)
 }
 
 /* r = a + sign * b; r may be a or b, here and below */
-TBX_FN void tbx_num_add(const tbx_calc *c, tbx_num *r,
-                                        const tbx_num *a, const tbx_num *b, int sign)
+TBX_FN void tbx_num_add(const tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
 {
     if (c->exact) {
         tbx_num_add_exact(r, a, b, sign);
@@ -6353,30 +6203,25 @@ TBX_FN void tbx_num_add(const tbx_calc *c, tbx_num *r,
         const double rad = a->rad + b->rad;
         double mid = sign > 0 ? a->mid + b->mid : a->mid - b->mid;
         TBX_KEEP(mid);
-        r->rad = rad > 0.0 || !tbx_sum_is_exact(a->mid, b->mid) ?
-                 rad + TBX_NUM_U * tbx_abs(mid) : 0.0;
+        r->rad = rad > 0.0 || !tbx_sum_is_exact(a->mid, b->mid) ? rad + TBX_NUM_U * tbx_abs(mid) : 0.0;
         r->mid = mid;
     }
 }
 
-TBX_FN void tbx_num_mul(const tbx_calc *c, tbx_num *r,
-                                        const tbx_num *a, const tbx_num *b)
+TBX_FN void tbx_num_mul(const tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b)
 {
     if (c->exact) {
         tbx_num_mul_exact(r, a, b);
     } else {
         const double mid = a->mid * b->mid;
-        const double rad = tbx_abs(a->mid) * b->rad + tbx_abs(b->mid) * a->rad +
-                           a->rad * b->rad;
-        r->rad = rad > 0.0 || !tbx_both_short(a->mid, b->mid) ?
-                 rad + TBX_NUM_U * tbx_abs(mid) : 0.0;
+        const double rad = tbx_abs(a->mid) * b->rad + tbx_abs(b->mid) * a->rad + a->rad * b->rad;
+        r->rad = rad > 0.0 || !tbx_both_short(a->mid, b->mid) ? rad + TBX_NUM_U * tbx_abs(mid) : 0.0;
         r->mid = mid;
     }
 }
 
 /* r = x - y, of two inputs */
-TBX_FN void tbx_num_difference(const tbx_calc *c, tbx_num *r, double x,
-                                               double y)
+TBX_FN void tbx_num_difference(const tbx_calc *c, tbx_num *r, double x, double y)
 {
     tbx_num b;
     tbx_num_set(c, r, x);
@@ -6414,8 +6259,7 @@ TBX_FN double tbx_num_value(const tbx_calc *c, const tbx_num *a)
 }
 
 /* r = x.y */
-TBX_FN void tbx_num_dot(const tbx_calc *c, tbx_num *r,
-                                        const tbx_num x[3], const tbx_num y[3])
+TBX_FN void tbx_num_dot(const tbx_calc *c, tbx_num *r, const tbx_num x[3], const tbx_num y[3])
 {
     tbx_num sum;
     tbx_num xy;
@@ -6427,8 +6271,7 @@ TBX_FN void tbx_num_dot(const tbx_calc *c, tbx_num *r,
 }
 
 /* r = x * y, r neither x nor y */
-TBX_FN void tbx_num_cross(const tbx_calc *c, tbx_num r[3],
-                                          const tbx_num x[3], const tbx_num y[3])
+TBX_FN void tbx_num_cross(const tbx_calc *c, tbx_num r[3], const tbx_num x[3], const tbx_num y[3])
 {
     int k;
     for (k = 0; k < 3; k++) {
@@ -6441,8 +6284,7 @@ TBX_FN void tbx_num_cross(const tbx_calc *c, tbx_num r[3],
     }
 }
 
-TBX_FN void tbx_num_difference3(const tbx_calc *c, tbx_num r[3],
-                                                const double x[3], const double y[3])
+TBX_FN void tbx_num_difference3(const tbx_calc *c, tbx_num r[3], const double x[3], const double y[3])
 {
     int k;
     for (k = 0; k < 3; k++) {
@@ -6451,8 +6293,8 @@ TBX_FN void tbx_num_difference3(const tbx_calc *c, tbx_num r[3],
 }
 
 /* (v1 - v0) x (v2 - v0) */
-TBX_FN void tbx_num_normal(const tbx_calc *c, tbx_num r[3],
-                                           const double v0[3], const double v1[3], const double v2[3])
+TBX_FN void tbx_num_normal(const tbx_calc *c, tbx_num r[3], const double v0[3], const double v1[3],
+                           const double v2[3])
 {
     tbx_num x[3];
     tbx_num y[3];
@@ -6477,8 +6319,7 @@ TBX_FN void tbx_fraction_set(const tbx_calc *c, tbx_fraction *r, double x)
 }
 
 /* The sign of a - b; equal infinities give 0. */
-TBX_FN int tbx_fraction_compare(tbx_calc *c, const tbx_fraction *a,
-                                                const tbx_fraction *b)
+TBX_FN int tbx_fraction_compare(tbx_calc *c, const tbx_fraction *a, const tbx_fraction *b)
 {
     tbx_num x;
     tbx_num y;
@@ -6488,7 +6329,7 @@ TBX_FN int tbx_fraction_compare(tbx_calc *c, const tbx_fraction *a,
     return tbx_num_sign(c, &x);
 }
 
-enum { TBX_DOWN, TBX_NEAREST, TBX_UP };     /* NEAREST: ties to even */
+enum { TBX_DOWN, TBX_NEAREST, TBX_UP }; /* NEAREST: ties to even */
 
 #define TBX_KEY_INFINITY 0x7f800000
 
@@ -6501,8 +6342,7 @@ TBX_FN float tbx_from_key32(int64_t key)
 /* Is x, rounded, at least the float with this key? The least x for which it is: the float itself (down),
  * just above the one before (up), or half-way between the two, itself included for an even float
  * (nearest; x is then no larger than the largest float). */
-TBX_FN int tbx_rounds_to_at_least(tbx_calc *c, const tbx_fraction *x,
-                                                  int64_t key, int rounding)
+TBX_FN int tbx_rounds_to_at_least(tbx_calc *c, const tbx_fraction *x, int64_t key, int rounding)
 {
     const int64_t from = rounding == TBX_DOWN ? key : key - 1;
     double border;
@@ -6520,17 +6360,15 @@ TBX_FN int tbx_rounds_to_at_least(tbx_calc *c, const tbx_fraction *x,
     }
     tbx_fraction_set(c, &b, border);
     order = tbx_fraction_compare(c, x, &b);
-    return order > 0 || (order == 0 && (rounding == TBX_DOWN ||
-                                        (rounding == TBX_NEAREST && (key & 1) == 0)));
+    return order > 0 || (order == 0 && (rounding == TBX_DOWN || (rounding == TBX_NEAREST && (key & 1) == 0)));
 }
 
 /* The fraction as a float. The quotient in double only says where to look: from there, steps that double,
  * then halve, find the greatest float that x rounds to at least. */
-TBX_FN float tbx_fraction_round(tbx_calc *c, const tbx_fraction *x,
-                                                int rounding)
+TBX_FN float tbx_fraction_round(tbx_calc *c, const tbx_fraction *x, int rounding)
 {
     const double largest = (double)FLT_MAX;
-    int64_t lo = -TBX_KEY_INFINITY;         /* x rounds to at least lo and to less than hi */
+    int64_t lo = -TBX_KEY_INFINITY; /* x rounds to at least lo and to less than hi */
     int64_t hi = TBX_KEY_INFINITY + 1;
     int64_t step = 1;
     double guess;
@@ -6586,8 +6424,8 @@ TBX_FN int tbx_box_valid(const double lo[3], const double hi[3])
     for (k = 0; k < 3; k++) {
         const int64_t key_lo = tbx_key64(lo[k]);
         const int64_t key_hi = tbx_key64(hi[k]);
-        valid = valid && !tbx_is_nan(lo[k]) && !tbx_is_nan(hi[k]) && key_lo <= key_hi &&
-                key_lo < infinity && key_hi > -infinity;
+        valid = valid && !tbx_is_nan(lo[k]) && !tbx_is_nan(hi[k]) && key_lo <= key_hi && key_lo < infinity &&
+                key_hi > -infinity;
     }
     return valid;
 }
@@ -6618,8 +6456,8 @@ TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const f
 /* ---- plane and box */
 
 /* The sign of the greatest value of side * (n.q + d) over the box; an infinite face decides it. */
-TBX_FN int tbx_plane_side(tbx_calc *c, const double n[3], double d,
-                                          const double lo[3], const double hi[3], int side)
+TBX_FN int tbx_plane_side(tbx_calc *c, const double n[3], double d, const double lo[3], const double hi[3],
+                          int side)
 {
     tbx_num sum;
     int k;
@@ -6643,8 +6481,8 @@ TBX_FN int tbx_plane_side(tbx_calc *c, const double n[3], double d,
     return side * tbx_num_sign(c, &sum);
 }
 
-TBX_NOINLINE int tbx_plane_box(tbx_calc *c, const double n[3], double d,
-                                               const double lo[3], const double hi[3])
+TBX_NOINLINE int tbx_plane_box(tbx_calc *c, const double n[3], double d, const double lo[3],
+                               const double hi[3])
 {
     if (tbx_plane_side(c, n, d, lo, hi, 1) < 0) {
         return -1;
@@ -6691,24 +6529,23 @@ TRIBOX_FN int tribox_plane_box(const float n[3], float d, const float box_min[3]
 enum { TBX_AXIS_NORMAL = 3, TBX_AXES = 13 };
 
 typedef struct tbx_motion {
-    tbx_calc     calc;
-    double               v[3][3];
-    double               lo[3];
-    double               hi[3];
-    double               velocity[3];
-    tbx_fraction first;     /* the interval of t so far */
+    tbx_calc calc;
+    double v[3][3];
+    double lo[3];
+    double hi[3];
+    double velocity[3];
+    tbx_fraction first; /* the interval of t so far */
     tbx_fraction last;
-    int                  empty;
-    int                  n_sign[3]; /* of the normal */
-    int                  opens;     /* the axis whose interval opens at `first`, -1 if none; its side of T: */
-    int                  opens_side;
-    int                  touches;   /* the first axis of zero gap at t = 0, -1 if none */
-    int                  touches_side;
+    int empty;
+    int n_sign[3]; /* of the normal */
+    int opens;     /* the axis whose interval opens at `first`, -1 if none; its side of T: */
+    int opens_side;
+    int touches; /* the first axis of zero gap at t = 0, -1 if none */
+    int touches_side;
 } tbx_motion;
 
 /* Keeps those t of the interval for which c0 + t c1 >= 0, by axis and side of T. */
-TBX_FN void tbx_motion_keep(tbx_motion *m, const tbx_num *c0,
-                                            const tbx_num *c1, int axis, int side)
+TBX_FN void tbx_motion_keep(tbx_motion *m, const tbx_num *c0, const tbx_num *c1, int axis, int side)
 {
     tbx_calc *c = &m->calc;
     const int direction = tbx_num_sign(c, c1);
@@ -6811,8 +6648,7 @@ TBX_FN void tbx_motion_clip(tbx_motion *m, int axis)
             const double q = l_sign[k] * side > 0 ? m->hi[k] : m->lo[k];
             const int used = l_sign[k] != 0;
             infinite |= used && !tbx_is_finite(q);
-            tbx_num_difference(c, &gap[k], used && !infinite ? q : 0.0, used &&
-                                       !infinite ? v[k] : 0.0);
+            tbx_num_difference(c, &gap[k], used && !infinite ? q : 0.0, used && !infinite ? v[k] : 0.0);
         }
         if (!infinite) {
             tbx_num_dot(c, &gap[0], l, gap);
@@ -6826,8 +6662,7 @@ TBX_FN void tbx_motion_clip(tbx_motion *m, int axis)
 
 /* Do T and the moving box meet at some t in [t_min, t_max], by the first so many axes? Leaves the interval
  * in m. */
-TBX_NOINLINE int tbx_motion_run(tbx_motion *m, int axes, double t_min, double t_max,
-                                                 int exact)
+TBX_NOINLINE int tbx_motion_run(tbx_motion *m, int axes, double t_min, double t_max, int exact)
 {
     int axis;
     m->calc.exact = exact;
@@ -6857,19 +6692,16 @@ TBX_FN void tbx_motion_round(tbx_motion *m, float *out_first, float *out_last)
 }
 
 /* A ray as a question: origin and direction finite, some real t in [t_min, t_max]. */
-TBX_FN int tbx_ray_valid(const double origin[3], const double dir[3], double t_min,
-                                         double t_max)
+TBX_FN int tbx_ray_valid(const double origin[3], const double dir[3], double t_min, double t_max)
 {
-    return tbx_finite3(origin) && tbx_finite3(dir) && !tbx_is_nan(t_min) &&
-           !tbx_is_nan(t_max) && !tbx_less(t_max, t_min) &&
-           (tbx_is_finite(t_min) || tbx_sign(t_min) < 0) &&
+    return tbx_finite3(origin) && tbx_finite3(dir) && !tbx_is_nan(t_min) && !tbx_is_nan(t_max) &&
+           !tbx_less(t_max, t_min) && (tbx_is_finite(t_min) || tbx_sign(t_min) < 0) &&
            (tbx_is_finite(t_max) || tbx_sign(t_max) > 0);
 }
 
 /* What the filter leaves open: in double with bounds, then in integers. */
-TBX_NOINLINE int tbx_ray_box(const float origin[3], const float dir[3], float t_min,
-                                             float t_max, const float box_min[3], const float box_max[3],
-                                             float *out_t0, float *out_t1)
+TBX_NOINLINE int tbx_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
+                             const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
 {
     tbx_motion m;
     double d[3];
@@ -6935,7 +6767,7 @@ TBX_NOINLINE int32_t tbx_slab_exact(float origin, float dir, float face, double 
     const double a = to - from;
     const float narrow = (float)t;
     int32_t key = tbx_key32(&narrow) + (up ? -2 : 2);
-    int before = 1;     /* is the key's float on the wrong side? */
+    int before = 1; /* is the key's float on the wrong side? */
     if (!tbx_sum_is_exact(to, from)) {
         return 0;
     }
@@ -6964,7 +6796,7 @@ TBX_FN int32_t tbx_slab_end(float origin, float dir, float lo, float hi, int up)
     TBX_KEEP4(a);
     t = a / d;
     TBX_KEEP4(t);
-    if (!(tbx_abs(t * d - a) < tbx_abs(a) * (1.0 / 281474976710656.0) &&     /* 2^-48 */
+    if (!(tbx_abs(t * d - a) < tbx_abs(a) * (1.0 / 281474976710656.0) && /* 2^-48 */
           tbx_abs(t) > 1e-6)) {
         return 0;
     }
@@ -6977,12 +6809,11 @@ TBX_FN int32_t tbx_slab_end(float origin, float dir, float lo, float hi, int up)
  * is checked to 2^-20, a product errs by 2^-23: 2^-19 in all, and 2^-80 for what was flushed or read as zero
  * (2^-125 * 2^40). The largest lower and the least upper end are no farther from the exact ones than that. */
 TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], float t_min, float t_max,
-                                          const float box_min[3], const float box_max[3], float *out_t0,
-                                          float *out_t1)
+                          const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
 {
-    const float beyond = 1.2676506002282294e+30f;       /* 2^100 */
-    const float relative = 1.9073486328125e-06f;        /* 2^-19 */
-    const float absolute = 8.271806125530277e-25f;      /* 2^-80 */
+    const float beyond = 1.2676506002282294e+30f;  /* 2^100 */
+    const float relative = 1.9073486328125e-06f;   /* 2^-19 */
+    const float absolute = 8.271806125530277e-25f; /* 2^-80 */
     const float from_t = t_min > -beyond ? t_min : -beyond;
     const float to_t = t_max < beyond ? t_max : beyond;
     const tbx_i4 last_one = { 0, 0, 0, 0x3f800000 };
@@ -6991,7 +6822,7 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], float t_min
     const tbx_f4 lo = tbx_load3(box_min);
     const tbx_f4 hi = tbx_load3(box_max);
     const tbx_f4 one = tbx_splat(1.0f);
-    const tbx_i4 most = tbx_splat_int(0x54000000);     /* 2^41 */
+    const tbx_i4 most = tbx_splat_int(0x54000000); /* 2^41 */
     tbx_f4 inverse = one / d;
     tbx_f4 a = lo - o;
     tbx_f4 b = hi - o;
@@ -7012,8 +6843,7 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], float t_min
     /* by their sign bits: too large, also from NaN and infinities; a reciprocal off by 2^-20; lo > hi */
     doubt = (most - tbx_magnitude(a)) | (most - tbx_magnitude(b)) |
             (tbx_splat_int(0x53800000) - tbx_magnitude(inverse)) |
-            (tbx_splat_int(0x35800000) - tbx_magnitude(inverse * d - one)) |
-            (tbx_i4)(hi - lo);
+            (tbx_splat_int(0x35800000) - tbx_magnitude(inverse * d - one)) | (tbx_i4)(hi - lo);
     if (TBX_RARELY(tbx_any(doubt))) {
         return TBX_UNSURE;
     }
@@ -7023,8 +6853,7 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], float t_min
     upper = tbx_max4(a, b);
     lower[3] = from_t;
     upper[3] = to_t;
-    ends = tbx_min4(TBX_LANES(-lower, upper, 0, 1, 4, 5),
-                            TBX_LANES(-lower, upper, 2, 3, 6, 7));
+    ends = tbx_min4(TBX_LANES(-lower, upper, 0, 1, 4, 5), TBX_LANES(-lower, upper, 2, 3, 6, 7));
     ends = tbx_min4(ends, TBX_LANES(ends, ends, 1, 0, 3, 2));
     first = -ends[0];
     last = ends[2];
@@ -7040,10 +6869,10 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], float t_min
     error = 2.0f * relative * tbx_absf(last) + 2.0f * absolute;
     reached1 = tbx_signs(upper <= tbx_splat(last + error));
     if (TBX_RARELY(((reached0 & (reached0 - 1)) | (reached1 & (reached1 - 1))) != 0)) {
-        return TBX_UNSURE;      /* more than one axis may be the first or last */
+        return TBX_UNSURE; /* more than one axis may be the first or last */
     }
     if (reached0 < 8 && out_t0 != NULL) {
-        const int k = reached0 >> 1;    /* 1, 2, 4: 0, 1, 2 */
+        const int k = reached0 >> 1; /* 1, 2, 4: 0, 1, 2 */
         key0 = tbx_slab_end(origin[k], dir[k], box_min[k], box_max[k], 0);
         if (key0 == 0) {
             return TBX_UNSURE;
@@ -7057,7 +6886,7 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], float t_min
         }
     }
     if (out_t0 != NULL) {
-        *out_t0 = tbx_from_key32(key0 != 0 ? key0 : tbx_key32(&t_min));     /* never -0 */
+        *out_t0 = tbx_from_key32(key0 != 0 ? key0 : tbx_key32(&t_min)); /* never -0 */
     }
     if (out_t1 != NULL) {
         *out_t1 = tbx_from_key32(key1 != 0 ? key1 : tbx_key32(&t_max));
@@ -7068,9 +6897,8 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], float t_min
 /* Again, where components of dir are 0: such an axis either has no t at all, or all, which is decided by the
  * bits. In the latter case it may as well be met by a slab so long that its ends, 2^81, are not nearer than
  * those of any slab that the filter takes; it takes no part unless others end there too, which is unsure. */
-TBX_NOINLINE int tbx_ray_flat(const float origin[3], const float dir[3], float t_min,
-                                              float t_max, const float box_min[3], const float box_max[3],
-                                              float *out_t0, float *out_t1)
+TBX_NOINLINE int tbx_ray_flat(const float origin[3], const float dir[3], float t_min, float t_max,
+                              const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
 {
     float x[4][3];
     int zeros = 0;
@@ -7086,11 +6914,11 @@ TBX_NOINLINE int tbx_ray_flat(const float origin[3], const float dir[3], float t
             const int32_t lo = tbx_key32(box_min + k);
             const int32_t hi = tbx_key32(box_max + k);
             if (lo > at || at > hi || lo < -infinity || hi > infinity || at <= -infinity || at >= infinity) {
-                return TBX_MISS;        /* outside; NaN, whose keys lie past infinity */
+                return TBX_MISS; /* outside; NaN, whose keys lie past infinity */
             }
             x[0][k] = 0.0f;
-            x[1][k] = 9.094947017729282e-13f;   /* 2^-40 */
-            x[2][k] = -2199023255552.0f;        /* 2^41 */
+            x[1][k] = 9.094947017729282e-13f; /* 2^-40 */
+            x[2][k] = -2199023255552.0f;      /* 2^41 */
             x[3][k] = 2199023255552.0f;
             zeros++;
         }
@@ -7106,8 +6934,7 @@ TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_
                              const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
 {
     const uint32_t infinity = 0x7f800000u;
-    if ((tbx_bits32(&t_min) & 0x7fffffffu) > infinity ||
-        (tbx_bits32(&t_max) & 0x7fffffffu) > infinity) {
+    if ((tbx_bits32(&t_min) & 0x7fffffffu) > infinity || (tbx_bits32(&t_max) & 0x7fffffffu) > infinity) {
         return 0;
     }
 #if TRIBOX_SIMD
@@ -7131,17 +6958,17 @@ TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_
  * for their difference: 10; r: 8; r - |c|: 3 more: within ULPS. Where X_b or X_c is 0, value and bound are
  * 0. */
 TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float box_min[3],
-                                              const float box_max[3])
+                              const float box_max[3])
 {
     const tbx_f4 half = tbx_splat(0.5f);
-    const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f };       /* 2^-149 */
+    const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f }; /* 2^-149 */
     const tbx_f4 p0 = tbx_load3(p);
     const tbx_f4 p1 = tbx_load3(q);
     const tbx_f4 lo = tbx_load3(box_min);
     const tbx_f4 hi = tbx_load3(box_max);
     const tbx_f4 lower = tbx_max4(lo, tbx_min4(p0, p1));
     const tbx_f4 upper = tbx_min4(hi, tbx_max4(p0, p1));
-    const tbx_i4 faces = lower > upper;     /* a face parts them, or min > max */
+    const tbx_i4 faces = lower > upper; /* a face parts them, or min > max */
     tbx_f4 a = p1 - p0;
     tbx_f4 l = lower - p0;
     tbx_f4 u = upper - p0;
@@ -7154,12 +6981,9 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
         const tbx_f4 h = (u - l) * half;
         const tbx_f4 c = m * tbx_yzx(a) - tbx_yzx(m) * a;
         const tbx_f4 value = tbx_radius4(x, h, tbx_yzx(h)) - tbx_abs4(c);
-        const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * x *
-                                     tbx_yzx(x);
-        const int refused = tbx_signs(tbx_above(x, 0x53000000) |
-                                              tbx_above(tbx_abs4(lo), 0x7f800000) |
-                                              tbx_above(tbx_abs4(hi), 0x7f800000) |
-                                              tbx_below(x + tiny, 0x30800000));
+        const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * x * tbx_yzx(x);
+        const int refused = tbx_signs(tbx_above(x, 0x53000000) | tbx_above(tbx_abs4(lo), 0x7f800000) |
+                                      tbx_above(tbx_abs4(hi), 0x7f800000) | tbx_below(x + tiny, 0x30800000));
         const int miss = tbx_signs(faces | (value < -bound)) != 0;
         const int open = (tbx_signs(value < bound) != 0) & !miss;
         if (TBX_RARELY((refused != 8) | open)) {
@@ -7191,8 +7015,8 @@ TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float
  * det_i is six times the volume of the tetrahedron dir, v_i - o, v_i+1 - o. If two differ in sign, the
  * line misses T, also if it lies in T's plane (then all are 0) or T is a segment (then a line that meets
  * it makes all 0). */
-TBX_NOINLINE int tbx_ray_triangle_fast(tbx_calc *c, const tbx_motion *m,
-                                                       double t_min, double t_max, float *out_t)
+TBX_NOINLINE int tbx_ray_triangle_fast(tbx_calc *c, const tbx_motion *m, double t_min, double t_max,
+                                       float *out_t)
 {
     tbx_num a[3][3];
     tbx_num d[3];
@@ -7246,8 +7070,7 @@ TBX_NOINLINE int tbx_ray_triangle_fast(tbx_calc *c, const tbx_motion *m,
     return 1;
 }
 
-TBX_COLD int tbx_ray_triangle_exact(tbx_motion *m, double t_min, double t_max,
-                                                    float *out_t)
+TBX_COLD int tbx_ray_triangle_exact(tbx_motion *m, double t_min, double t_max, float *out_t)
 {
     if (!tbx_motion_run(m, TBX_AXES, t_min, t_max, 1)) {
         return 0;
@@ -7271,8 +7094,7 @@ TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], flo
     tbx_widen3(m.lo, origin);
     tbx_widen3(m.hi, origin);
     tbx_widen3(m.velocity, dir);
-    if (!tbx_ray_valid(m.lo, m.velocity, t0, t1) ||
-        !tbx_corners_finite(m.v[0], m.v[1], m.v[2])) {
+    if (!tbx_ray_valid(m.lo, m.velocity, t0, t1) || !tbx_corners_finite(m.v[0], m.v[1], m.v[2])) {
         return 0;
     }
     hit = tbx_ray_triangle_fast(&c, &m, t0, t1, out_t);
@@ -7324,8 +7146,7 @@ TBX_FN void tbx_motion_contact(tbx_motion *m, float out_axis[3])
 }
 
 /* Everything about the sweep in one of the two runs. In double, nothing is to be trusted if unsure. */
-TBX_NOINLINE int tbx_sweep(tbx_motion *m, int exact, float out_t[2],
-                                           float out_axis[3])
+TBX_NOINLINE int tbx_sweep(tbx_motion *m, int exact, float out_t[2], float out_axis[3])
 {
     if (!tbx_motion_run(m, TBX_AXES, 0.0, 1.0, exact)) {
         return 0;
@@ -7379,8 +7200,8 @@ TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[
  * inside the edge iff D_ij > 0 and D_ji > 0, and divides it as D_ij : D_ji; it is nearest iff the third
  * corner is not on q's side of the edge, that is, iff the third weight W_k of q's foot in the plane is <=
  * 0; W_k = n.((v_i - q) x (v_j - q)), 0 if T is a segment. Otherwise the foot in the plane is in T. */
-TBX_FN void tbx_closest_dot(const tbx_calc *c, tbx_num *r, const double q[3],
-                                            const double vi[3], const double vj[3])
+TBX_FN void tbx_closest_dot(const tbx_calc *c, tbx_num *r, const double q[3], const double vi[3],
+                            const double vj[3])
 {
     tbx_num x[3];
     tbx_num y[3];
@@ -7390,17 +7211,15 @@ TBX_FN void tbx_closest_dot(const tbx_calc *c, tbx_num *r, const double q[3],
 }
 
 /* W_k of the face's foot */
-TBX_FN void tbx_closest_face(const tbx_calc *c, tbx_num *r,
-                                             const tbx_num n[3], const double vi[3],
-                                             const double vj[3], const double q[3])
+TBX_FN void tbx_closest_face(const tbx_calc *c, tbx_num *r, const tbx_num n[3], const double vi[3],
+                             const double vj[3], const double q[3])
 {
     tbx_num x[3];
     tbx_num_normal(c, x, q, vi, vj);
     tbx_num_dot(c, r, n, x);
 }
 
-TBX_NOINLINE void tbx_closest(tbx_calc *c, double v[3][3], const double q[3],
-                                              float out_weights[3])
+TBX_NOINLINE void tbx_closest(tbx_calc *c, double v[3][3], const double q[3], float out_weights[3])
 {
     tbx_num n[3];
     tbx_num dots[3][3];
@@ -7426,7 +7245,7 @@ TBX_NOINLINE void tbx_closest(tbx_calc *c, double v[3][3], const double q[3],
         }
     }
     tbx_num_normal(c, n, v[0], v[1], v[2]);
-    for (k = 2; k >= 0; k--) {      /* edges 01, 02, 12 */
+    for (k = 2; k >= 0; k--) { /* edges 01, 02, 12 */
         i = k == 0 ? 1 : 0;
         j = 3 - i - k;
         tbx_closest_face(c, &dots[k][k], n, v[(k + 1) % 3], v[(k + 2) % 3], q);
@@ -7482,16 +7301,16 @@ typedef struct tbx_vertex {
 } tbx_vertex;
 
 typedef struct tbx_polygon {
-    int                count;
+    int count;
     tbx_vertex vertex[9];
-    int                line[9];     /* from this vertex to the next */
+    int line[9]; /* from this vertex to the next */
 } tbx_polygon;
 
 typedef struct tbx_cut {
     tbx_calc calc;
-    double           v[3][3];
-    double           face[2][3];    /* of the box: lower, upper */
-    tbx_num  n[3];          /* normal of T */
+    double v[3][3];
+    double face[2][3]; /* of the box: lower, upper */
+    tbx_num n[3];      /* normal of T */
 } tbx_cut;
 
 TBX_FN int tbx_line_axis(int line)
@@ -7516,8 +7335,7 @@ TBX_FN void tbx_cut_add_face(const tbx_cut *t, tbx_num *r, int line)
 
 /* Coordinate k of a vertex. Edge pq and face f across axis a: (p_k (q_a - f) + q_k (f - p_a)) / (q_a -
  * p_a). Two faces: from n.(x - v0) = 0, with the faces' two coordinates put in. */
-TBX_FN void tbx_cut_coordinate(tbx_cut *t, tbx_vertex x, int k,
-                                               tbx_fraction *r)
+TBX_FN void tbx_cut_coordinate(tbx_cut *t, tbx_vertex x, int k, tbx_fraction *r)
 {
     tbx_calc *c = &t->calc;
     if (x.b < 0) {
@@ -7592,7 +7410,7 @@ TBX_FN void tbx_cut_by(tbx_cut *t, tbx_polygon *p, int line)
         const int next = last_of_chain ? side[i] : side[(i + 1) % old.count];
         if (side[i] >= 0) {
             tbx_polygon_add(p, old.vertex[i].a, old.vertex[i].b,
-                                    side[i] == 0 && next < 0 ? line : old.line[i]);
+                            side[i] == 0 && next < 0 ? line : old.line[i]);
         }
         if (side[i] * next < 0) {
             tbx_polygon_add(p, old.line[i], line, next < 0 ? line : old.line[i]);
@@ -7713,8 +7531,7 @@ TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3
 
 /* Are three corners all below lo or all above hi on one axis? Where subnormals are read as zero, a face of
  * the box and a corner may seem equal, and do not part then: the answer only ever errs to 0. */
-TBX_FN int tbx_beyond(const char *a, const char *b, const char *c, size_t at, float lo,
-                                      float hi)
+TBX_FN int tbx_beyond(const char *a, const char *b, const char *c, size_t at, float lo, float hi)
 {
     float x;
     float y;
@@ -7722,13 +7539,12 @@ TBX_FN int tbx_beyond(const char *a, const char *b, const char *c, size_t at, fl
     TBX_COPY(&x, a + at, sizeof x);
     TBX_COPY(&y, b + at, sizeof y);
     TBX_COPY(&z, c + at, sizeof z);
-    return tbx_maxf(tbx_maxf(x, y), z) < lo || tbx_minf(tbx_minf(x, y),
-                                                                                z) > hi;
+    return tbx_maxf(tbx_maxf(x, y), z) < lo || tbx_minf(tbx_minf(x, y), z) > hi;
 }
 
 /* Out of line, so that the loop below keeps its constants in registers. */
-TBX_NOINLINE int tbx_query_touches(const char *a, const char *b, const char *c,
-                                                   const float lo[3], const float hi[3])
+TBX_NOINLINE int tbx_query_touches(const char *a, const char *b, const char *c, const float lo[3],
+                                   const float hi[3])
 {
     float v[3][3];
     TBX_COPY(v[0], a, sizeof v[0]);
@@ -7740,8 +7556,8 @@ TBX_NOINLINE int tbx_query_touches(const char *a, const char *b, const char *c,
 /* Neighbours in a mesh lie beyond the same face, so asking axis by axis is foreseen, and reads a third of
  * the corners. */
 TBX_QUERY size_t tbx_query(const tribox_mesh *mesh, const uint32_t *index, size_t stride,
-                                           const float box_min[3], const float box_max[3],
-                                           uint32_t *out_triangles, size_t capacity)
+                           const float box_min[3], const float box_max[3], uint32_t *out_triangles,
+                           size_t capacity)
 {
     const char *positions = (const char *)mesh->positions;
     const size_t triangles = mesh->triangles;
@@ -7754,8 +7570,7 @@ TBX_QUERY size_t tbx_query(const tribox_mesh *mesh, const uint32_t *index, size_
         const char *a = positions + (index != NULL ? index[at] : at) * stride;
         const char *b = positions + (index != NULL ? index[at + 1] : at + 1) * stride;
         const char *c = positions + (index != NULL ? index[at + 2] : at + 2) * stride;
-        if (tbx_beyond(a, b, c, 0, lo[0], hi[0]) ||
-            tbx_beyond(a, b, c, sizeof(float), lo[1], hi[1]) ||
+        if (tbx_beyond(a, b, c, 0, lo[0], hi[0]) || tbx_beyond(a, b, c, sizeof(float), lo[1], hi[1]) ||
             tbx_beyond(a, b, c, 2 * sizeof(float), lo[2], hi[2])) {
             continue;
         }
@@ -7829,7 +7644,7 @@ TBX_FN unsigned tbx_octant_faces(const tribox_tri *tri, int k, double p)
     const double size = tri->size[k];
     const double e = 16.0 * TBX_U64 * size;
     const uint64_t exponent = tbx_bits64(&size) >> 52;
-    const double above = p - tri->t_min[k] + size;      /* both >= 0 where the faces hold */
+    const double above = p - tri->t_min[k] + size; /* both >= 0 where the faces hold */
     const double below = tri->t_max[k] - p;
     const double above_far = above + size;
     const double below_far = below - size;
@@ -7837,7 +7652,7 @@ TBX_FN unsigned tbx_octant_faces(const tribox_tri *tri, int k, double p)
     const double farther = above_far < below_far ? above_far : below_far;
     const unsigned holds = (unsigned)(nearer > e) | (unsigned)(farther > e) << 1;
     const unsigned fails = (unsigned)(nearer < -e) | (unsigned)(farther < -e) << 1;
-    if (TBX_RARELY((holds | fails) != 3u || exponent - 64u > 1919u)) {    /* 2^-959..2^960 */
+    if (TBX_RARELY((holds | fails) != 3u || exponent - 64u > 1919u)) { /* 2^-959..2^960 */
         return tbx_octant_faces_exact(tri, k, p);
     }
     return holds;
@@ -7869,15 +7684,12 @@ TBX_COLD int tbx_octant(const tribox_tri *tri, const double p[3], unsigned octan
 
 #if TRIBOX_SIMD
 /* The least of the three edge conditions across axis k, plus 1, at q_b = b, q_c = c. */
-TBX_FN tbx_f4 tbx_octant_edges(const tribox_tri *tri, int k, tbx_f4 b,
-                                                       tbx_f4 c)
+TBX_FN tbx_f4 tbx_octant_edges(const tribox_tri *tri, int k, tbx_f4 b, tbx_f4 c)
 {
-    const tbx_f4 first =
-        tbx_fma4(tbx_splat(tri->first_b[k]), b,
-        tbx_fma4(tbx_splat(tri->first_c[k]), c, tbx_splat(tri->first_d[k])));
-    const tbx_f4 second =
-        tbx_fma4(tbx_splat(tri->second_b[k]), b,
-        tbx_fma4(tbx_splat(tri->second_c[k]), c, tbx_splat(tri->second_d[k])));
+    const tbx_f4 first = tbx_fma4(tbx_splat(tri->first_b[k]), b,
+                                  tbx_fma4(tbx_splat(tri->first_c[k]), c, tbx_splat(tri->first_d[k])));
+    const tbx_f4 second = tbx_fma4(tbx_splat(tri->second_b[k]), b,
+                                   tbx_fma4(tbx_splat(tri->second_c[k]), c, tbx_splat(tri->second_d[k])));
     const tbx_f4 third = tbx_splat(tri->third_d[k]) - (first + second);
     return tbx_min4(tbx_min4(first, second), third);
 }
@@ -7885,8 +7697,7 @@ TBX_FN tbx_f4 tbx_octant_edges(const tribox_tri *tri, int k, tbx_f4 b,
 /* The conditions of the prepared test in float at the eight octants ref + q, q being lower or upper on each
  * axis: bits of those where all hold, and of those where that is unsure. Edges see two axes: in lanes at the
  * four pairs of their lower and upper, for both halves of the third. */
-TBX_FN unsigned tbx_octant_lanes(const tribox_tri *tri, tbx_f4 lower,
-                                                 tbx_f4 upper, unsigned *out_doubt)
+TBX_FN unsigned tbx_octant_lanes(const tribox_tri *tri, tbx_f4 lower, tbx_f4 upper, unsigned *out_doubt)
 {
     const tbx_f4 both = TBX_LANES(lower, upper, 0, 4, 1, 5);
     const tbx_f4 both_z = TBX_LANES(lower, upper, 2, 6, 2, 6);
@@ -7897,24 +7708,21 @@ TBX_FN unsigned tbx_octant_lanes(const tribox_tri *tri, tbx_f4 lower,
     const tbx_f4 zx = tbx_octant_edges(tri, 1, z, x);
     const tbx_f4 xy = tbx_octant_edges(tri, 2, x, y);
     const tbx_f4 n_z = tbx_splat(tri->first_z[3]);
-    const tbx_f4 plane =
-        tbx_fma4(tbx_splat(tri->first_b[3]), x,
-        tbx_fma4(tbx_splat(tri->first_c[3]), y, tbx_splat(tri->first_d[3])));
+    const tbx_f4 plane = tbx_fma4(tbx_splat(tri->first_b[3]), x,
+                                  tbx_fma4(tbx_splat(tri->first_c[3]), y, tbx_splat(tri->first_d[3])));
     const tbx_f4 below = tbx_fma4(n_z, TBX_LANES(lower, lower, 2, 2, 2, 2), plane);
     const tbx_f4 above = tbx_fma4(n_z, TBX_LANES(upper, upper, 2, 2, 2, 2), plane);
     const tbx_f4 sides = tbx_splat(tri->third_d[3] - tri->second_d[3]);
     const tbx_f4 two = tbx_splat(2.0f);
-    const tbx_f4 least_below = tbx_min4(
-        tbx_min4(tbx_min4(xy, TBX_LANES(yz, yz, 0, 0, 1, 1)),
-                         TBX_LANES(zx, zx, 0, 1, 0, 1)), tbx_min4(below, sides - below));
-    const tbx_f4 least_above = tbx_min4(
-        tbx_min4(tbx_min4(xy, TBX_LANES(yz, yz, 2, 2, 3, 3)),
-                         TBX_LANES(zx, zx, 2, 3, 2, 3)), tbx_min4(above, sides - above));
+    const tbx_f4 least_below =
+        tbx_min4(tbx_min4(tbx_min4(xy, TBX_LANES(yz, yz, 0, 0, 1, 1)), TBX_LANES(zx, zx, 0, 1, 0, 1)),
+                 tbx_min4(below, sides - below));
+    const tbx_f4 least_above =
+        tbx_min4(tbx_min4(tbx_min4(xy, TBX_LANES(yz, yz, 2, 2, 3, 3)), TBX_LANES(zx, zx, 2, 3, 2, 3)),
+                 tbx_min4(above, sides - above));
     /* by their sign bits, as tribox_tri_test */
-    const int miss = tbx_signs((tbx_i4)least_below) |
-                     tbx_signs((tbx_i4)least_above) << 4;
-    const int no_hit = tbx_signs((tbx_i4)(least_below - two)) |
-                       tbx_signs((tbx_i4)(least_above - two)) << 4;
+    const int miss = tbx_signs((tbx_i4)least_below) | tbx_signs((tbx_i4)least_above) << 4;
+    const int no_hit = tbx_signs((tbx_i4)(least_below - two)) | tbx_signs((tbx_i4)(least_above - two)) << 4;
     *out_doubt = (unsigned)(no_hit & ~miss);
     return (unsigned)~no_hit;
 }
@@ -7922,8 +7730,8 @@ TBX_FN unsigned tbx_octant_lanes(const tribox_tri *tri, tbx_f4 lower,
 
 /* The conditions of the prepared test at the eight octants ref + q, q_k being q_near[k] or q_far[k]: bits of
  * those where all hold, and of those where that is unsure. */
-TBX_FN unsigned tbx_octant_values(const tribox_tri *tri, const double q_near[3],
-                                                  const double q_far[3], unsigned *out_doubt)
+TBX_FN unsigned tbx_octant_values(const tribox_tri *tri, const double q_near[3], const double q_far[3],
+                                  unsigned *out_doubt)
 {
 #if TRIBOX_SIMD
     tbx_f4 lower = { (float)q_near[0], (float)q_near[1], (float)q_near[2], 0.0f };
@@ -7942,8 +7750,8 @@ TBX_FN unsigned tbx_octant_values(const tribox_tri *tri, const double q_near[3],
         const double z = (o & 4u) != 0 ? q_far[2] : q_near[2];
         double least = 2.0;
         for (i = 0; i < 12; i++) {
-            const double value = tri->n_x_f64[i] * x + tri->n_y_f64[i] * y + tri->n_z_f64[i] * z +
-                                 tri->d_f64[i];
+            const double value =
+                tri->n_x_f64[i] * x + tri->n_y_f64[i] * y + tri->n_z_f64[i] * z + tri->d_f64[i];
             least = value < least ? value : least;
         }
         hits |= (unsigned)(least >= 1.0) << o;
@@ -7955,8 +7763,7 @@ TBX_FN unsigned tbx_octant_values(const tribox_tri *tri, const double q_near[3],
 }
 
 /* The octants that the faces of axis k leave, the upper ones `shift` bits above the lower ones. */
-TBX_FN unsigned tbx_octant_axis(const tribox_tri *tri, int k, double p, unsigned lower,
-                                                int shift)
+TBX_FN unsigned tbx_octant_axis(const tribox_tri *tri, int k, double p, unsigned lower, int shift)
 {
     const unsigned faces = tbx_octant_faces(tri, k, p);
     return lower * ((faces & 1u) | (faces >> 1) << shift);
@@ -8044,9 +7851,9 @@ TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
         const tbx_i4 lower_out = out - from_lower;
         const tbx_i4 upper_out = out - from_upper;
         const tbx_i4 unsure = ((in - from_lower) ^ lower_out) | ((in - from_upper) ^ upper_out);
-        const unsigned asked =
-            ~(tbx_lower_halves((unsigned)tbx_signs(lower_out) & 7u) |
-              tbx_upper_halves((unsigned)tbx_signs(upper_out) & 7u)) & 0xffu;
+        const unsigned asked = ~(tbx_lower_halves((unsigned)tbx_signs(lower_out) & 7u) |
+                                 tbx_upper_halves((unsigned)tbx_signs(upper_out) & 7u)) &
+                               0xffu;
         unsigned doubt;
         const unsigned hits = tbx_octant_lanes(tri, lower, upper, &doubt);
         if (TBX_RARELY(((doubt & asked) | (unsigned)tbx_signs(unsure)) != 0)) {
@@ -8060,7 +7867,10 @@ TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
 }
 #endif /* TRIBOX_NO_COMPANIONS */
 
-/* ---- 14. Undefine private macros ----------------------------------------------------------------------- */
+/* ---- 11. SIMD ------------------------------------------------------------------------------------------ */
+/* All that is faster, nothing that is needed: leave this section out and the answers are the same. */
+
+/* ---- 12. Undefine private macros ----------------------------------------------------------------------- */
 
 #undef TBX_HD
 #undef TBX_INLINE

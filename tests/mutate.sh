@@ -3,7 +3,7 @@
 #
 #   tests/mutate.sh [number of a mutant]...
 #
-# tests/mutants.txt lists the ways. A mutant whose text is no longer found exactly once is stale and counts
+# tests/mutants*.txt list the ways. A mutant whose text is no longer found exactly once is stale and counts
 # as a failure, so that the list follows the header. A mutant is caught by the first program that does not
 # compile, fails, crashes or hangs. Run from the repository's root.
 set -u
@@ -93,7 +93,7 @@ while IFS= read -r line || [ -n "$line" ]; do
     '+ '*) new=${new:+$new$newline}${line#+ } ;;
     '+') new= ;;
     esac
-done <tests/mutants.txt
+done < <(cat tests/mutants*.txt)
 finish "$@"
 
 echo "$number mutants"
