@@ -501,8 +501,7 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
 /* Asks for memory that will be written soon. The address is an integer: it may lie outside of any array,
  * where pointer arithmetic is undefined. */
 #if defined(__GNUC__) && !defined(__CUDA_ARCH__)
-#define TBX_PREFETCH(address) \
-    __builtin_prefetch((const void *)(address), 1) /* NOLINT(*-no-int-to-ptr) */
+#define TBX_PREFETCH(address) __builtin_prefetch((const void *)(address), 1) /* NOLINT(*-no-int-to-ptr) */
 #else
 #define TBX_PREFETCH(address) ((void)0)
 #endif
@@ -518,8 +517,8 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
  * ISA. 0 leaves the scalar body alone. Both give the same answers. */
 #ifndef TRIBOX_SIMD
 #if (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 9)) && \
-    (defined(__SSE2__) || defined(__aarch64__)) && \
-    !defined(__CUDACC__) && !defined(__TINYC__) && !defined(__INTEL_COMPILER) && !defined(__NVCOMPILER)
+    (defined(__SSE2__) || defined(__aarch64__)) && !defined(__CUDACC__) && !defined(__TINYC__) && \
+    !defined(__INTEL_COMPILER) && !defined(__NVCOMPILER)
 #define TRIBOX_SIMD 1
 #else
 #define TRIBOX_SIMD 0
@@ -532,7 +531,7 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
 /* -funsafe-math-optimizations lets a compiler turn w*(q - v) into w*q - w*v, and it defines no macro. After
  * this line it must take the memory or register named as it stands. */
 #if defined(__CUDA_ARCH__)
-#define TBX_KEEP(object) ((void)0)          /* nvcc does not reassociate */
+#define TBX_KEEP(object) ((void)0) /* nvcc does not reassociate */
 #define TBX_KEEP4(vector) ((void)0)
 #elif defined(__GNUC__)
 #define TBX_KEEP(object) __asm__("" : "+m"(object))
@@ -622,6 +621,13 @@ TBX_COLD double tbx_widen_subnormal(const float *x)
 TBX_FN double tbx_widen(const float *x)
 {
     return TBX_RARELY(tbx_is_subnormal(x) != 0) ? tbx_widen_subnormal(x) : (double)*x;
+}
+
+TBX_FN void tbx_widen3(double out[3], const float x[3])
+{
+    out[0] = tbx_widen(x);
+    out[1] = tbx_widen(x + 1);
+    out[2] = tbx_widen(x + 2);
 }
 
 TBX_FN int tbx_is_nan(double x)
@@ -1569,474 +1575,11 @@ TBX_FN float tbx_absf(float a)
 #endif
 }
 
-#if TRIBOX_SIMD
-/* The same filter in float, x, y, z in three lanes; the fourth stays 0.
- * A cross product comes out as z, x, y. */
-typedef float tbx_f4 __attribute__((vector_size(16)));
-typedef int32_t tbx_i4 __attribute__((vector_size(16)));
-typedef uint32_t tbx_u4 __attribute__((vector_size(16)));
-typedef double tbx_d2 __attribute__((vector_size(16)));
-
-/* Lanes i, j, k, l of a (0..3) and b (4..7). */
-#if defined(__clang__)
-#define TBX_LANES(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
-#else
-TBX_FN tbx_i4 tbx_order(int32_t i, int32_t j, int32_t k, int32_t l)
-{
-    const tbx_i4 r = { i, j, k, l };
-    return r;
-}
-#define TBX_LANES(a, b, i, j, k, l) __builtin_shuffle(a, b, tbx_order(i, j, k, l))
-#endif
-
-/* Lanes 0, 1, 2 of a, and lane i of b: one instruction, or two, which gcc has to be told. */
-#if defined(__SSE2__) && !defined(__SSE4_1__)
-#define TBX_JOIN(a, b, i) TBX_LANES(a, TBX_LANES(a, b, 2, 2, 4 + (i), 4 + (i)), 0, 1, 4, 6)
-#else
-#define TBX_JOIN(a, b, i) TBX_LANES(a, b, 0, 1, 2, 4 + (i))
-#endif
-
-TBX_FN tbx_f4 tbx_load3(const void *v)
-{
-    tbx_f4 z = { 0.0f, 0.0f, 0.0f, 0.0f };
-    tbx_d2 xy = { 0.0, 0.0 };
-    double pair;
-    float last;
-    TBX_COPY(&pair, v, sizeof pair);
-    TBX_COPY(&last, (const char *)v + sizeof pair, sizeof last);
-    xy[0] = pair;
-    z[0] = last;
-    return TBX_LANES((tbx_f4)xy, z, 0, 1, 4, 5);
-}
-
-TBX_FN tbx_f4 tbx_load4(const float v[4])
-{
-    tbx_f4 r;
-    TBX_COPY(&r, v, sizeof r);
-    return r;
-}
-
-TBX_FN tbx_i4 tbx_load4i(const int32_t v[4])
-{
-    tbx_i4 r;
-    TBX_COPY(&r, v, sizeof r);
-    return r;
-}
-
-TBX_FN tbx_f4 tbx_splat(float x)
-{
-    const tbx_f4 r = { x, x, x, x };
-    return r;
-}
-
-TBX_FN tbx_i4 tbx_splat_int(int32_t x)
-{
-    const tbx_i4 r = { x, x, x, x };
-    return r;
-}
-
-TBX_FN tbx_f4 tbx_yzx(tbx_f4 a)
-{
-    return TBX_LANES(a, a, 1, 2, 0, 3);
-}
-
-#if defined(__SSE2__)
-TBX_FN tbx_f4 tbx_min4(tbx_f4 a, tbx_f4 b)
-{
-    return __builtin_ia32_minps(a, b);
-}
-
-TBX_FN tbx_f4 tbx_max4(tbx_f4 a, tbx_f4 b)
-{
-    return __builtin_ia32_maxps(a, b);
-}
-
-/* The sign bits of the four lanes. */
-TBX_FN int tbx_signs(tbx_i4 mask)
-{
-    return __builtin_ia32_movmskps((tbx_f4)mask);
-}
-#else
-TBX_FN tbx_f4 tbx_min4(tbx_f4 a, tbx_f4 b)
-{
-    const tbx_i4 less = a < b;
-    return (tbx_f4)(((tbx_i4)a & less) | ((tbx_i4)b & ~less));
-}
-
-TBX_FN tbx_f4 tbx_max4(tbx_f4 a, tbx_f4 b)
-{
-    const tbx_i4 more = a > b;
-    return (tbx_f4)(((tbx_i4)a & more) | ((tbx_i4)b & ~more));
-}
-
-TBX_FN int tbx_signs(tbx_i4 mask)
-{
-    const tbx_i4 weight = { 1, 2, 4, 8 };
-    const tbx_i4 bits = (mask < 0) & weight;
-    return bits[0] + bits[1] + bits[2] + bits[3];
-}
-#endif
-
-/* a*b + c: fused where that is one instruction. clang contracts on its own; gcc does not under -std=c99. */
-TBX_FN tbx_f4 tbx_fma4(tbx_f4 a, tbx_f4 b, tbx_f4 c)
-{
-#if defined(__FMA__) && !defined(__clang__)
-    return __builtin_ia32_vfmaddps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-TBX_FN int tbx_any(tbx_i4 mask)
-{
-    return tbx_signs(mask) != 0;
-}
-
-TBX_FN tbx_i4 tbx_magnitude(tbx_f4 a)
-{
-    return (tbx_i4)a & tbx_splat_int(0x7fffffff);
-}
-
-TBX_FN tbx_f4 tbx_abs4(tbx_f4 a)
-{
-    return (tbx_f4)tbx_magnitude(a);
-}
-
-/* Towards zero, as floats; magnitudes below 2^31. */
-TBX_FN tbx_f4 tbx_truncate(tbx_f4 a)
-{
-    return __builtin_convertvector(__builtin_convertvector(a, tbx_i4), tbx_f4);
-}
-
-/* r_i = |e_b| h_c + |e_c| h_b, as z, x, y; e absolute */
-TBX_FN tbx_f4 tbx_radius4(tbx_f4 e, tbx_f4 h, tbx_f4 h_yzx)
-{
-    return e * h_yzx + tbx_yzx(e) * h;
-}
-
-/* The sums of three lanes of a and of b, in lanes 0 and 1. */
-TBX_FN tbx_f4 tbx_sums3(tbx_f4 a, tbx_f4 b)
-{
-    const tbx_f4 low = TBX_LANES(a, b, 0, 4, 1, 5);
-    const tbx_f4 high = TBX_LANES(a, b, 2, 6, 3, 7);
-    return low + TBX_LANES(low, low, 2, 3, 2, 3) + high;
-}
-
-/* Sign bits: lanes whose magnitude, given by its bits, exceeds the float with bits `most`;
- * NaN exceeds all. */
-TBX_FN tbx_i4 tbx_above(tbx_f4 magnitude, int32_t most)
-{
-    return tbx_splat_int(most) - (tbx_i4)magnitude;
-}
-
-/* Sign bits: lanes that are not 0 and whose magnitude is below the float with bits `least`. */
-TBX_FN tbx_i4 tbx_below(tbx_f4 magnitude, int32_t least)
-{
-    const tbx_i4 bits = (tbx_i4)magnitude;
-    return (bits - tbx_splat_int(least)) & -bits;
-}
-
-/* Floats of at least 2^-100 are multiples of 2^-123, and so are their differences:
- * none is flushed to zero. */
-TBX_FN int tbx_may_flush(const float v[3])
-{
-    return tbx_any(tbx_below(tbx_abs4(tbx_load3(v)), 0x0d800000));
-}
-
-/* An edge's value less |n|, as z, x, y: |e_b| h_c + |e_c| h_b - |s|. e: absolute. */
-TBX_FN tbx_f4 tbx_edge4(tbx_f4 e, tbx_f4 e_yzx, tbx_f4 h, tbx_f4 h_yzx, tbx_f4 s)
-{
-    return e * h_yzx + (e_yzx * h - tbx_abs4(s));
-}
-
-/* The verdict of the float filter. rule: the box is not closed, so equality at a face is unsure. */
-TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                       const float box_max[3], int rule)
-{
-    const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f }; /* 2^-149 */
-    const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
-    const tbx_f4 ulps = tbx_splat(TBX_ULPS * TBX_U32);
-    const tbx_f4 p0 = tbx_load3(v0);
-    const tbx_f4 p1 = tbx_load3(v1);
-    const tbx_f4 p2 = tbx_load3(v2);
-    const tbx_f4 lo = tbx_load3(box_min);
-    const tbx_f4 hi = tbx_load3(box_max);
-    const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
-    const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
-    const tbx_f4 lower = tbx_max4(lo, t_min);
-    const tbx_f4 upper = tbx_min4(hi, t_max);
-    tbx_f4 a1 = p1 - p0;
-    tbx_f4 a2 = p2 - p0;
-    tbx_f4 l = lower - p0;
-    tbx_f4 h = upper - lower;
-    tbx_f4 span = hi - lo;
-    TBX_KEEP4(a1);
-    TBX_KEEP4(a2);
-    TBX_KEEP4(l);
-    TBX_KEEP4(h);
-    TBX_KEEP4(span);
-    {
-        const tbx_f4 m = l * tbx_splat(2.0f) + h;
-        const tbx_f4 e0 = tbx_abs4(a1);
-        const tbx_f4 e1 = tbx_abs4(a2 - a1);
-        const tbx_f4 e2 = tbx_abs4(a2);
-        const tbx_f4 m_yzx = tbx_yzx(m);
-        const tbx_f4 h_yzx = tbx_yzx(h);
-        const tbx_f4 a1_yzx = tbx_yzx(a1);
-        const tbx_f4 a2_yzx = tbx_yzx(a2);
-        const tbx_f4 c0 = a1 * m_yzx - a1_yzx * m;
-        const tbx_f4 c2 = m * a2_yzx - m_yzx * a2;
-        const tbx_f4 n = a1 * a2_yzx - a1_yzx * a2;
-        const tbx_f4 n_xyz = tbx_yzx(n);
-        const tbx_f4 sums = tbx_sums3(n_xyz * m, tbx_abs4(n_xyz) * h);
-        const tbx_f4 s0 = n - c0;
-        const tbx_f4 s2 = n - c2;
-        const tbx_f4 s1 = c0 - s2;
-        /* lane 3: -|n.m| here, and |n|.h in place of |n| make it the plane */
-        const tbx_f4 g0 = tbx_edge4(e0, tbx_abs4(a1_yzx), h, h_yzx, TBX_JOIN(s0, sums, 0));
-        const tbx_f4 g1 = tbx_edge4(e1, tbx_yzx(e1), h, h_yzx, s1);
-        const tbx_f4 g2 = tbx_edge4(e2, tbx_abs4(a2_yzx), h, h_yzx, s2);
-        const tbx_f4 g = tbx_min4(tbx_min4(g1, g2), g0);
-        const tbx_f4 value = g + TBX_JOIN(tbx_abs4(n), sums, 1);
-        /* from X to 2X; NaN, or beyond the range, where a corner is */
-        const tbx_f4 x = e0 + e2;
-        const tbx_f4 x_yzx = tbx_yzx(x);
-        const tbx_f4 area = x * x_yzx;
-        const tbx_f4 volume = area * tbx_yzx(x_yzx);
-        const tbx_f4 size = TBX_JOIN(area, volume, 0);
-        /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as zero */
-        const int refused = tbx_signs(tbx_above(x, 0x53000000) | tbx_above(tbx_abs4(span), 0x7f800000) |
-                                      tbx_below(x + tiny, 0x30800000));
-        /* h < 0: a face parts them, or min > max. Far apart, values overflow to NaN: never min them with h */
-        const int miss = tbx_signs((h < zero) | (value + ulps * size < zero)) != 0;
-        const int at_face = rule ? tbx_signs((lo >= t_max) | (t_min >= hi) | (lo >= hi)) & 7 : 0;
-        const int doubt = (tbx_signs((tbx_i4)(value - ulps * size)) | at_face) != 0;
-        const int open = doubt & !miss;
-        /* one branch, hardly ever taken: miss alone is a coin toss */
-        if (TBX_RARELY((refused != 8) | open)) {
-            if (open || (refused & 7) != 0 || tbx_may_flush(v0) || tbx_may_flush(v1) || tbx_may_flush(v2) ||
-                tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
-                return TBX_UNSURE;
-            }
-        }
-        return !miss;
-    }
-}
-
-/* The same filter in double. What each axis does alone: x and y in two lanes, then z and 0. The planes:
- * edges 0 and 2 in two lanes, edge 1 in both. */
-typedef int64_t tbx_l2 __attribute__((vector_size(16)));
-
-#if defined(__clang__)
-#define TBX_PAIR(a, b, i, j) __builtin_shufflevector(a, b, i, j)
-#else
-TBX_FN tbx_l2 tbx_order2(int64_t i, int64_t j)
-{
-    const tbx_l2 r = { i, j };
-    return r;
-}
-#define TBX_PAIR(a, b, i, j) __builtin_shuffle(a, b, tbx_order2(i, j))
-#endif
-
-TBX_FN tbx_d2 tbx_pair(double x, double y)
-{
-    const tbx_d2 r = { x, y };
-    return r;
-}
-
-TBX_FN tbx_d2 tbx_load2(const double v[2])
-{
-    tbx_d2 r;
-    TBX_COPY(&r, v, sizeof r);
-    return r;
-}
-
-TBX_FN tbx_l2 tbx_splat_long(int64_t x)
-{
-    const tbx_l2 r = { x, x };
-    return r;
-}
-
-TBX_FN tbx_d2 tbx_swap(tbx_d2 a)
-{
-    return TBX_PAIR(a, a, 1, 0);
-}
-
-TBX_FN tbx_d2 tbx_abs2(tbx_d2 a)
-{
-    return (tbx_d2)((tbx_l2)a & tbx_splat_long((int64_t)0x7fffffffffffffffu));
-}
-
-#if defined(__SSE2__)
-TBX_FN tbx_d2 tbx_min2(tbx_d2 a, tbx_d2 b)
-{
-    return __builtin_ia32_minpd(a, b);
-}
-
-TBX_FN tbx_d2 tbx_max2(tbx_d2 a, tbx_d2 b)
-{
-    return __builtin_ia32_maxpd(a, b);
-}
-
-TBX_FN int tbx_signs2(tbx_l2 mask)
-{
-    return __builtin_ia32_movmskpd((tbx_d2)mask);
-}
-#else
-TBX_FN tbx_d2 tbx_min2(tbx_d2 a, tbx_d2 b)
-{
-    const tbx_l2 less = a < b;
-    return (tbx_d2)(((tbx_l2)a & less) | ((tbx_l2)b & ~less));
-}
-
-TBX_FN tbx_d2 tbx_max2(tbx_d2 a, tbx_d2 b)
-{
-    const tbx_l2 more = a > b;
-    return (tbx_d2)(((tbx_l2)a & more) | ((tbx_l2)b & ~more));
-}
-
-TBX_FN int tbx_signs2(tbx_l2 mask)
-{
-    return (mask[0] < 0) | (mask[1] < 0) << 1;
-}
-#endif
-
-/* Two axes of the question; names as in tbx_filter4. */
-typedef struct tbx_axes {
-    tbx_d2 a1;
-    tbx_d2 a2;
-    tbx_d2 m;
-    tbx_d2 h;
-    tbx_d2 x;
-    tbx_l2 refused; /* sign bits */
-    tbx_l2 at_face;
-} tbx_axes;
-
-/* tiny: 0, or 2^-1074 in a lane without a coordinate: refused unless this processor reads or writes
- * subnormals as zero. */
-TBX_FN void tbx_axes_set(tbx_axes *r, tbx_d2 p0, tbx_d2 p1, tbx_d2 p2, tbx_d2 lo, tbx_d2 hi, tbx_d2 tiny)
-{
-    const tbx_l2 infinite = tbx_splat_long((int64_t)2047 << 52);
-    const tbx_l2 most = tbx_splat_long((int64_t)(1023 + 300) << 52);
-    const tbx_l2 least = tbx_splat_long((int64_t)(1023 - 300) << 52);
-    const tbx_d2 t_min = tbx_min2(tbx_min2(p0, p1), p2);
-    const tbx_d2 t_max = tbx_max2(tbx_max2(p0, p1), p2);
-    const tbx_d2 lower = tbx_max2(lo, t_min);
-    const tbx_d2 upper = tbx_min2(hi, t_max);
-    tbx_d2 a1 = p1 - p0;
-    tbx_d2 a2 = p2 - p0;
-    tbx_d2 l = lower - p0;
-    tbx_d2 h = upper - lower;
-    tbx_d2 span = hi - lo;
-    TBX_KEEP4(a1);
-    TBX_KEEP4(a2);
-    TBX_KEEP4(l);
-    TBX_KEEP4(h);
-    TBX_KEEP4(span);
-    {
-        const tbx_d2 x = tbx_abs2(a1) + tbx_abs2(a2);
-        const tbx_l2 bits = (tbx_l2)(x + tiny);
-        r->a1 = a1;
-        r->a2 = a2;
-        r->m = l * tbx_pair(2.0, 2.0) + h;
-        r->h = h;
-        r->x = x;
-        r->refused = (most - bits) | ((bits - least) & -bits) | (infinite - (tbx_l2)tbx_abs2(span));
-        r->at_face = (lo >= t_max) | (t_min >= hi) | (lo >= hi);
-    }
-}
-
-/* One axis of a plane. */
-typedef struct tbx_side {
-    tbx_d2 a; /* a_1, a_2 */
-    tbx_d2 a_swap;
-    tbx_d2 e;  /* absolute edges 0 and 2 */
-    tbx_d2 e1; /* twice the same, as all below */
-    tbx_d2 m;
-    tbx_d2 h;
-    tbx_d2 x;
-} tbx_side;
-
-TBX_FN void tbx_side_set(tbx_side *r, tbx_d2 a, tbx_d2 m, tbx_d2 h, tbx_d2 x)
-{
-    r->a = a;
-    r->a_swap = tbx_swap(a);
-    r->e = tbx_abs2(a);
-    r->e1 = tbx_abs2(a - r->a_swap);
-    r->m = m;
-    r->h = h;
-    r->x = x;
-}
-
-/* The lesser values of edges 0 and 1, and of 2 and 1. out_n: the normal's component, and its negative. */
-TBX_FN tbx_d2 tbx_edges2(const tbx_side *b, const tbx_side *c, tbx_d2 *out_n)
-{
-    const tbx_d2 product = b->a * c->a_swap;
-    const tbx_d2 n = product - tbx_swap(product);
-    const tbx_d2 line = b->a * c->m - c->a * b->m; /* c_0, -c_2 */
-    const tbx_d2 s = n - line;                     /* s_0, -s_2 */
-    const tbx_d2 s1 = line + tbx_swap(s);
-    const tbx_d2 g = b->e * c->h + (c->e * b->h - tbx_abs2(s));
-    const tbx_d2 g1 = b->e1 * c->h + (c->e1 * b->h - tbx_abs2(s1));
-    *out_n = n;
-    return tbx_min2(g, g1) + tbx_abs2(n);
-}
-
-/* The verdict of the double filter. rule as in tbx_filter4. */
+#if TRIBOX_SIMD /* section 11.1 */
 TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3], const double box_min[3],
-                       const double box_max[3], int rule)
-{
-    const tbx_d2 zero = { 0.0, 0.0 };
-    const tbx_d2 tiny = { 0.0, 4.9406564584124654e-324 };
-    const double ulp = TBX_ULPS * TBX_U64;
-    const tbx_d2 ulps = tbx_pair(ulp, ulp);
-    tbx_axes xy;
-    tbx_axes z;
-    tbx_side sx;
-    tbx_side sy;
-    tbx_side sz;
-    tbx_d2 n_x;
-    tbx_d2 n_y;
-    tbx_d2 n_z;
-    tbx_axes_set(&xy, tbx_load2(v0), tbx_load2(v1), tbx_load2(v2), tbx_load2(box_min), tbx_load2(box_max),
-                 zero);
-    tbx_axes_set(&z, tbx_pair(v0[2], 0.0), tbx_pair(v1[2], 0.0), tbx_pair(v2[2], 0.0),
-                 tbx_pair(box_min[2], 0.0), tbx_pair(box_max[2], 0.0), tiny);
-    tbx_side_set(&sx, TBX_PAIR(xy.a1, xy.a2, 0, 2), TBX_PAIR(xy.m, xy.m, 0, 0), TBX_PAIR(xy.h, xy.h, 0, 0),
-                 TBX_PAIR(xy.x, xy.x, 0, 0));
-    tbx_side_set(&sy, TBX_PAIR(xy.a1, xy.a2, 1, 3), TBX_PAIR(xy.m, xy.m, 1, 1), TBX_PAIR(xy.h, xy.h, 1, 1),
-                 TBX_PAIR(xy.x, xy.x, 1, 1));
-    tbx_side_set(&sz, TBX_PAIR(z.a1, z.a2, 0, 2), TBX_PAIR(z.m, z.m, 0, 0), TBX_PAIR(z.h, z.h, 0, 0),
-                 TBX_PAIR(z.x, z.x, 0, 0));
-    {
-        const tbx_d2 g_x = tbx_edges2(&sy, &sz, &n_x);
-        const tbx_d2 g_y = tbx_edges2(&sz, &sx, &n_y);
-        const tbx_d2 g_z = tbx_edges2(&sx, &sy, &n_z);
-        const tbx_d2 support = tbx_abs2(n_x) * sx.h + tbx_abs2(n_y) * sy.h + tbx_abs2(n_z) * sz.h;
-        const tbx_d2 plane = support - tbx_abs2(n_x * sx.m + n_y * sy.m + n_z * sz.m);
-        const tbx_d2 area_x = sy.x * sz.x;
-        const tbx_d2 area_y = sz.x * sx.x;
-        const tbx_d2 area_z = sx.x * sy.x;
-        const tbx_d2 volume = area_z * sz.x;
-        const tbx_d2 edges_xy = tbx_min2(g_x + ulps * area_x, g_y + ulps * area_y);
-        const tbx_d2 rest = tbx_min2(g_z + ulps * area_z, plane + ulps * volume);
-        const tbx_l2 axes = tbx_min2(edges_xy, rest) < zero;
-        const tbx_l2 faces = tbx_min2(xy.h, z.h) < zero;
-        const tbx_l2 below = (tbx_l2)(g_x - ulps * area_x) | (tbx_l2)(g_y - ulps * area_y) |
-                             (tbx_l2)(g_z - ulps * area_z) | (tbx_l2)(plane - ulps * volume);
-        const int refused = tbx_signs2(z.refused) | tbx_signs2(xy.refused) << 2;
-        const int miss = tbx_signs2(faces | axes) != 0;
-        const int at_face = rule ? tbx_signs2(xy.at_face) | (tbx_signs2(z.at_face) & 1) : 0;
-        const int doubt = (tbx_signs2(below) | at_face) != 0;
-        const int open = doubt & !miss;
-        if (TBX_RARELY((refused != 2) | open)) {
-            if (open || (refused & ~2) != 0 || tbx_may_flush64(v0, v1, v2, box_min, box_max)) {
-                return TBX_UNSURE;
-            }
-        }
-        return !miss;
-    }
-}
+                       const double box_max[3], int rule);
+TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                       const float box_max[3], int rule);
 #endif
 
 TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
@@ -2791,64 +2334,213 @@ TBX_NOINLINE int tbx_tri_test_widened(const tribox_tri *tri, const float p[3])
     return tbx_tri_test(tri, q);
 }
 
-#if TRIBOX_SIMD
-/* x, y, z, z of p; one by one: p was often written just before. */
-TBX_FN tbx_f4 tbx_load_xyzz(const float p[3])
-{
-    tbx_f4 x = { 0.0f, 0.0f, 0.0f, 0.0f };
-    tbx_f4 y = x;
-    tbx_f4 z = x;
-    x[0] = p[0];
-    y[0] = p[1];
-    z[0] = p[2];
-    TBX_KEEP4(x); /* of two shuffles gcc would make three: 1.04x */
-    return TBX_LANES(TBX_LANES(x, y, 0, 4, 1, 5), z, 0, 1, 4, 4);
-}
-
-/* Sign bits: faces that do not hold, as one always does not where p is NaN or infinite. gcc would go by mask
- * registers for AVX-512; kept in vectors, the test gains 1.04x. */
-TBX_FN tbx_i4 tbx_faces_refuse(const tribox_tri *tri, tbx_f4 x)
-{
-    const tbx_i4 moved = (tbx_i4)((tbx_u4)x + (tbx_u4)tbx_load4i(tri->face_shift));
-    tbx_i4 faces = (tbx_i4)x > tbx_load4i(tri->face_most);
-    TBX_KEEP4(faces);
-    faces |= moved > tbx_load4i(tri->face_span);
-    TBX_KEEP4(faces);
-    return faces;
-}
+#if TRIBOX_SIMD /* section 11.2 */
+TBX_FN int tbx_tri_test_simd(const tribox_tri *tri, const float p[3]);
 #endif
 
 TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3])
 {
 #if TRIBOX_SIMD
-    const tbx_f4 x = tbx_load_xyzz(p);
-    const tbx_i4 faces = tbx_faces_refuse(tri, x);
-    tbx_f4 q = x - tbx_load4(tri->ref);
-    TBX_KEEP4(q);
-    {
-        const tbx_f4 q_b = TBX_LANES(q, q, 1, 2, 0, 0);
-        const tbx_f4 q_c = TBX_LANES(q, q, 2, 0, 1, 1);
-        const tbx_f4 first =
-            tbx_fma4(tbx_load4(tri->first_b), q_b,
-                     tbx_fma4(tbx_load4(tri->first_c), q_c,
-                              tbx_fma4(tbx_load4(tri->first_z), q, tbx_load4(tri->first_d))));
-        const tbx_f4 second = tbx_fma4(tbx_load4(tri->second_b), q_b,
-                                       tbx_fma4(tbx_load4(tri->second_c), q_c, tbx_load4(tri->second_d)));
-        const tbx_f4 third = tbx_load4(tri->third_d) - (first + second);
-        const tbx_f4 least = tbx_min4(tbx_min4(first, second), third);
-        /* by their sign bits: least <= 0 or a face, and least < 2; the conditions have 1 added */
-        const int miss = tbx_signs((tbx_i4)least | faces);
-        const int doubt = tbx_signs((tbx_i4)(least - tbx_splat(2.0f)));
-        const unsigned verdict = ((unsigned)miss << 4 | (unsigned)doubt) - 1u; /* a hit wraps round */
-        if (TBX_RARELY(verdict < 15u)) {                                       /* no miss, but doubt */
-            return tbx_tri_test_widened(tri, p);
-        }
-        return (int)(verdict >> 31);
+    const int verdict = tbx_tri_test_simd(tri, p);
+    if (!TBX_RARELY(verdict == TBX_UNSURE)) {
+        return verdict;
     }
-#else
-    return tbx_tri_test_widened(tri, p);
 #endif
+    return tbx_tri_test_widened(tri, p);
 }
+
+#ifndef TRIBOX_NO_COMPANIONS
+/* ---- Octree descent */
+
+#define TBX_OCTANTS_UNSURE 256u
+
+#if TRIBOX_SIMD /* section 11.2 */
+TBX_FN unsigned tbx_octant_values_simd(const tribox_tri *tri, const double q_near[3], const double q_far[3],
+                                       unsigned *out_doubt);
+TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3]);
+#endif
+
+TRIBOX_FN void tribox_tri_resize_f64(tribox_tri *tri, const double size[3])
+{
+    tribox_tri_init_f64(tri, tri->v[0], tri->v[1], tri->v[2], size, tri->asked);
+}
+
+TRIBOX_FN void tribox_tri_resize(tribox_tri *tri, const float size[3])
+{
+    double wide[3];
+    tbx_widen3(wide, size);
+    tribox_tri_resize_f64(tri, wide);
+}
+
+/* The sign of p + count*size - t. */
+TBX_FN int tbx_face_sign(double p, double size, int count, double t)
+{
+    const tbx_coord face = tbx_at(p, size, 2 * count);
+    const tbx_coord plane = tbx_at(t, 0.0, 0);
+    return tbx_compare(&face, &plane);
+}
+
+TBX_COLD unsigned tbx_octant_faces_exact(const tribox_tri *tri, int k, double p)
+{
+    const int lo_is_open = (tri->flags & TRIBOX_OPEN) != 0;
+    const int hi_is_open = (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const double size = tri->size[k];
+    const unsigned below = tbx_key64(p) + lo_is_open <= tbx_key64(tri->t_max[k]);
+    unsigned near_holds;
+    unsigned far_holds;
+    if (!tbx_is_finite(size)) {
+        return below;
+    }
+    near_holds = tbx_face_sign(p, size, 1, tri->t_min[k]) >= hi_is_open;
+    far_holds = tbx_face_sign(p, size, 1, tri->t_max[k]) <= -lo_is_open &&
+                tbx_face_sign(p, size, 2, tri->t_min[k]) >= hi_is_open;
+    return (below & near_holds) | far_holds << 1;
+}
+
+/* Bit 0, bit 1: the faces of axis k hold for [p, p + size], for [p + size, p + 2 size]. With an infinite
+ * size, only the first is a box. A sum x of p - t and up to two sizes is made of sums below |x| + 2 size,
+ * so it errs by less than 3 u (|x| + size), and its sign is sure if |x| > 16 u size. */
+TBX_FN unsigned tbx_octant_faces(const tribox_tri *tri, int k, double p)
+{
+    const double size = tri->size[k];
+    const double e = 16.0 * TBX_U64 * size;
+    const uint64_t exponent = tbx_bits64(&size) >> 52;
+    const double above = p - tri->t_min[k] + size; /* both >= 0 where the faces hold */
+    const double below = tri->t_max[k] - p;
+    const double above_far = above + size;
+    const double below_far = below - size;
+    const double nearer = above < below ? above : below;
+    const double farther = above_far < below_far ? above_far : below_far;
+    const unsigned holds = (unsigned)(nearer > e) | (unsigned)(farther > e) << 1;
+    const unsigned fails = (unsigned)(nearer < -e) | (unsigned)(farther < -e) << 1;
+    if (TBX_RARELY((holds | fails) != 3u || exponent - 64u > 1919u)) { /* 2^-959..2^960 */
+        return tbx_octant_faces_exact(tri, k, p);
+    }
+    return holds;
+}
+
+/* One octant whose faces hold: by the prepared test if its corner is a double, else by exact signs. */
+TBX_COLD int tbx_octant(const tribox_tri *tri, const double p[3], unsigned octant)
+{
+    tbx_exact f;
+    double corner[3];
+    int is_double = 1;
+    int k;
+    tbx_exact_corners(&f, tri->v[0], tri->v[1], tri->v[2]);
+    for (k = 0; k < 3; k++) {
+        const int64_t half = (octant >> k & 1u) != 0 ? 2 : 0;
+        const double size = tri->size[k];
+        const int finite = tbx_is_finite(size);
+        tbx_coord at;
+        corner[k] = half != 0 ? p[k] + size : p[k];
+        at = tbx_at(corner[k], 0.0, 0);
+        f.x[TBX_LO][k] = tbx_at(p[k], size, half);
+        f.x[TBX_MID][k] = tbx_at(p[k], size, half + 1);
+        f.x[TBX_HI][k] = tbx_at(p[k], size, finite ? half + 2 : 8);
+        /* no corner is infinite: it is at most t_max */
+        is_double = is_double && tbx_compare(&at, &f.x[TBX_LO][k]) == 0;
+    }
+    return is_double ? tbx_tri_test(tri, corner) : tbx_exact_overlap(&f, tri->flags);
+}
+
+/* The conditions of the prepared test at the eight octants ref + q, q_k being q_near[k] or q_far[k]: bits of
+ * those where all hold, and of those where that is unsure. */
+TBX_FN unsigned tbx_octant_values(const tribox_tri *tri, const double q_near[3], const double q_far[3],
+                                  unsigned *out_doubt)
+{
+    unsigned hits = 0;
+    unsigned doubt = 0;
+    unsigned o;
+    int i;
+    for (o = 0; o < 8; o++) {
+        const double x = (o & 1u) != 0 ? q_far[0] : q_near[0];
+        const double y = (o & 2u) != 0 ? q_far[1] : q_near[1];
+        const double z = (o & 4u) != 0 ? q_far[2] : q_near[2];
+        double least = 2.0;
+        for (i = 0; i < 12; i++) {
+            const double value =
+                tri->n_x_f64[i] * x + tri->n_y_f64[i] * y + tri->n_z_f64[i] * z + tri->d_f64[i];
+            least = value < least ? value : least;
+        }
+        hits |= (unsigned)(least >= 1.0) << o;
+        doubt |= (unsigned)(least >= -1.0) << o;
+    }
+    *out_doubt = doubt & ~hits;
+    return hits;
+}
+
+/* The octants that the faces of axis k leave, the upper ones `shift` bits above the lower ones. */
+TBX_FN unsigned tbx_octant_axis(const tribox_tri *tri, int k, double p, unsigned lower, int shift)
+{
+    const unsigned faces = tbx_octant_faces(tri, k, p);
+    return lower * ((faces & 1u) | (faces >> 1) << shift);
+}
+
+/* Where p - ref may be too large for a float, and where sizes are infinite, each octant is asked by
+ * itself. */
+TBX_FN unsigned tbx_octants(const tribox_tri *tri, const double p[3])
+{
+    unsigned asked;
+    unsigned hits = 0;
+    unsigned doubt;
+    double q_near[3];
+    double q_far[3];
+    unsigned o;
+    int k;
+    if (tri->empty) {
+        return 0;
+    }
+    asked = tbx_octant_axis(tri, 0, p[0], 0x55, 1);
+    asked &= tbx_octant_axis(tri, 1, p[1], 0x33, 2);
+    asked &= tbx_octant_axis(tri, 2, p[2], 0x0f, 4);
+    doubt = asked;
+    if (asked != 0 && !TBX_RARELY(tri->huge)) {
+        for (k = 0; k < 3; k++) {
+            q_near[k] = p[k] - (double)tri->ref[k];
+        }
+        TBX_KEEP(q_near);
+        for (k = 0; k < 3; k++) {
+            q_far[k] = q_near[k] + tri->size[k];
+        }
+        TBX_KEEP(q_far);
+#if TRIBOX_SIMD
+        hits = asked & tbx_octant_values_simd(tri, q_near, q_far, &doubt);
+#else
+        hits = asked & tbx_octant_values(tri, q_near, q_far, &doubt);
+#endif
+        doubt &= asked;
+    }
+    for (o = 0; TBX_RARELY(doubt >> o != 0); o++) {
+        if ((doubt >> o & 1u) != 0) {
+            hits |= (unsigned)tbx_octant(tri, p, o) << o;
+        }
+    }
+    return hits;
+}
+
+TRIBOX_FN unsigned tribox_tri_octants_f64(const tribox_tri *tri, const double p[3])
+{
+    return tbx_finite3(p) ? tbx_octants(tri, p) : 0;
+}
+
+TBX_NOINLINE unsigned tbx_octants_widened(const tribox_tri *tri, const float p[3])
+{
+    double wide[3];
+    tbx_widen3(wide, p);
+    return tribox_tri_octants_f64(tri, wide);
+}
+
+TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
+{
+#if TRIBOX_SIMD
+    const unsigned octants = tbx_octants_simd(tri, p);
+    if (!TBX_RARELY(octants == TBX_OCTANTS_UNSURE)) {
+        return octants;
+    }
+#endif
+    return tbx_octants_widened(tri, p);
+}
+#endif /* TRIBOX_NO_COMPANIONS */
 
 /* ---- 8. Grid ------------------------------------------------------------------------------------------- */
 
@@ -3351,216 +3043,8 @@ TBX_FN void tbx_walk_rows(const tbx_walk *w, tbx_sink *sink)
     }
 }
 
-#if TRIBOX_SIMD
-/* A limit as four lines at once ask it, alpha*i + (beta*line + rest) >= 0, scaled to at most 1.
- *
- * Bound. alpha, beta and rest are rounded to float (1 u each), two products and two sums add 3 u, the sum of
- * magnitudes being at most 1: 4 u, taken as 8, on top of the limit's own. On a lattice and below 2^23 of its
- * quanta all is exact, and no value is zero. The root's quotient is a guess m, within one of the root: the
- * values at m and at its neighbour towards the other sign must both be certain. A limit too flat along i to
- * have a root takes its value at 0 for the whole line, up to |alpha| * count. */
-typedef struct tbx_lines {
-    double scale;
-    float alpha;
-    float beta;
-    float inverse; /* about -1 / alpha; 0: flat */
-    float step;    /* from the last false index to the first true one */
-    float lo_off;  /* far down if it limits from above */
-    float hi_off;  /* far up if it limits from below */
-    float bound;
-    float room; /* |alpha| - bound, against the value at m */
-} tbx_lines;
-
-#define TBX_FAR 16777216.0f /* 2^24, beyond every index in lanes */
-
-TBX_FN void tbx_lines_init(tbx_lines *q, const tbx_walk *w, const tbx_limit *c, int line_axis)
-{
-    const double terms = tbx_abs(c->a[0]) * (double)w->count[0] + tbx_abs(c->a[1]) * (double)w->count[1] +
-                         tbx_abs(c->a[2]) * (double)w->count[2] + tbx_abs(c->d) + c->bound;
-    const double scale = tbx_from_bits64((uint64_t)(2045 - (tbx_bits64(&terms) >> 52)) << 52);
-    const double along = tbx_abs(c->a[c->axis]) * scale;
-    double bound = 0.0;
-    int flat;
-    if (c->bound > 0.0 || terms > c->quantum * 8388608.0) { /* 2^23 */
-        bound = c->bound * scale + (double)(8.0f * TBX_U32);
-    }
-    flat = along <= 4.0 * bound;
-    q->scale = scale;
-    q->alpha = flat ? 0.0f : (float)(c->a[c->axis] * scale);
-    q->beta = (float)(c->a[line_axis] * scale);
-    q->inverse = flat ? 0.0f : -1.0f / q->alpha;
-    q->step = flat ? TBX_FAR : c->sign > 0 ? 1.0f : -1.0f;
-    q->lo_off = flat || c->sign > 0 ? 0.0f : -TBX_FAR;
-    q->hi_off = flat || c->sign > 0 ? TBX_FAR : 0.0f;
-    bound = (bound + (flat ? along * (double)w->count[c->axis] : 0.0)) * 1.0001;
-    q->bound = (float)bound;
-    q->room = flat ? TBX_FAR : (float)(along - bound);
-}
-
-/* Narrows four lines. Returns the lanes in which the limit is not certain. */
-TBX_FN tbx_i4 tbx_lines_narrow(const tbx_lines *q, tbx_f4 line, float rest, tbx_f4 count, tbx_f4 *lo,
-                               tbx_f4 *hi)
-{
-    const tbx_f4 at_0 = tbx_splat(q->beta) * line + tbx_splat(rest);
-    const tbx_f4 root = at_0 * tbx_splat(q->inverse);
-    const tbx_f4 inside = tbx_min4(tbx_max4(root, tbx_splat(-1.0f)), count);
-    const tbx_f4 m = tbx_truncate(inside);
-    const tbx_f4 value = tbx_splat(q->alpha) * m + at_0;
-    const tbx_f4 size = tbx_abs4(value);
-    const tbx_i4 is_false = value < tbx_splat(0.0f);
-    const tbx_f4 edge = m + (tbx_f4)(is_false & (tbx_i4)tbx_splat(q->step));
-    *lo = tbx_max4(*lo, edge + tbx_splat(q->lo_off));
-    *hi = tbx_min4(*hi, edge + tbx_splat(q->hi_off));
-    return (size < tbx_splat(q->bound)) | ((size > tbx_splat(q->room)) & (root == inside));
-}
-
-/* Bounds lo[i]..hi[i] of the lines of one tile; empty where lo > hi. */
-typedef struct tbx_bounds {
-    float lo[TBX_TILE];
-    float hi[TBX_TILE];
-} tbx_bounds;
-
-/* One line's bounds, narrowed by a group of limits one by one: what the lanes leave open. */
-TBX_NOINLINE void tbx_line_exact(const tbx_walk *w, int group, int64_t index[3], float *lo, float *hi)
-{
-    int64_t first = (int64_t)*lo;
-    int64_t last = (int64_t)*hi;
-    int i;
-    for (i = w->first[group]; i < w->first[group + 1] && first <= last; i++) {
-        tbx_limit_narrow(w, &w->limit[i], index, &first, &last);
-    }
-    *lo = (float)first;
-    *hi = (float)last;
-}
-
-/* Bounds along `axis` of the tile of lines that starts at `start`, counted by line_axis,
- * by the edges of a group. */
-TBX_FN void tbx_tile_bounds(const tbx_walk *w, const tbx_lines *lines, int group, int axis, int line_axis,
-                            int64_t start, tbx_bounds *out)
-{
-    const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
-    const tbx_f4 count = tbx_splat((float)w->count[axis]);
-    const float last = (float)(w->count[axis] - 1);
-    int j;
-    for (j = 0; j < TBX_TILE && start + j < w->count[line_axis]; j += 4) {
-        const tbx_f4 line = tbx_splat((float)(start + j)) + four;
-        tbx_f4 lo = tbx_splat(0.0f);
-        tbx_f4 hi = tbx_splat(last);
-        tbx_i4 doubt = tbx_splat_int(0);
-        int doubts;
-        int i;
-        for (i = w->first[group]; i < w->first[group + 1]; i++) {
-            const float rest = (float)(w->limit[i].d * lines[i].scale);
-            doubt |= tbx_lines_narrow(&lines[i], line, rest, count, &lo, &hi);
-        }
-        TBX_COPY(out->lo + j, &lo, sizeof lo);
-        TBX_COPY(out->hi + j, &hi, sizeof hi);
-        doubts = tbx_signs(doubt);
-        for (i = j; doubts != 0; i++, doubts >>= 1) {
-            if ((doubts & 1) != 0) {
-                int64_t index[3] = { 0, 0, 0 };
-                index[line_axis] = start + i;
-                out->lo[i] = 0.0f;
-                out->hi[i] = last;
-                tbx_line_exact(w, group, index, &out->lo[i], &out->hi[i]);
-            }
-        }
-    }
-}
-
-/* The row walk, four rows at a time. Floats hold every index: counts are below 2^20. */
-TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink)
-{
-    const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
-    const tbx_f4 count = tbx_splat((float)w->count[0]);
-    tbx_lines lines[11];
-    tbx_bounds x_of_y;
-    tbx_bounds x_of_z;
-    tbx_bounds y_of_z;
-    const tbx_target *t = sink->target;
-    const size_t start_x = t != NULL ? (size_t)(w->base[0] - t->lo[0]) : 0;
-    int64_t y_start = -1; /* the tiles that these are of */
-    int64_t z;
-    int i;
-    for (i = 0; i < w->limits; i++) {
-        tbx_lines_init(&lines[i], w, &w->limit[i], i >= w->first[1] && i < w->first[3] ? 2 : 1);
-    }
-    for (z = 0; z < w->count[2]; z++) {
-        const int layer = (int)(z % TBX_TILE);
-        const size_t layer_words = t != NULL ? (size_t)(w->base[2] + z - t->lo[2]) * t->ny * t->row_words : 0;
-        float rest[2] = { 0.0f, 0.0f };
-        int64_t y;
-        int64_t y_end;
-        if (layer == 0) {
-            tbx_tile_bounds(w, lines, 1, 0, 2, z, &x_of_z);
-            tbx_tile_bounds(w, lines, 2, 1, 2, z, &y_of_z);
-        }
-        if (!(x_of_z.lo[layer] <= x_of_z.hi[layer])) {
-            continue;
-        }
-        for (i = w->first[3]; i < w->first[4]; i++) {
-            rest[i - w->first[3]] = (float)((w->limit[i].a[2] * (double)z + w->limit[i].d) * lines[i].scale);
-        }
-        y_end = (int64_t)y_of_z.hi[layer];
-        for (y = (int64_t)y_of_z.lo[layer] & ~(int64_t)3; y <= y_end; y += 4) {
-            const int row = (int)(y % TBX_TILE);
-            const tbx_f4 line = tbx_splat((float)y) + four;
-            const tbx_i4 outside =
-                (line < tbx_splat(y_of_z.lo[layer])) | (line > tbx_splat(y_of_z.hi[layer]));
-            tbx_i4 doubt = tbx_splat_int(0);
-            tbx_f4 lo;
-            tbx_f4 hi;
-            tbx_f4 lo_edges;
-            tbx_f4 hi_edges;
-            float x_lo[4];
-            float x_hi[4];
-            uint64_t *row_bits = NULL;
-            int doubts;
-            int rows;
-            if (y - row != y_start) {
-                y_start = y - row;
-                tbx_tile_bounds(w, lines, 0, 0, 1, y_start, &x_of_y);
-            }
-            lo_edges = tbx_max4(tbx_load4(x_of_y.lo + row), tbx_splat(x_of_z.lo[layer]));
-            hi_edges = tbx_min4(tbx_load4(x_of_y.hi + row), tbx_splat(x_of_z.hi[layer]));
-            lo = lo_edges;
-            hi = hi_edges;
-            for (i = w->first[3]; i < w->first[4]; i++) {
-                doubt |= tbx_lines_narrow(&lines[i], line, rest[i - w->first[3]], count, &lo, &hi);
-            }
-            TBX_COPY(x_lo, &lo, sizeof lo);
-            TBX_COPY(x_hi, &hi, sizeof hi);
-            doubts = tbx_signs(doubt & ~(outside | (lo_edges > hi_edges)));
-            rows = tbx_signs(~(outside | (lo > hi))) | doubts;
-            if (t != NULL) {
-                row_bits = t->bits + layer_words + (size_t)(w->base[1] + y - t->lo[1]) * t->row_words;
-            }
-            for (i = 0; rows != 0; i++, rows >>= 1) {
-                if ((rows & 1) == 0) {
-                    continue;
-                }
-                if (((doubts >> i) & 1) != 0) {
-                    int64_t index[3];
-                    index[0] = 0;
-                    index[1] = y + i;
-                    index[2] = z;
-                    x_lo[i] = lo_edges[i];
-                    x_hi[i] = hi_edges[i];
-                    tbx_line_exact(w, 3, index, &x_lo[i], &x_hi[i]);
-                    if (x_lo[i] > x_hi[i]) {
-                        continue;
-                    }
-                }
-                if (t != NULL) {
-                    tbx_set_run(t, row_bits + (size_t)i * t->row_words, start_x + (size_t)(int32_t)x_lo[i],
-                                start_x + (size_t)(int32_t)x_hi[i]);
-                } else {
-                    tbx_walk_emit(w, (int64_t)x_lo[i], (int64_t)x_hi[i], y + i, z, sink);
-                }
-            }
-        }
-    }
-}
+#if TRIBOX_SIMD /* section 11.3 */
+TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink);
 #endif
 
 /* All spans of a triangle over a valid grid. */
@@ -3955,7 +3439,2323 @@ TBX_FN double tbx_floor_to(double x, double q)
     return (whole > units ? whole - 1.0 : whole) * q;
 }
 
+#if TRIBOX_SIMD /* section 11.4 */
+TBX_FN size_t tbx_fill_quick(const tribox_grid *grid, const tbx_fine *fine, const tribox_mesh *mesh,
+                             const tbx_target *target);
+#endif
+
+TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
+{
+    tbx_target target;
+    tbx_fine fine;
+    tbx_part all;
+    size_t t = 0;
+    int k;
+    if (tribox_grid_words(grid) == 0) {
+        return;
+    }
+    target.bits = bits;
+    for (k = 0; k < 3; k++) {
+        target.lo[k] = grid->lo[k];
+    }
+    target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
+    target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
+    tbx_fine_init(&fine, grid);
 #if TRIBOX_SIMD
+    t = tbx_fill_quick(grid, &fine, mesh, &target);
+#endif
+    for (k = 0; k < 2; k++) {
+        all.first[k] = 0;
+        all.last[k] = (int64_t)grid->hi[k + 1] - 1 - grid->lo[k + 1];
+    }
+    for (; t < mesh->triangles; t++) {
+        tbx_fill_part(grid, &fine, mesh, t, &all, &target);
+    }
+}
+
+TRIBOX_FN int tribox_grid_get(const tribox_grid *grid, const uint64_t *bits, int x, int y, int z)
+{
+    size_t row;
+    size_t column;
+    if (tribox_grid_words(grid) == 0 || x < grid->lo[0] || x >= grid->hi[0] || y < grid->lo[1] ||
+        y >= grid->hi[1] || z < grid->lo[2] || z >= grid->hi[2]) {
+        return 0;
+    }
+    column = (size_t)((int64_t)x - grid->lo[0]);
+    row = (size_t)((int64_t)z - grid->lo[2]) * (size_t)((int64_t)grid->hi[1] - grid->lo[1]) +
+          (size_t)((int64_t)y - grid->lo[1]);
+    row *= (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
+    return (int)((bits[row + (column >> 6)] >> (column & 63)) & 1u);
+}
+
+TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3], int out_index[3])
+{
+    const int64_t least = -((int64_t)1 << 31);
+    const int64_t most = ((int64_t)1 << 31) - 1;
+    int inside = 1;
+    int k;
+    for (k = 0; k < 3; k++) {
+        if (!tbx_is_finite(grid->origin[k]) || !tbx_is_finite(grid->size[k]) ||
+            tbx_sign(grid->size[k]) <= 0 || !tbx_is_finite(point[k])) {
+            return 0;
+        }
+    }
+    for (k = 0; k < 3; k++) {
+        const int64_t i = tbx_plane_search(grid, k, least + 1, most + 1, point[k], 1) - 1;
+        inside &= i >= grid->lo[k] && i < grid->hi[k] &&
+                  (i > least || tbx_plane_compare(grid, k, i, point[k]) <= 0);
+        out_index[k] = (int)i;
+    }
+    return inside;
+}
+
+/* Bounds of the mesh's triangles, those with a NaN or infinite corner left out.
+ * Returns 0 if there is none. */
+TBX_FN int tbx_mesh_bounds(const tribox_mesh *mesh, double out_min[3], double out_max[3])
+{
+    int any = 0;
+    size_t t;
+    for (t = 0; t < mesh->triangles; t++) {
+        double v[3][3];
+        int c;
+        int k;
+        for (c = 0; c < 3; c++) {
+            tbx_mesh_corner(mesh, t, c, v[c]);
+        }
+        if (!tbx_corners_finite(v[0], v[1], v[2])) {
+            continue;
+        }
+        for (c = 0; c < 3; c++) {
+            for (k = 0; k < 3; k++) {
+                out_min[k] = any && !(v[c][k] < out_min[k]) ? out_min[k] : v[c][k];
+                out_max[k] = any && !(v[c][k] > out_max[k]) ? out_max[k] : v[c][k];
+            }
+            any = 1;
+        }
+    }
+    return any;
+}
+
+/* Voxel size and origin are kept to few bits (24 and 2^-12 of a voxel),
+ * which keeps later exact signs short. */
+TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
+{
+    double t_min[3];
+    double t_max[3];
+    double longest = 0.0;
+    double size;
+    double bump = 0.0; /* doubles, for a mesh that is small beside its coordinates */
+    int fits = 0;
+    int k;
+    grid->flags = 0;
+    for (k = 0; k < 3; k++) {
+        grid->origin[k] = 0.0;
+        grid->size[k] = 1.0;
+        grid->lo[k] = 0;
+        grid->hi[k] = 0;
+    }
+    if (n < 1 || !tbx_mesh_bounds(mesh, t_min, t_max)) {
+        return 0;
+    }
+    for (k = 0; k < 3; k++) {
+        longest = t_max[k] - t_min[k] > longest ? t_max[k] - t_min[k] : longest;
+    }
+    if (!(longest > 0.0)) {
+        return 0;
+    }
+    size = longest / n * (1.0 + 1.0 / 512.0 / n);
+    while (!fits) {
+        double q;
+        q = tbx_floor_pow2(size) * (1.0 / 8388608.0); /* 2^-23: 24 bits of size */
+        size = tbx_floor_to(size + bump, q) + q;
+        bump = 2.0 * bump + q;
+        q = tbx_floor_pow2(size) * (1.0 / 4096.0);
+        fits = 1;
+        for (k = 0; k < 3; k++) {
+            const double extent = t_max[k] - t_min[k];
+            int cells = (int)(extent / size * (1.0 + 1.0 / 4096.0 / n)) + 1;
+            cells = cells < n ? cells : n;
+            cells = extent < longest ? cells : n;
+            grid->size[k] = size;
+            grid->hi[k] = cells;
+            grid->origin[k] = tbx_floor_to((t_min[k] + t_max[k] - cells * size) * 0.5, q);
+            fits &= tbx_plane_compare(grid, k, 0, t_min[k]) < 0 &&
+                    tbx_plane_compare(grid, k, cells, t_max[k]) > 0;
+        }
+    }
+    return 1;
+}
+
+#ifndef TRIBOX_NO_COMPANIONS
+/* ---- 10. Companions ---------------------------------------------------------------------------------------
+ *
+ * Each algorithm is written once, over tbx_num, and runs at most twice: first in double with a bound
+ * of the error beside each value, then, only if some sign was unsure, in integers. Both runs take the same
+ * branches on signs that are certain, so an answer of the first run is the answer of the second.
+ *
+ * In double: |exact - mid| <= 2 rad. A degree-d number is a multiple of 2^-150d below 2^(130d + 8), d <= 6,
+ * and rounding to 53 bits keeps it so: nothing overflows, mid is 0 or at least 2^-900, rad 0 or at least
+ * 2^-1000; so there are no subnormals. Each operation adds U |mid|, U = 2^-51, twice what its rounding needs.
+ * The roundings of rad itself, at most 2^6 operations of 2^-50 each, are covered by the 2. Sums are kept in
+ * the order written; a reassociated product has no more roundings, a fused one fewer. rad = 0 says that no
+ * rounding took part: numbers of 24 bits have exact products, and exact sums where their exponents differ by
+ * at most 28. So on small integers every sign is sure, zeros too.
+ *
+ * In integers: sign * limbs * 2^exponent, of any exponent, so that ordinary inputs take one limb. A degree-6
+ * number spans at most 6 * 280 + 8 = 1688 bits: 53 limbs, and one each for the two unaligned ends. */
+#define TBX_NUM_LIMBS 56
+
+typedef struct tbx_num {
+    double mid; /* in double */
+    double rad;
+    int sign; /* in integers */
+    int exponent;
+    int n;
+    uint32_t limb[TBX_NUM_LIMBS];
+} tbx_num;
+
+typedef struct tbx_calc {
+    int exact;  /* which of the two runs */
+    int unsure; /* some sign was not certain: what follows means nothing */
+} tbx_calc;
+
+/* r = a * 2^(a's exponent - exponent) */
+TBX_FN void tbx_num_unpack(tbx_big *r, const tbx_num *a, int exponent)
+{
+    const int shift = a->sign != 0 ? a->exponent - exponent : 0;
+    uint64_t carry = 0;
+    int i;
+    r->sign = a->sign;
+    r->n = shift >> 5;
+    for (i = 0; i < r->n; i++) {
+        r->limb[i] = 0;
+    }
+    for (i = 0; i < a->n; i++) {
+        carry |= (uint64_t)a->limb[i] << (shift & 31);
+        r->limb[r->n++] = (uint32_t)carry;
+        carry >>= 32;
+    }
+    r->limb[r->n] = (uint32_t)carry;
+    r->n = a->sign != 0 ? r->n + (carry != 0) : 0;
+}
+
+/* r = a * 2^exponent, without limbs that are 0 at the low end */
+TBX_FN void tbx_num_pack(tbx_num *r, const tbx_big *a, int exponent)
+{
+    int zeros = 0;
+    int i;
+    while (zeros < a->n && a->limb[zeros] == 0) {
+        zeros++;
+    }
+    r->mid = 0.0; /* unused; compilers warn of what they cannot see */
+    r->rad = 0.0;
+    r->sign = a->sign;
+    r->n = a->n - zeros;
+    r->exponent = exponent + 32 * zeros;
+    for (i = 0; i < r->n; i++) {
+        r->limb[i] = a->limb[i + zeros];
+    }
+}
+
+TBX_COLD void tbx_num_set_exact(tbx_num *r, double x)
+{
+    int64_t mantissa;
+    const int exponent = tbx_split(x, &mantissa);
+    tbx_big a;
+    tbx_big_set(&a, mantissa, 0);
+    tbx_num_pack(r, &a, exponent);
+}
+
+TBX_COLD void tbx_num_add_exact(tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
+{
+    const int a_lower = b->sign == 0 || (a->sign != 0 && a->exponent < b->exponent);
+    const int exponent = a_lower ? a->exponent : b->exponent;
+    tbx_big x;
+    tbx_big y;
+    tbx_num_unpack(&x, a, exponent);
+    tbx_num_unpack(&y, b, exponent);
+    tbx_big_add(&x, &y, sign);
+    tbx_num_pack(r, &x, exponent);
+}
+
+TBX_COLD void tbx_num_mul_exact(tbx_num *r, const tbx_num *a, const tbx_num *b)
+{
+    const int exponent = a->exponent + b->exponent;
+    tbx_big x;
+    tbx_big y;
+    tbx_big xy;
+    tbx_num_unpack(&x, a, a->exponent);
+    tbx_num_unpack(&y, b, b->exponent);
+    tbx_big_mul(&xy, &x, &y);
+    tbx_num_pack(r, &xy, exponent);
+}
+
+/* The number rounded to a double, to a few ulp: its three highest limbs. */
+TBX_COLD double tbx_num_value_exact(const tbx_num *a)
+{
+    double value = 0.0;
+    int exponent = a->exponent;
+    int i;
+    if (a->sign == 0) {
+        return 0.0;
+    }
+    for (i = a->n > 3 ? a->n - 3 : 0; i < a->n; i++) {
+        value = value * (1.0 / 4294967296.0) + (double)a->limb[i];
+    }
+    exponent += 32 * (a->n - 1);
+    return a->sign * value * tbx_from_bits64((uint64_t)(1023 + exponent) << 52);
+}
+
+#define TBX_NUM_U 4.44089209850062616169452667236328125e-16 /* 2^-51 */
+
+TBX_FN void tbx_num_set(const tbx_calc *c, tbx_num *r, double x)
+{
+    if (c->exact) {
+        tbx_num_set_exact(r, x);
+    } else {
+        r->mid = x;
+        r->rad = 0.0;
+    }
+}
+
+/* What this run uses of a number: copies of whole structs would take longer than the sums. */
+TBX_FN void tbx_num_copy(const tbx_calc *c, tbx_num *r, const tbx_num *a)
+{
+    if (c->exact) {
+        *r = *a;
+    } else {
+        r->mid = a->mid;
+        r->rad = a->rad;
+    }
+}
+
+/* Have both numbers at most 24 bits? */
+TBX_FN int tbx_both_short(double a, double b)
+{
+    return ((tbx_bits64(&a) | tbx_bits64(&b)) & 0x1fffffffu) == 0;
+}
+
+TBX_FN int tbx_sum_is_exact(double a, double b)
+{
+    const int64_t e = (int64_t)(tbx_bits64(&a) >> 52 & 0x7ffu);
+    const int64_t f = (int64_t)(tbx_bits64(&b) >> 52 & 0x7ffu);
+    return e == 0 || f == 0 || (e - f <= 28 && f - e <= 28 && tbx_both_short(a, b));
+}
+
+/* r = a + sign * b; r may be a or b, here and below */
+TBX_FN void tbx_num_add(const tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
+{
+    if (c->exact) {
+        tbx_num_add_exact(r, a, b, sign);
+    } else {
+        const double rad = a->rad + b->rad;
+        double mid = sign > 0 ? a->mid + b->mid : a->mid - b->mid;
+        TBX_KEEP(mid);
+        r->rad = rad > 0.0 || !tbx_sum_is_exact(a->mid, b->mid) ? rad + TBX_NUM_U * tbx_abs(mid) : 0.0;
+        r->mid = mid;
+    }
+}
+
+TBX_FN void tbx_num_mul(const tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b)
+{
+    if (c->exact) {
+        tbx_num_mul_exact(r, a, b);
+    } else {
+        const double mid = a->mid * b->mid;
+        const double rad = tbx_abs(a->mid) * b->rad + tbx_abs(b->mid) * a->rad + a->rad * b->rad;
+        r->rad = rad > 0.0 || !tbx_both_short(a->mid, b->mid) ? rad + TBX_NUM_U * tbx_abs(mid) : 0.0;
+        r->mid = mid;
+    }
+}
+
+/* r = x - y, of two inputs */
+TBX_FN void tbx_num_difference(const tbx_calc *c, tbx_num *r, double x, double y)
+{
+    tbx_num b;
+    tbx_num_set(c, r, x);
+    tbx_num_set(c, &b, y);
+    tbx_num_add(c, r, r, &b, -1);
+}
+
+TBX_FN void tbx_num_flip(const tbx_calc *c, tbx_num *r, int sign)
+{
+    if (c->exact) {
+        r->sign *= sign;
+    } else {
+        r->mid = sign < 0 ? -r->mid : r->mid;
+    }
+}
+
+TBX_FN int tbx_num_sign(tbx_calc *c, const tbx_num *a)
+{
+    if (c->exact) {
+        return a->sign;
+    }
+    if (a->mid > 2.0 * a->rad) {
+        return 1;
+    }
+    if (-a->mid > 2.0 * a->rad) {
+        return -1;
+    }
+    c->unsure |= a->rad > 0.0;
+    return 0;
+}
+
+TBX_FN double tbx_num_value(const tbx_calc *c, const tbx_num *a)
+{
+    return c->exact ? tbx_num_value_exact(a) : a->mid;
+}
+
+/* r = x.y */
+TBX_FN void tbx_num_dot(const tbx_calc *c, tbx_num *r, const tbx_num x[3], const tbx_num y[3])
+{
+    tbx_num sum;
+    tbx_num xy;
+    tbx_num_mul(c, &sum, &x[0], &y[0]);
+    tbx_num_mul(c, &xy, &x[1], &y[1]);
+    tbx_num_add(c, &sum, &sum, &xy, 1);
+    tbx_num_mul(c, &xy, &x[2], &y[2]);
+    tbx_num_add(c, r, &sum, &xy, 1);
+}
+
+/* r = x * y, r neither x nor y */
+TBX_FN void tbx_num_cross(const tbx_calc *c, tbx_num r[3], const tbx_num x[3], const tbx_num y[3])
+{
+    int k;
+    for (k = 0; k < 3; k++) {
+        const int l = (k + 1) % 3;
+        const int m = (k + 2) % 3;
+        tbx_num xy;
+        tbx_num_mul(c, &r[k], &x[l], &y[m]);
+        tbx_num_mul(c, &xy, &x[m], &y[l]);
+        tbx_num_add(c, &r[k], &r[k], &xy, -1);
+    }
+}
+
+TBX_FN void tbx_num_difference3(const tbx_calc *c, tbx_num r[3], const double x[3], const double y[3])
+{
+    int k;
+    for (k = 0; k < 3; k++) {
+        tbx_num_difference(c, &r[k], x[k], y[k]);
+    }
+}
+
+/* (v1 - v0) x (v2 - v0) */
+TBX_FN void tbx_num_normal(const tbx_calc *c, tbx_num r[3], const double v0[3], const double v1[3],
+                           const double v2[3])
+{
+    tbx_num x[3];
+    tbx_num y[3];
+    tbx_num_difference3(c, x, v1, v0);
+    tbx_num_difference3(c, y, v2, v0);
+    tbx_num_cross(c, r, x, y);
+}
+
+/* ---- fractions */
+
+/* n / d with d > 0, or d = 0: infinite with the sign of n. A plain struct of two, never stored reduced. */
+typedef struct tbx_fraction {
+    tbx_num n;
+    tbx_num d;
+} tbx_fraction;
+
+TBX_FN void tbx_fraction_set(const tbx_calc *c, tbx_fraction *r, double x)
+{
+    const int finite = tbx_is_finite(x);
+    tbx_num_set(c, &r->n, finite ? x : (double)tbx_sign(x));
+    tbx_num_set(c, &r->d, finite ? 1.0 : 0.0);
+}
+
+/* The sign of a - b; equal infinities give 0. */
+TBX_FN int tbx_fraction_compare(tbx_calc *c, const tbx_fraction *a, const tbx_fraction *b)
+{
+    tbx_num x;
+    tbx_num y;
+    tbx_num_mul(c, &x, &a->n, &b->d);
+    tbx_num_mul(c, &y, &b->n, &a->d);
+    tbx_num_add(c, &x, &x, &y, -1);
+    return tbx_num_sign(c, &x);
+}
+
+enum { TBX_DOWN, TBX_NEAREST, TBX_UP }; /* NEAREST: ties to even */
+
+#define TBX_KEY_INFINITY 0x7f800000
+
+/* The float of a key, infinities included. */
+TBX_FN float tbx_from_key32(int64_t key)
+{
+    return tbx_from_bits32(key < 0 ? 0x80000000u | (uint32_t)-key : (uint32_t)key);
+}
+
+/* Is x, rounded, at least the float with this key? The least x for which it is: the float itself (down),
+ * just above the one before (up), or half-way between the two, itself included for an even float
+ * (nearest; x is then no larger than the largest float). */
+TBX_FN int tbx_rounds_to_at_least(tbx_calc *c, const tbx_fraction *x, int64_t key, int rounding)
+{
+    const int64_t from = rounding == TBX_DOWN ? key : key - 1;
+    double border;
+    tbx_fraction b;
+    int order;
+    if (from <= -TBX_KEY_INFINITY) {
+        return 1;
+    }
+    if ((rounding == TBX_UP ? from : key) >= TBX_KEY_INFINITY) {
+        return 0;
+    }
+    border = tbx_key32_value((int32_t)from);
+    if (rounding == TBX_NEAREST) {
+        border = (border + tbx_key32_value((int32_t)key)) * 0.5;
+    }
+    tbx_fraction_set(c, &b, border);
+    order = tbx_fraction_compare(c, x, &b);
+    return order > 0 || (order == 0 && (rounding == TBX_DOWN || (rounding == TBX_NEAREST && (key & 1) == 0)));
+}
+
+/* The fraction as a float. The quotient in double only says where to look: from there, steps that double,
+ * then halve, find the greatest float that x rounds to at least. */
+TBX_FN float tbx_fraction_round(tbx_calc *c, const tbx_fraction *x, int rounding)
+{
+    const double largest = (double)FLT_MAX;
+    int64_t lo = -TBX_KEY_INFINITY; /* x rounds to at least lo and to less than hi */
+    int64_t hi = TBX_KEY_INFINITY + 1;
+    int64_t step = 1;
+    double guess;
+    float narrow;
+    int32_t key;
+    if (tbx_num_sign(c, &x->d) == 0) {
+        return tbx_from_key32(tbx_num_sign(c, &x->n) * TBX_KEY_INFINITY);
+    }
+    guess = tbx_num_value(c, &x->n) / tbx_num_value(c, &x->d);
+    narrow = (float)tbx_max(tbx_min(guess, largest), -largest);
+    key = tbx_key32(&narrow);
+    if (tbx_rounds_to_at_least(c, x, key, rounding)) {
+        lo = key;
+        while (lo + step < hi && tbx_rounds_to_at_least(c, x, lo + step, rounding)) {
+            lo += step;
+            step *= 2;
+        }
+        hi = lo + step < hi ? lo + step : hi;
+    } else {
+        hi = key;
+        while (hi - step > lo && !tbx_rounds_to_at_least(c, x, hi - step, rounding)) {
+            hi -= step;
+            step *= 2;
+        }
+        lo = hi - step > lo ? hi - step : lo;
+    }
+    while (hi - lo > 1) {
+        const int64_t mid = lo + (hi - lo) / 2;
+        if (tbx_rounds_to_at_least(c, x, mid, rounding)) {
+            lo = mid;
+        } else {
+            hi = mid;
+        }
+    }
+    return tbx_from_key32(lo);
+}
+
+/* ---- inputs */
+
+/* Does the closed box hold a real point? Not with NaN, min > max, or both faces at one infinity. */
+TBX_FN int tbx_box_valid(const double lo[3], const double hi[3])
+{
+    const int64_t infinity = (int64_t)0x7ff << 52;
+    int valid = 1;
+    int k;
+    for (k = 0; k < 3; k++) {
+        const int64_t key_lo = tbx_key64(lo[k]);
+        const int64_t key_hi = tbx_key64(hi[k]);
+        valid = valid && !tbx_is_nan(lo[k]) && !tbx_is_nan(hi[k]) && key_lo <= key_hi && key_lo < infinity &&
+                key_hi > -infinity;
+    }
+    return valid;
+}
+
+TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const float b_min[3],
+                             const float b_max[3])
+{
+    double a_lo[3];
+    double a_hi[3];
+    double b_lo[3];
+    double b_hi[3];
+    int k;
+    tbx_widen3(a_lo, a_min);
+    tbx_widen3(a_hi, a_max);
+    tbx_widen3(b_lo, b_min);
+    tbx_widen3(b_hi, b_max);
+    if (!tbx_box_valid(a_lo, a_hi) || !tbx_box_valid(b_lo, b_hi)) {
+        return 0;
+    }
+    for (k = 0; k < 3; k++) {
+        if (tbx_less(a_hi[k], b_lo[k]) || tbx_less(b_hi[k], a_lo[k])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* ---- plane and box */
+
+/* The sign of the greatest value of side * (n.q + d) over the box; an infinite face decides it. */
+TBX_FN int tbx_plane_side(tbx_calc *c, const double n[3], double d, const double lo[3], const double hi[3],
+                          int side)
+{
+    tbx_num sum;
+    int k;
+    tbx_num_set(c, &sum, d);
+    for (k = 0; k < 3; k++) {
+        const int n_sign = tbx_sign(n[k]);
+        const double q = side * n_sign > 0 ? hi[k] : lo[k];
+        tbx_num x;
+        tbx_num y;
+        if (n_sign == 0) {
+            continue;
+        }
+        if (!tbx_is_finite(q)) {
+            return 1;
+        }
+        tbx_num_set(c, &x, n[k]);
+        tbx_num_set(c, &y, q);
+        tbx_num_mul(c, &x, &x, &y);
+        tbx_num_add(c, &sum, &sum, &x, 1);
+    }
+    return side * tbx_num_sign(c, &sum);
+}
+
+TBX_NOINLINE int tbx_plane_box(tbx_calc *c, const double n[3], double d, const double lo[3],
+                               const double hi[3])
+{
+    if (tbx_plane_side(c, n, d, lo, hi, 1) < 0) {
+        return -1;
+    }
+    return tbx_plane_side(c, n, d, lo, hi, -1) < 0;
+}
+
+TRIBOX_FN int tribox_plane_box(const float n[3], float d, const float box_min[3], const float box_max[3])
+{
+    tbx_calc c = { 0, 0 };
+    const double d_wide = tbx_widen(&d);
+    double n_wide[3];
+    double lo[3];
+    double hi[3];
+    int side;
+    tbx_widen3(n_wide, n);
+    tbx_widen3(lo, box_min);
+    tbx_widen3(hi, box_max);
+    if (!tbx_finite3(n_wide) || tbx_is_nan(d_wide) || !tbx_box_valid(lo, hi)) {
+        return 2;
+    }
+    if (!tbx_is_finite(d_wide)) {
+        return tbx_sign(d_wide);
+    }
+    side = tbx_plane_box(&c, n_wide, d_wide, lo, hi);
+    if (c.unsure) {
+        c.exact = 1;
+        side = tbx_plane_box(&c, n_wide, d_wide, lo, hi);
+    }
+    return side;
+}
+
+/* ---- motion: rays and sweeps
+ *
+ * The box B + t u meets T iff each of the 13 axes l lets their projections meet ("the exact test", at any
+ * t), and each axis gives two conditions that are linear in t: for both l' = +-l,
+ *
+ *   max over B of l'.b - min over T of l'.v  +  t (l'.u)  >=  0.
+ *
+ * So the times of contact are one interval, and its ends are fractions. A ray is a point in motion, which
+ * meets the box B as B, moving by -dir, meets the point; and a triangle as a box of one point, moving by
+ * dir, does. */
+/* 0..2 faces; 4 + 3a + i: edge i x axis a */
+enum { TBX_AXIS_NORMAL = 3, TBX_AXES = 13 };
+
+typedef struct tbx_motion {
+    tbx_calc calc;
+    double v[3][3];
+    double lo[3];
+    double hi[3];
+    double velocity[3];
+    tbx_fraction first; /* the interval of t so far */
+    tbx_fraction last;
+    int empty;
+    int n_sign[3]; /* of the normal */
+    int opens;     /* the axis whose interval opens at `first`, -1 if none; its side of T: */
+    int opens_side;
+    int touches; /* the first axis of zero gap at t = 0, -1 if none */
+    int touches_side;
+} tbx_motion;
+
+/* Keeps those t of the interval for which c0 + t c1 >= 0, by axis and side of T. */
+TBX_FN void tbx_motion_keep(tbx_motion *m, const tbx_num *c0, const tbx_num *c1, int axis, int side)
+{
+    tbx_calc *c = &m->calc;
+    const int direction = tbx_num_sign(c, c1);
+    const int gap = tbx_num_sign(c, c0);
+    tbx_fraction t;
+    tbx_fraction *end = direction > 0 ? &m->first : &m->last;
+    int tighter;
+    if (gap == 0 && m->touches < 0) {
+        m->touches = axis;
+        m->touches_side = side;
+    }
+    if (direction == 0) {
+        m->empty |= gap < 0;
+        return;
+    }
+    tbx_num_copy(c, &t.n, c0);
+    tbx_num_copy(c, &t.d, c1);
+    tbx_num_flip(c, &t.n, -direction);
+    tbx_num_flip(c, &t.d, direction);
+    tighter = direction * tbx_fraction_compare(c, &t, end);
+    if (direction > 0 && (tighter > 0 || (tighter == 0 && m->opens < 0))) {
+        m->opens = axis;
+        m->opens_side = side;
+    }
+    if (tighter > 0) {
+        tbx_num_copy(c, &end->n, &t.n);
+        tbx_num_copy(c, &end->d, &t.d);
+    }
+}
+
+/* The axis as a vector: unit, normal, or edge i x unit a = (0, e_c, -e_b) from component a on. */
+TBX_FN void tbx_motion_axis(tbx_motion *m, int axis, tbx_num l[3])
+{
+    const tbx_calc *c = &m->calc;
+    int k;
+    if (axis < TBX_AXIS_NORMAL) {
+        for (k = 0; k < 3; k++) {
+            tbx_num_set(c, &l[k], k == axis ? 1.0 : 0.0);
+        }
+    } else if (axis == TBX_AXIS_NORMAL) {
+        tbx_num_normal(c, l, m->v[0], m->v[1], m->v[2]);
+    } else {
+        const int a = (axis - 4) / 3;
+        const int i = (axis - 4) % 3;
+        const int b = (a + 1) % 3;
+        const int e = (a + 2) % 3;
+        const int j = (i + 1) % 3;
+        tbx_num_set(c, &l[a], 0.0);
+        tbx_num_difference(c, &l[b], m->v[j][e], m->v[i][e]);
+        tbx_num_difference(c, &l[e], m->v[i][b], m->v[j][b]);
+    }
+}
+
+/* The corner of T that is least (want = 1) or greatest (-1) along the axis. Along edge i x unit a: the
+ * third corner lies at -n_a from corner i. */
+TBX_FN int tbx_motion_corner(const tbx_motion *m, int axis, int want)
+{
+    int best = 0;
+    int i;
+    if (axis > TBX_AXIS_NORMAL) {
+        i = (axis - 4) % 3;
+        return m->n_sign[(axis - 4) / 3] * want > 0 ? (i + 2) % 3 : i;
+    }
+    for (i = 1; i < 3 && axis < TBX_AXIS_NORMAL; i++) {
+        const int below = tbx_less(m->v[i][axis], m->v[best][axis]);
+        const int above = tbx_less(m->v[best][axis], m->v[i][axis]);
+        best = (want > 0 ? below : above) ? i : best;
+    }
+    return best;
+}
+
+/* Both conditions of one axis. An axis that is zero says nothing; one along a unit vector says what a face
+ * says. */
+TBX_FN void tbx_motion_clip(tbx_motion *m, int axis)
+{
+    tbx_calc *c = &m->calc;
+    tbx_num l[3];
+    tbx_num u[3];
+    int l_sign[3];
+    int side;
+    int k;
+    tbx_motion_axis(m, axis, l);
+    for (k = 0; k < 3; k++) {
+        l_sign[k] = tbx_num_sign(c, &l[k]);
+        if (axis == TBX_AXIS_NORMAL) {
+            m->n_sign[k] = l_sign[k];
+        }
+        tbx_num_set(c, &u[k], m->velocity[k]);
+    }
+    if (axis >= TBX_AXIS_NORMAL &&
+        l_sign[0] * l_sign[0] + l_sign[1] * l_sign[1] + l_sign[2] * l_sign[2] < 2) {
+        return;
+    }
+    tbx_num_dot(c, &u[0], l, u);
+    for (side = 1; side >= -1; side -= 2) {
+        const double *v = m->v[tbx_motion_corner(m, axis, side)];
+        tbx_num gap[3];
+        int infinite = 0;
+        for (k = 0; k < 3; k++) {
+            const double q = l_sign[k] * side > 0 ? m->hi[k] : m->lo[k];
+            const int used = l_sign[k] != 0;
+            infinite |= used && !tbx_is_finite(q);
+            tbx_num_difference(c, &gap[k], used && !infinite ? q : 0.0, used && !infinite ? v[k] : 0.0);
+        }
+        if (!infinite) {
+            tbx_num_dot(c, &gap[0], l, gap);
+            tbx_num_flip(c, &gap[0], side);
+            tbx_num_flip(c, &u[0], side);
+            tbx_motion_keep(m, &gap[0], &u[0], axis, -side);
+            tbx_num_flip(c, &u[0], side);
+        }
+    }
+}
+
+/* Do T and the moving box meet at some t in [t_min, t_max], by the first so many axes? Leaves the interval
+ * in m. */
+TBX_NOINLINE int tbx_motion_run(tbx_motion *m, int axes, double t_min, double t_max, int exact)
+{
+    int axis;
+    m->calc.exact = exact;
+    m->calc.unsure = 0;
+    m->empty = 0;
+    m->opens = -1;
+    m->touches = -1;
+    tbx_fraction_set(&m->calc, &m->first, t_min);
+    tbx_fraction_set(&m->calc, &m->last, t_max);
+    for (axis = 0; axis < axes && !m->calc.unsure && !m->empty; axis++) {
+        tbx_motion_clip(m, axis);
+        if (axis == TBX_AXIS_NORMAL - 1 || axis == axes - 1) {
+            m->empty |= tbx_fraction_compare(&m->calc, &m->first, &m->last) > 0;
+        }
+    }
+    return !m->empty;
+}
+
+TBX_FN void tbx_motion_round(tbx_motion *m, float *out_first, float *out_last)
+{
+    if (out_first != NULL) {
+        *out_first = tbx_fraction_round(&m->calc, &m->first, TBX_DOWN);
+    }
+    if (out_last != NULL) {
+        *out_last = tbx_fraction_round(&m->calc, &m->last, TBX_UP);
+    }
+}
+
+/* A ray as a question: origin and direction finite, some real t in [t_min, t_max]. */
+TBX_FN int tbx_ray_valid(const double origin[3], const double dir[3], double t_min, double t_max)
+{
+    return tbx_finite3(origin) && tbx_finite3(dir) && !tbx_is_nan(t_min) && !tbx_is_nan(t_max) &&
+           !tbx_less(t_max, t_min) && (tbx_is_finite(t_min) || tbx_sign(t_min) < 0) &&
+           (tbx_is_finite(t_max) || tbx_sign(t_max) > 0);
+}
+
+/* What the filter leaves open: in double with bounds, then in integers. */
+TBX_NOINLINE int tbx_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
+                             const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
+{
+    tbx_motion m;
+    double d[3];
+    float t[2] = { 0.0f, 0.0f };
+    const double t0 = tbx_widen(&t_min);
+    const double t1 = tbx_widen(&t_max);
+    int hit = 0;
+    int exact;
+    int k;
+    /* cppcheck-suppress uninitvar ; it is written there */
+    tbx_widen3(m.v[0], origin);
+    tbx_widen3(d, dir);
+    tbx_widen3(m.lo, box_min);
+    tbx_widen3(m.hi, box_max);
+    if (!tbx_ray_valid(m.v[0], d, t0, t1) || !tbx_box_valid(m.lo, m.hi)) {
+        return 0;
+    }
+    for (k = 0; k < 3; k++) {
+        m.velocity[k] = -d[k];
+        m.v[2][k] = m.v[1][k] = m.v[0][k];
+    }
+    m.calc.unsure = 1;
+    for (exact = 0; exact < 2 && m.calc.unsure; exact++) {
+        hit = tbx_motion_run(&m, TBX_AXIS_NORMAL, t0, t1, exact);
+        if (hit && !m.calc.unsure) {
+            tbx_motion_round(&m, &t[0], &t[1]);
+        }
+    }
+    if (hit && out_t0 != NULL) {
+        *out_t0 = t[0];
+    }
+    if (hit && out_t1 != NULL) {
+        *out_t1 = t[1];
+    }
+    return hit;
+}
+
+#if TRIBOX_SIMD /* section 11.5 */
+TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], float t_min, float t_max,
+                          const float box_min[3], const float box_max[3], float *out_t0, float *out_t1);
+TBX_NOINLINE int tbx_ray_flat(const float origin[3], const float dir[3], float t_min, float t_max,
+                              const float box_min[3], const float box_max[3], float *out_t0, float *out_t1);
+TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float box_min[3],
+                              const float box_max[3]);
+#endif
+
+TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
+                             const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
+{
+    const uint32_t infinity = 0x7f800000u;
+    if ((tbx_bits32(&t_min) & 0x7fffffffu) > infinity || (tbx_bits32(&t_max) & 0x7fffffffu) > infinity) {
+        return 0;
+    }
+#if TRIBOX_SIMD
+    {
+        int verdict = tbx_ray_filter(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
+        if (!TBX_RARELY(verdict == TBX_UNSURE)) {
+            return verdict;
+        }
+        verdict = tbx_ray_flat(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
+        if (verdict != TBX_UNSURE) {
+            return verdict;
+        }
+    }
+#endif
+    return tbx_ray_box(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
+}
+
+TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float box_min[3],
+                                 const float box_max[3])
+{
+#if TRIBOX_SIMD
+    const int verdict = tbx_segment_filter(p, q, box_min, box_max);
+    if (!TBX_RARELY(verdict == TBX_UNSURE)) {
+        return verdict;
+    }
+#endif
+    return tbx_overlap_widened(p, q, q, box_min, box_max, 0);
+}
+
+/* ---- ray and triangle */
+
+/* The usual case in double: the line crosses the plane of T at one point, strictly inside or outside of T.
+ * det_i is six times the volume of the tetrahedron dir, v_i - o, v_i+1 - o. If two differ in sign, the
+ * line misses T, also if it lies in T's plane (then all are 0) or T is a segment (then a line that meets
+ * it makes all 0). */
+TBX_NOINLINE int tbx_ray_triangle_fast(tbx_calc *c, const tbx_motion *m, double t_min, double t_max,
+                                       float *out_t)
+{
+    tbx_num a[3][3];
+    tbx_num d[3];
+    tbx_num n[3];
+    tbx_num det[3];
+    tbx_fraction t;
+    tbx_fraction end;
+    int above = 0;
+    int below = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        tbx_num_difference3(c, a[i], m->v[i], m->lo);
+        tbx_num_set(c, &d[i], m->velocity[i]);
+    }
+    for (i = 0; i < 3; i++) {
+        int sign;
+        tbx_num_cross(c, n, a[i], a[(i + 1) % 3]);
+        tbx_num_dot(c, &det[i], d, n);
+        sign = tbx_num_sign(c, &det[i]);
+        above += sign > 0;
+        below += sign < 0;
+    }
+    if (above > 0 && below > 0) {
+        c->unsure = 0;
+        return 0;
+    }
+    tbx_num_normal(c, n, m->v[0], m->v[1], m->v[2]);
+    tbx_num_dot(c, &t.d, n, d);
+    tbx_num_dot(c, &t.n, n, a[0]);
+    i = tbx_num_sign(c, &t.d);
+    if (i == 0 || c->unsure) {
+        c->unsure = 1;
+        return 0;
+    }
+    tbx_num_flip(c, &t.n, i);
+    tbx_num_flip(c, &t.d, i);
+    tbx_fraction_set(c, &end, t_min);
+    if (tbx_fraction_compare(c, &t, &end) < 0) {
+        return 0;
+    }
+    tbx_fraction_set(c, &end, t_max);
+    if (tbx_fraction_compare(c, &t, &end) > 0) {
+        return 0;
+    }
+    if (out_t != NULL && !c->unsure) {
+        const float rounded = tbx_fraction_round(c, &t, TBX_DOWN);
+        if (!c->unsure) {
+            *out_t = rounded;
+        }
+    }
+    return 1;
+}
+
+TBX_COLD int tbx_ray_triangle_exact(tbx_motion *m, double t_min, double t_max, float *out_t)
+{
+    if (!tbx_motion_run(m, TBX_AXES, t_min, t_max, 1)) {
+        return 0;
+    }
+    tbx_motion_round(m, out_t, NULL);
+    return 1;
+}
+
+TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], float t_min, float t_max,
+                                  const float v0[3], const float v1[3], const float v2[3], float *out_t)
+{
+    tbx_motion m;
+    tbx_calc c = { 0, 0 };
+    const double t0 = tbx_widen(&t_min);
+    const double t1 = tbx_widen(&t_max);
+    int hit;
+    /* cppcheck-suppress uninitvar ; it is written there */
+    tbx_widen3(m.v[0], v0);
+    tbx_widen3(m.v[1], v1);
+    tbx_widen3(m.v[2], v2);
+    tbx_widen3(m.lo, origin);
+    tbx_widen3(m.hi, origin);
+    tbx_widen3(m.velocity, dir);
+    if (!tbx_ray_valid(m.lo, m.velocity, t0, t1) || !tbx_corners_finite(m.v[0], m.v[1], m.v[2])) {
+        return 0;
+    }
+    hit = tbx_ray_triangle_fast(&c, &m, t0, t1, out_t);
+    return c.unsure ? tbx_ray_triangle_exact(&m, t0, t1, out_t) : hit;
+}
+
+/* ---- sweep */
+
+/* side * x / |x|. The first guess of 1/sqrt is off by less than 4 %; each step squares that, times 1.5:
+ * 2^-9, 2^-17, 2^-34, 2^-50. Squares of degree 2 neither overflow nor underflow. */
+TBX_FN void tbx_unit(const double x[3], int side, float out[3])
+{
+    const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+    double y = tbx_from_bits64(0x5fe6eb50c7b537a9u - (tbx_bits64(&square) >> 1));
+    int k;
+    for (k = 0; k < 4; k++) {
+        y = y * (1.5 - 0.5 * square * y * y);
+    }
+    for (k = 0; k < 3; k++) {
+        out[k] = (float)(side * x[k] * y);
+    }
+}
+
+/* In double, unsure unless the vector is known to 2^-30 of its length. Only contacts at the start have no
+ * axis that opens there. */
+TBX_FN void tbx_motion_contact(tbx_motion *m, float out_axis[3])
+{
+    const int axis = m->opens < 0 ? m->touches : m->opens;
+    const int side = m->opens < 0 ? m->touches_side : m->opens_side;
+    tbx_num l[3];
+    double x[3];
+    double rad = 0.0;
+    double longest = 0.0;
+    int k;
+    if (axis < 0) {
+        out_axis[0] = out_axis[1] = out_axis[2] = 0.0f;
+        return;
+    }
+    tbx_motion_axis(m, axis, l);
+    for (k = 0; k < 3; k++) {
+        x[k] = tbx_num_value(&m->calc, &l[k]);
+        if (!m->calc.exact) {
+            rad += l[k].rad;
+            longest = tbx_max(longest, tbx_abs(x[k]));
+        }
+    }
+    m->calc.unsure |= rad > longest * (1.0 / 4294967296.0);
+    tbx_unit(x, side, out_axis);
+}
+
+/* Everything about the sweep in one of the two runs. In double, nothing is to be trusted if unsure. */
+TBX_NOINLINE int tbx_sweep(tbx_motion *m, int exact, float out_t[2], float out_axis[3])
+{
+    if (!tbx_motion_run(m, TBX_AXES, 0.0, 1.0, exact)) {
+        return 0;
+    }
+    if (!m->calc.unsure) {
+        tbx_motion_round(m, &out_t[0], &out_t[1]);
+        tbx_motion_contact(m, out_axis);
+    }
+    return 1;
+}
+
+TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                           const float box_max[3], const float velocity[3], float *out_t0, float *out_t1,
+                           float out_axis[3])
+{
+    tbx_motion m;
+    float t[2];
+    float axis[3];
+    int hit;
+    /* cppcheck-suppress uninitvar ; it is written there */
+    tbx_widen3(m.v[0], v0);
+    tbx_widen3(m.v[1], v1);
+    tbx_widen3(m.v[2], v2);
+    tbx_widen3(m.lo, box_min);
+    tbx_widen3(m.hi, box_max);
+    tbx_widen3(m.velocity, velocity);
+    if (!tbx_corners_finite(m.v[0], m.v[1], m.v[2]) || !tbx_finite3(m.velocity) ||
+        !tbx_box_valid(m.lo, m.hi)) {
+        return 0;
+    }
+    hit = tbx_sweep(&m, 0, t, axis);
+    if (m.calc.unsure) {
+        hit = tbx_sweep(&m, 1, t, axis);
+    }
+    if (hit && out_t0 != NULL) {
+        *out_t0 = t[0];
+    }
+    if (hit && out_t1 != NULL) {
+        *out_t1 = t[1];
+    }
+    if (hit && out_axis != NULL) {
+        TBX_COPY(out_axis, axis, sizeof axis);
+    }
+    return hit;
+}
+
+/* ---- closest point
+ *
+ * The point x of T nearest to q is the one with (q - x).(v - x) <= 0 for every corner v. With D_ij = (q -
+ * v_i).(v_j - v_i): corner i is nearest iff D_ij <= 0 for both j. The foot of q on edge ij is strictly
+ * inside the edge iff D_ij > 0 and D_ji > 0, and divides it as D_ij : D_ji; it is nearest iff the third
+ * corner is not on q's side of the edge, that is, iff the third weight W_k of q's foot in the plane is <=
+ * 0; W_k = n.((v_i - q) x (v_j - q)), 0 if T is a segment. Otherwise the foot in the plane is in T. */
+TBX_FN void tbx_closest_dot(const tbx_calc *c, tbx_num *r, const double q[3], const double vi[3],
+                            const double vj[3])
+{
+    tbx_num x[3];
+    tbx_num y[3];
+    tbx_num_difference3(c, x, q, vi);
+    tbx_num_difference3(c, y, vj, vi);
+    tbx_num_dot(c, r, x, y);
+}
+
+/* W_k of the face's foot */
+TBX_FN void tbx_closest_face(const tbx_calc *c, tbx_num *r, const tbx_num n[3], const double vi[3],
+                             const double vj[3], const double q[3])
+{
+    tbx_num x[3];
+    tbx_num_normal(c, x, q, vi, vj);
+    tbx_num_dot(c, r, n, x);
+}
+
+TBX_NOINLINE void tbx_closest(tbx_calc *c, double v[3][3], const double q[3], float out_weights[3])
+{
+    tbx_num n[3];
+    tbx_num dots[3][3];
+    tbx_fraction w;
+    int along[3][3];
+    int i;
+    int j;
+    int k;
+    out_weights[0] = out_weights[1] = out_weights[2] = 0.0f;
+    for (i = 0; i < 3; i++) {
+        for (j = 0; j < 3; j++) {
+            along[i][j] = 0;
+            if (j != i) {
+                tbx_closest_dot(c, &dots[i][j], q, v[i], v[j]);
+                along[i][j] = tbx_num_sign(c, &dots[i][j]);
+            }
+        }
+    }
+    for (i = 0; i < 3; i++) {
+        if (along[i][(i + 1) % 3] <= 0 && along[i][(i + 2) % 3] <= 0) {
+            out_weights[i] = 1.0f;
+            return;
+        }
+    }
+    tbx_num_normal(c, n, v[0], v[1], v[2]);
+    for (k = 2; k >= 0; k--) { /* edges 01, 02, 12 */
+        i = k == 0 ? 1 : 0;
+        j = 3 - i - k;
+        tbx_closest_face(c, &dots[k][k], n, v[(k + 1) % 3], v[(k + 2) % 3], q);
+        if (tbx_num_sign(c, &dots[k][k]) <= 0 && along[i][j] > 0 && along[j][i] > 0) {
+            tbx_num_add(c, &w.d, &dots[i][j], &dots[j][i], 1);
+            tbx_num_copy(c, &w.n, &dots[j][i]);
+            out_weights[i] = tbx_fraction_round(c, &w, TBX_NEAREST);
+            tbx_num_copy(c, &w.n, &dots[i][j]);
+            out_weights[j] = tbx_fraction_round(c, &w, TBX_NEAREST);
+            return;
+        }
+    }
+    tbx_num_dot(c, &w.d, n, n);
+    for (k = 0; k < 3; k++) {
+        tbx_num_copy(c, &w.n, &dots[k][k]);
+        out_weights[k] = tbx_fraction_round(c, &w, TBX_NEAREST);
+    }
+}
+
+TRIBOX_FN void tribox_closest(const float v0[3], const float v1[3], const float v2[3], const float q[3],
+                              float out_weights[3])
+{
+    tbx_calc c = { 0, 0 };
+    double v[3][3];
+    double q_wide[3];
+    tbx_widen3(v[0], v0);
+    tbx_widen3(v[1], v1);
+    tbx_widen3(v[2], v2);
+    tbx_widen3(q_wide, q);
+    if (!tbx_corners_finite(v[0], v[1], v[2]) || !tbx_finite3(q_wide)) {
+        out_weights[0] = 1.0f;
+        out_weights[1] = out_weights[2] = 0.0f;
+        return;
+    }
+    tbx_closest(&c, v, q_wide, out_weights);
+    if (c.unsure) {
+        c.exact = 1;
+        tbx_closest(&c, v, q_wide, out_weights);
+    }
+}
+
+/* ---- clip
+ *
+ * The lines that bound T n B within T's plane are numbered: 0..2 the edges of T, 3 + 2a and 4 + 2a the
+ * lower and upper face across axis a. A vertex is a corner of T (b = -1) or where two lines a and b meet,
+ * so it is known exactly and its coordinates keep a low degree, however often the polygon is cut. Cut by
+ * exact signs, a strictly convex polygon stays one, so its vertices are extreme points of T n B, and
+ * distinct. One point, or two joined by line[0], are a polygon too: of a degenerate T, or of a T that
+ * touches the box. */
+typedef struct tbx_vertex {
+    int a;
+    int b;
+} tbx_vertex;
+
+typedef struct tbx_polygon {
+    int count;
+    tbx_vertex vertex[9];
+    int line[9]; /* from this vertex to the next */
+} tbx_polygon;
+
+typedef struct tbx_cut {
+    tbx_calc calc;
+    double v[3][3];
+    double face[2][3]; /* of the box: lower, upper */
+    tbx_num n[3];      /* normal of T */
+} tbx_cut;
+
+TBX_FN int tbx_line_axis(int line)
+{
+    return (line - 3) / 2;
+}
+
+TBX_FN double tbx_line_face(const tbx_cut *t, int line)
+{
+    return t->face[(line - 3) % 2][tbx_line_axis(line)];
+}
+
+/* r += n_axis * (v0_axis - face), of a line that is a face */
+TBX_FN void tbx_cut_add_face(const tbx_cut *t, tbx_num *r, int line)
+{
+    const int axis = tbx_line_axis(line);
+    tbx_num x;
+    tbx_num_difference(&t->calc, &x, t->v[0][axis], tbx_line_face(t, line));
+    tbx_num_mul(&t->calc, &x, &x, &t->n[axis]);
+    tbx_num_add(&t->calc, r, r, &x, 1);
+}
+
+/* Coordinate k of a vertex. Edge pq and face f across axis a: (p_k (q_a - f) + q_k (f - p_a)) / (q_a -
+ * p_a). Two faces: from n.(x - v0) = 0, with the faces' two coordinates put in. */
+TBX_FN void tbx_cut_coordinate(tbx_cut *t, tbx_vertex x, int k, tbx_fraction *r)
+{
+    tbx_calc *c = &t->calc;
+    if (x.b < 0) {
+        tbx_fraction_set(c, r, t->v[x.a][k]);
+    } else if (tbx_line_axis(x.b) == k) {
+        tbx_fraction_set(c, r, tbx_line_face(t, x.b));
+    } else if (x.a < 3) {
+        const int a = tbx_line_axis(x.b);
+        const double f = tbx_line_face(t, x.b);
+        const double *p = t->v[x.a];
+        const double *q = t->v[(x.a + 1) % 3];
+        tbx_num y;
+        tbx_num z;
+        tbx_num_difference(c, &r->d, q[a], p[a]);
+        tbx_num_difference(c, &y, q[a], f);
+        tbx_num_set(c, &z, p[k]);
+        tbx_num_mul(c, &r->n, &y, &z);
+        tbx_num_difference(c, &y, f, p[a]);
+        tbx_num_set(c, &z, q[k]);
+        tbx_num_mul(c, &y, &y, &z);
+        tbx_num_add(c, &r->n, &r->n, &y, 1);
+    } else if (tbx_line_axis(x.a) == k) {
+        tbx_fraction_set(c, r, tbx_line_face(t, x.a));
+    } else {
+        tbx_num v0;
+        tbx_num_copy(c, &r->d, &t->n[k]);
+        tbx_num_set(c, &v0, t->v[0][k]);
+        tbx_num_mul(c, &r->n, &v0, &t->n[k]);
+        tbx_cut_add_face(t, &r->n, x.a);
+        tbx_cut_add_face(t, &r->n, x.b);
+    }
+    {
+        const int sign = tbx_num_sign(c, &r->d);
+        tbx_num_flip(c, &r->n, sign);
+        tbx_num_flip(c, &r->d, sign);
+    }
+}
+
+/* The sign of the vertex's distance to the face, positive inside the box. */
+TBX_FN int tbx_cut_side(tbx_cut *t, tbx_vertex x, int line)
+{
+    tbx_fraction at;
+    tbx_fraction face;
+    tbx_cut_coordinate(t, x, tbx_line_axis(line), &at);
+    tbx_fraction_set(&t->calc, &face, tbx_line_face(t, line));
+    return tbx_fraction_compare(&t->calc, &at, &face) * ((line - 3) % 2 == 0 ? 1 : -1);
+}
+
+TBX_FN void tbx_polygon_add(tbx_polygon *p, int a, int b, int line)
+{
+    p->vertex[p->count].a = a;
+    p->vertex[p->count].b = b;
+    p->line[p->count] = line;
+    p->count++;
+}
+
+/* Cuts the polygon by one face. New vertices lie strictly inside an edge, never at a vertex. */
+TBX_FN void tbx_cut_by(tbx_cut *t, tbx_polygon *p, int line)
+{
+    const tbx_polygon old = *p;
+    int side[9];
+    int i;
+    for (i = 0; i < old.count; i++) {
+        side[i] = tbx_cut_side(t, old.vertex[i], line);
+    }
+    if (t->calc.unsure) {
+        return;
+    }
+    p->count = 0;
+    for (i = 0; i < old.count; i++) {
+        const int last_of_chain = old.count <= 2 && i == old.count - 1;
+        const int next = last_of_chain ? side[i] : side[(i + 1) % old.count];
+        if (side[i] >= 0) {
+            tbx_polygon_add(p, old.vertex[i].a, old.vertex[i].b,
+                            side[i] == 0 && next < 0 ? line : old.line[i]);
+        }
+        if (side[i] * next < 0) {
+            tbx_polygon_add(p, old.line[i], line, next < 0 ? line : old.line[i]);
+        }
+    }
+}
+
+/* The sign of x - y, by the first coordinate that differs. */
+TBX_FN int tbx_cut_compare(tbx_cut *t, tbx_vertex x, tbx_vertex y)
+{
+    int order = 0;
+    int k;
+    for (k = 0; k < 3 && order == 0; k++) {
+        tbx_fraction x_k;
+        tbx_fraction y_k;
+        tbx_cut_coordinate(t, x, k, &x_k);
+        tbx_cut_coordinate(t, y, k, &y_k);
+        order = tbx_fraction_compare(&t->calc, &x_k, &y_k);
+    }
+    return order;
+}
+
+/* T itself: its corners; or, if it is a segment or a point, the ends. */
+TBX_FN void tbx_cut_start(tbx_cut *t, tbx_polygon *p)
+{
+    tbx_vertex corner = { 0, -1 };
+    int flat = 1;
+    int least = 0;
+    int most = 0;
+    int i;
+    p->count = 0;
+    for (i = 0; i < 3; i++) {
+        flat &= tbx_num_sign(&t->calc, &t->n[i]) == 0;
+    }
+    for (i = 0; i < 3 && !flat; i++) {
+        tbx_polygon_add(p, i, -1, i);
+    }
+    for (i = 1; i < 3 && flat; i++) {
+        tbx_vertex end = { 0, -1 };
+        corner.a = i;
+        end.a = least;
+        least = tbx_cut_compare(t, corner, end) < 0 ? i : least;
+        end.a = most;
+        most = tbx_cut_compare(t, corner, end) > 0 ? i : most;
+    }
+    if (flat) {
+        tbx_polygon_add(p, least, -1, (least + 1) % 3 == most ? least : most);
+    }
+    if (least != most) {
+        tbx_polygon_add(p, most, -1, p->line[0]);
+    }
+}
+
+/* All of it, in one of the two runs. */
+TBX_NOINLINE int tbx_cut_all(tbx_cut *t, int exact, float out_polygon[9][3])
+{
+    tbx_polygon p;
+    int first = 0;
+    int count = 0;
+    int line;
+    int i;
+    int k;
+    t->calc.exact = exact;
+    t->calc.unsure = 0;
+    tbx_num_normal(&t->calc, t->n, t->v[0], t->v[1], t->v[2]);
+    tbx_cut_start(t, &p);
+    for (line = 3; line < 9 && !t->calc.unsure; line++) {
+        if (tbx_is_finite(tbx_line_face(t, line))) {
+            tbx_cut_by(t, &p, line);
+        }
+    }
+    for (i = 1; i < p.count && !t->calc.unsure; i++) {
+        first = tbx_cut_compare(t, p.vertex[i], p.vertex[first]) < 0 ? i : first;
+    }
+    for (i = 0; i < p.count && !t->calc.unsure; i++) {
+        int same = 0;
+        int j;
+        for (k = 0; k < 3; k++) {
+            tbx_fraction x;
+            tbx_cut_coordinate(t, p.vertex[(first + i) % p.count], k, &x);
+            out_polygon[count][k] = tbx_fraction_round(&t->calc, &x, TBX_NEAREST);
+        }
+        for (j = 0; j < count; j++) {
+            same |= tbx_key32(&out_polygon[j][0]) == tbx_key32(&out_polygon[count][0]) &&
+                    tbx_key32(&out_polygon[j][1]) == tbx_key32(&out_polygon[count][1]) &&
+                    tbx_key32(&out_polygon[j][2]) == tbx_key32(&out_polygon[count][2]);
+        }
+        count += !same;
+    }
+    return count;
+}
+
+TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                          const float box_max[3], float out_polygon[9][3])
+{
+    tbx_cut t;
+    int count;
+    /* cppcheck-suppress uninitvar ; it is written there */
+    tbx_widen3(t.v[0], v0);
+    tbx_widen3(t.v[1], v1);
+    tbx_widen3(t.v[2], v2);
+    tbx_widen3(t.face[0], box_min);
+    tbx_widen3(t.face[1], box_max);
+    if (!tbx_corners_finite(t.v[0], t.v[1], t.v[2]) || !tbx_box_valid(t.face[0], t.face[1])) {
+        return 0;
+    }
+    count = tbx_cut_all(&t, 0, out_polygon);
+    return t.calc.unsure ? tbx_cut_all(&t, 1, out_polygon) : count;
+}
+
+/* ---- meshes */
+
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TBX_QUERY TBX_FN __attribute__((always_inline))
+#else
+#define TBX_QUERY TBX_FN
+#endif
+
+/* Are three corners all below lo or all above hi on one axis? Where subnormals are read as zero, a face of
+ * the box and a corner may seem equal, and do not part then: the answer only ever errs to 0. */
+TBX_FN int tbx_beyond(const char *a, const char *b, const char *c, size_t at, float lo, float hi)
+{
+    float x;
+    float y;
+    float z;
+    TBX_COPY(&x, a + at, sizeof x);
+    TBX_COPY(&y, b + at, sizeof y);
+    TBX_COPY(&z, c + at, sizeof z);
+    return tbx_maxf(tbx_maxf(x, y), z) < lo || tbx_minf(tbx_minf(x, y), z) > hi;
+}
+
+/* Out of line, so that the loop below keeps its constants in registers. */
+TBX_NOINLINE int tbx_query_touches(const char *a, const char *b, const char *c, const float lo[3],
+                                   const float hi[3])
+{
+    float v[3][3];
+    TBX_COPY(v[0], a, sizeof v[0]);
+    TBX_COPY(v[1], b, sizeof v[1]);
+    TBX_COPY(v[2], c, sizeof v[2]);
+    return tribox_overlap(v[0], v[1], v[2], lo, hi);
+}
+
+/* Neighbours in a mesh lie beyond the same face, so asking axis by axis is foreseen, and reads a third of
+ * the corners. */
+TBX_QUERY size_t tbx_query(const tribox_mesh *mesh, const uint32_t *index, size_t stride,
+                           const float box_min[3], const float box_max[3], uint32_t *out_triangles,
+                           size_t capacity)
+{
+    const char *positions = (const char *)mesh->positions;
+    const size_t triangles = mesh->triangles;
+    const float lo[3] = { box_min[0], box_min[1], box_min[2] };
+    const float hi[3] = { box_max[0], box_max[1], box_max[2] };
+    size_t count = 0;
+    size_t i;
+    for (i = 0; i < triangles; i++) {
+        const size_t at = 3 * i;
+        const char *a = positions + (index != NULL ? index[at] : at) * stride;
+        const char *b = positions + (index != NULL ? index[at + 1] : at + 1) * stride;
+        const char *c = positions + (index != NULL ? index[at + 2] : at + 2) * stride;
+        if (tbx_beyond(a, b, c, 0, lo[0], hi[0]) || tbx_beyond(a, b, c, sizeof(float), lo[1], hi[1]) ||
+            tbx_beyond(a, b, c, 2 * sizeof(float), lo[2], hi[2])) {
+            continue;
+        }
+        if (tbx_query_touches(a, b, c, lo, hi)) {
+            if (count < capacity) {
+                out_triangles[count] = (uint32_t)i;
+            }
+            count++;
+        }
+    }
+    return count;
+}
+
+/* Packed vertices with indices, the usual mesh, need no multiplication by the stride. */
+TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[3], const float box_max[3],
+                                   uint32_t *out_triangles, size_t capacity)
+{
+    const size_t packed = 3 * sizeof(float);
+    const size_t stride = mesh->stride != 0 ? mesh->stride : packed;
+    const uint32_t *index = mesh->indices;
+    if (index != NULL && stride == packed) {
+        return tbx_query(mesh, index, packed, box_min, box_max, out_triangles, capacity);
+    }
+    return tbx_query(mesh, index, stride, box_min, box_max, out_triangles, capacity);
+}
+
+#endif /* TRIBOX_NO_COMPANIONS */
+
+/* ---- 11. SIMD ------------------------------------------------------------------------------------------ */
+/* All that is faster, nothing that is needed: leave this section out and the answers are the same. */
+
+#if TRIBOX_SIMD
+/* ---- 11.1 Kit, and the filters of one box */
+
+/* The same filter in float, x, y, z in three lanes; the fourth stays 0.
+ * A cross product comes out as z, x, y. */
+typedef float tbx_f4 __attribute__((vector_size(16)));
+typedef int32_t tbx_i4 __attribute__((vector_size(16)));
+typedef uint32_t tbx_u4 __attribute__((vector_size(16)));
+typedef double tbx_d2 __attribute__((vector_size(16)));
+
+/* Lanes i, j, k, l of a (0..3) and b (4..7). */
+#if defined(__clang__)
+#define TBX_LANES(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
+#else
+TBX_FN tbx_i4 tbx_order(int32_t i, int32_t j, int32_t k, int32_t l)
+{
+    const tbx_i4 r = { i, j, k, l };
+    return r;
+}
+#define TBX_LANES(a, b, i, j, k, l) __builtin_shuffle(a, b, tbx_order(i, j, k, l))
+#endif
+
+/* Lanes 0, 1, 2 of a, and lane i of b: one instruction, or two, which gcc has to be told. */
+#if defined(__SSE2__) && !defined(__SSE4_1__)
+#define TBX_JOIN(a, b, i) TBX_LANES(a, TBX_LANES(a, b, 2, 2, 4 + (i), 4 + (i)), 0, 1, 4, 6)
+#else
+#define TBX_JOIN(a, b, i) TBX_LANES(a, b, 0, 1, 2, 4 + (i))
+#endif
+
+TBX_FN tbx_f4 tbx_load3(const void *v)
+{
+    tbx_f4 z = { 0.0f, 0.0f, 0.0f, 0.0f };
+    tbx_d2 xy = { 0.0, 0.0 };
+    double pair;
+    float last;
+    TBX_COPY(&pair, v, sizeof pair);
+    TBX_COPY(&last, (const char *)v + sizeof pair, sizeof last);
+    xy[0] = pair;
+    z[0] = last;
+    return TBX_LANES((tbx_f4)xy, z, 0, 1, 4, 5);
+}
+
+TBX_FN tbx_f4 tbx_load4(const float v[4])
+{
+    tbx_f4 r;
+    TBX_COPY(&r, v, sizeof r);
+    return r;
+}
+
+TBX_FN tbx_i4 tbx_load4i(const int32_t v[4])
+{
+    tbx_i4 r;
+    TBX_COPY(&r, v, sizeof r);
+    return r;
+}
+
+TBX_FN tbx_f4 tbx_splat(float x)
+{
+    const tbx_f4 r = { x, x, x, x };
+    return r;
+}
+
+TBX_FN tbx_i4 tbx_splat_int(int32_t x)
+{
+    const tbx_i4 r = { x, x, x, x };
+    return r;
+}
+
+TBX_FN tbx_f4 tbx_yzx(tbx_f4 a)
+{
+    return TBX_LANES(a, a, 1, 2, 0, 3);
+}
+
+#if defined(__SSE2__)
+TBX_FN tbx_f4 tbx_min4(tbx_f4 a, tbx_f4 b)
+{
+    return __builtin_ia32_minps(a, b);
+}
+
+TBX_FN tbx_f4 tbx_max4(tbx_f4 a, tbx_f4 b)
+{
+    return __builtin_ia32_maxps(a, b);
+}
+
+/* The sign bits of the four lanes. */
+TBX_FN int tbx_signs(tbx_i4 mask)
+{
+    return __builtin_ia32_movmskps((tbx_f4)mask);
+}
+#else
+TBX_FN tbx_f4 tbx_min4(tbx_f4 a, tbx_f4 b)
+{
+    const tbx_i4 less = a < b;
+    return (tbx_f4)(((tbx_i4)a & less) | ((tbx_i4)b & ~less));
+}
+
+TBX_FN tbx_f4 tbx_max4(tbx_f4 a, tbx_f4 b)
+{
+    const tbx_i4 more = a > b;
+    return (tbx_f4)(((tbx_i4)a & more) | ((tbx_i4)b & ~more));
+}
+
+TBX_FN int tbx_signs(tbx_i4 mask)
+{
+    const tbx_i4 weight = { 1, 2, 4, 8 };
+    const tbx_i4 bits = (mask < 0) & weight;
+    return bits[0] + bits[1] + bits[2] + bits[3];
+}
+#endif
+
+/* a*b + c: fused where that is one instruction. clang contracts on its own; gcc does not under -std=c99. */
+TBX_FN tbx_f4 tbx_fma4(tbx_f4 a, tbx_f4 b, tbx_f4 c)
+{
+#if defined(__FMA__) && !defined(__clang__)
+    return __builtin_ia32_vfmaddps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+TBX_FN int tbx_any(tbx_i4 mask)
+{
+    return tbx_signs(mask) != 0;
+}
+
+TBX_FN tbx_i4 tbx_magnitude(tbx_f4 a)
+{
+    return (tbx_i4)a & tbx_splat_int(0x7fffffff);
+}
+
+TBX_FN tbx_f4 tbx_abs4(tbx_f4 a)
+{
+    return (tbx_f4)tbx_magnitude(a);
+}
+
+/* Towards zero, as floats; magnitudes below 2^31. */
+TBX_FN tbx_f4 tbx_truncate(tbx_f4 a)
+{
+    return __builtin_convertvector(__builtin_convertvector(a, tbx_i4), tbx_f4);
+}
+
+/* r_i = |e_b| h_c + |e_c| h_b, as z, x, y; e absolute */
+TBX_FN tbx_f4 tbx_radius4(tbx_f4 e, tbx_f4 h, tbx_f4 h_yzx)
+{
+    return e * h_yzx + tbx_yzx(e) * h;
+}
+
+/* The sums of three lanes of a and of b, in lanes 0 and 1. */
+TBX_FN tbx_f4 tbx_sums3(tbx_f4 a, tbx_f4 b)
+{
+    const tbx_f4 low = TBX_LANES(a, b, 0, 4, 1, 5);
+    const tbx_f4 high = TBX_LANES(a, b, 2, 6, 3, 7);
+    return low + TBX_LANES(low, low, 2, 3, 2, 3) + high;
+}
+
+/* Sign bits: lanes whose magnitude, given by its bits, exceeds the float with bits `most`;
+ * NaN exceeds all. */
+TBX_FN tbx_i4 tbx_above(tbx_f4 magnitude, int32_t most)
+{
+    return tbx_splat_int(most) - (tbx_i4)magnitude;
+}
+
+/* Sign bits: lanes that are not 0 and whose magnitude is below the float with bits `least`. */
+TBX_FN tbx_i4 tbx_below(tbx_f4 magnitude, int32_t least)
+{
+    const tbx_i4 bits = (tbx_i4)magnitude;
+    return (bits - tbx_splat_int(least)) & -bits;
+}
+
+/* Floats of at least 2^-100 are multiples of 2^-123, and so are their differences:
+ * none is flushed to zero. */
+TBX_FN int tbx_may_flush(const float v[3])
+{
+    return tbx_any(tbx_below(tbx_abs4(tbx_load3(v)), 0x0d800000));
+}
+
+/* An edge's value less |n|, as z, x, y: |e_b| h_c + |e_c| h_b - |s|. e: absolute. */
+TBX_FN tbx_f4 tbx_edge4(tbx_f4 e, tbx_f4 e_yzx, tbx_f4 h, tbx_f4 h_yzx, tbx_f4 s)
+{
+    return e * h_yzx + (e_yzx * h - tbx_abs4(s));
+}
+
+/* The verdict of the float filter. rule: the box is not closed, so equality at a face is unsure. */
+TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                       const float box_max[3], int rule)
+{
+    const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f }; /* 2^-149 */
+    const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
+    const tbx_f4 ulps = tbx_splat(TBX_ULPS * TBX_U32);
+    const tbx_f4 p0 = tbx_load3(v0);
+    const tbx_f4 p1 = tbx_load3(v1);
+    const tbx_f4 p2 = tbx_load3(v2);
+    const tbx_f4 lo = tbx_load3(box_min);
+    const tbx_f4 hi = tbx_load3(box_max);
+    const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
+    const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
+    const tbx_f4 lower = tbx_max4(lo, t_min);
+    const tbx_f4 upper = tbx_min4(hi, t_max);
+    tbx_f4 a1 = p1 - p0;
+    tbx_f4 a2 = p2 - p0;
+    tbx_f4 l = lower - p0;
+    tbx_f4 h = upper - lower;
+    tbx_f4 span = hi - lo;
+    TBX_KEEP4(a1);
+    TBX_KEEP4(a2);
+    TBX_KEEP4(l);
+    TBX_KEEP4(h);
+    TBX_KEEP4(span);
+    {
+        const tbx_f4 m = l * tbx_splat(2.0f) + h;
+        const tbx_f4 e0 = tbx_abs4(a1);
+        const tbx_f4 e1 = tbx_abs4(a2 - a1);
+        const tbx_f4 e2 = tbx_abs4(a2);
+        const tbx_f4 m_yzx = tbx_yzx(m);
+        const tbx_f4 h_yzx = tbx_yzx(h);
+        const tbx_f4 a1_yzx = tbx_yzx(a1);
+        const tbx_f4 a2_yzx = tbx_yzx(a2);
+        const tbx_f4 c0 = a1 * m_yzx - a1_yzx * m;
+        const tbx_f4 c2 = m * a2_yzx - m_yzx * a2;
+        const tbx_f4 n = a1 * a2_yzx - a1_yzx * a2;
+        const tbx_f4 n_xyz = tbx_yzx(n);
+        const tbx_f4 sums = tbx_sums3(n_xyz * m, tbx_abs4(n_xyz) * h);
+        const tbx_f4 s0 = n - c0;
+        const tbx_f4 s2 = n - c2;
+        const tbx_f4 s1 = c0 - s2;
+        /* lane 3: -|n.m| here, and |n|.h in place of |n| make it the plane */
+        const tbx_f4 g0 = tbx_edge4(e0, tbx_abs4(a1_yzx), h, h_yzx, TBX_JOIN(s0, sums, 0));
+        const tbx_f4 g1 = tbx_edge4(e1, tbx_yzx(e1), h, h_yzx, s1);
+        const tbx_f4 g2 = tbx_edge4(e2, tbx_abs4(a2_yzx), h, h_yzx, s2);
+        const tbx_f4 g = tbx_min4(tbx_min4(g1, g2), g0);
+        const tbx_f4 value = g + TBX_JOIN(tbx_abs4(n), sums, 1);
+        /* from X to 2X; NaN, or beyond the range, where a corner is */
+        const tbx_f4 x = e0 + e2;
+        const tbx_f4 x_yzx = tbx_yzx(x);
+        const tbx_f4 area = x * x_yzx;
+        const tbx_f4 volume = area * tbx_yzx(x_yzx);
+        const tbx_f4 size = TBX_JOIN(area, volume, 0);
+        /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as zero */
+        const int refused = tbx_signs(tbx_above(x, 0x53000000) | tbx_above(tbx_abs4(span), 0x7f800000) |
+                                      tbx_below(x + tiny, 0x30800000));
+        /* h < 0: a face parts them, or min > max. Far apart, values overflow to NaN: never min them with h */
+        const int miss = tbx_signs((h < zero) | (value + ulps * size < zero)) != 0;
+        const int at_face = rule ? tbx_signs((lo >= t_max) | (t_min >= hi) | (lo >= hi)) & 7 : 0;
+        const int doubt = (tbx_signs((tbx_i4)(value - ulps * size)) | at_face) != 0;
+        const int open = doubt & !miss;
+        /* one branch, hardly ever taken: miss alone is a coin toss */
+        if (TBX_RARELY((refused != 8) | open)) {
+            if (open || (refused & 7) != 0 || tbx_may_flush(v0) || tbx_may_flush(v1) || tbx_may_flush(v2) ||
+                tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
+                return TBX_UNSURE;
+            }
+        }
+        return !miss;
+    }
+}
+
+/* The same filter in double. What each axis does alone: x and y in two lanes, then z and 0. The planes:
+ * edges 0 and 2 in two lanes, edge 1 in both. */
+typedef int64_t tbx_l2 __attribute__((vector_size(16)));
+
+#if defined(__clang__)
+#define TBX_PAIR(a, b, i, j) __builtin_shufflevector(a, b, i, j)
+#else
+TBX_FN tbx_l2 tbx_order2(int64_t i, int64_t j)
+{
+    const tbx_l2 r = { i, j };
+    return r;
+}
+#define TBX_PAIR(a, b, i, j) __builtin_shuffle(a, b, tbx_order2(i, j))
+#endif
+
+TBX_FN tbx_d2 tbx_pair(double x, double y)
+{
+    const tbx_d2 r = { x, y };
+    return r;
+}
+
+TBX_FN tbx_d2 tbx_load2(const double v[2])
+{
+    tbx_d2 r;
+    TBX_COPY(&r, v, sizeof r);
+    return r;
+}
+
+TBX_FN tbx_l2 tbx_splat_long(int64_t x)
+{
+    const tbx_l2 r = { x, x };
+    return r;
+}
+
+TBX_FN tbx_d2 tbx_swap(tbx_d2 a)
+{
+    return TBX_PAIR(a, a, 1, 0);
+}
+
+TBX_FN tbx_d2 tbx_abs2(tbx_d2 a)
+{
+    return (tbx_d2)((tbx_l2)a & tbx_splat_long((int64_t)0x7fffffffffffffffu));
+}
+
+#if defined(__SSE2__)
+TBX_FN tbx_d2 tbx_min2(tbx_d2 a, tbx_d2 b)
+{
+    return __builtin_ia32_minpd(a, b);
+}
+
+TBX_FN tbx_d2 tbx_max2(tbx_d2 a, tbx_d2 b)
+{
+    return __builtin_ia32_maxpd(a, b);
+}
+
+TBX_FN int tbx_signs2(tbx_l2 mask)
+{
+    return __builtin_ia32_movmskpd((tbx_d2)mask);
+}
+#else
+TBX_FN tbx_d2 tbx_min2(tbx_d2 a, tbx_d2 b)
+{
+    const tbx_l2 less = a < b;
+    return (tbx_d2)(((tbx_l2)a & less) | ((tbx_l2)b & ~less));
+}
+
+TBX_FN tbx_d2 tbx_max2(tbx_d2 a, tbx_d2 b)
+{
+    const tbx_l2 more = a > b;
+    return (tbx_d2)(((tbx_l2)a & more) | ((tbx_l2)b & ~more));
+}
+
+TBX_FN int tbx_signs2(tbx_l2 mask)
+{
+    return (mask[0] < 0) | (mask[1] < 0) << 1;
+}
+#endif
+
+/* Two axes of the question; names as in tbx_filter4. */
+typedef struct tbx_axes {
+    tbx_d2 a1;
+    tbx_d2 a2;
+    tbx_d2 m;
+    tbx_d2 h;
+    tbx_d2 x;
+    tbx_l2 refused; /* sign bits */
+    tbx_l2 at_face;
+} tbx_axes;
+
+/* tiny: 0, or 2^-1074 in a lane without a coordinate: refused unless this processor reads or writes
+ * subnormals as zero. */
+TBX_FN void tbx_axes_set(tbx_axes *r, tbx_d2 p0, tbx_d2 p1, tbx_d2 p2, tbx_d2 lo, tbx_d2 hi, tbx_d2 tiny)
+{
+    const tbx_l2 infinite = tbx_splat_long((int64_t)2047 << 52);
+    const tbx_l2 most = tbx_splat_long((int64_t)(1023 + 300) << 52);
+    const tbx_l2 least = tbx_splat_long((int64_t)(1023 - 300) << 52);
+    const tbx_d2 t_min = tbx_min2(tbx_min2(p0, p1), p2);
+    const tbx_d2 t_max = tbx_max2(tbx_max2(p0, p1), p2);
+    const tbx_d2 lower = tbx_max2(lo, t_min);
+    const tbx_d2 upper = tbx_min2(hi, t_max);
+    tbx_d2 a1 = p1 - p0;
+    tbx_d2 a2 = p2 - p0;
+    tbx_d2 l = lower - p0;
+    tbx_d2 h = upper - lower;
+    tbx_d2 span = hi - lo;
+    TBX_KEEP4(a1);
+    TBX_KEEP4(a2);
+    TBX_KEEP4(l);
+    TBX_KEEP4(h);
+    TBX_KEEP4(span);
+    {
+        const tbx_d2 x = tbx_abs2(a1) + tbx_abs2(a2);
+        const tbx_l2 bits = (tbx_l2)(x + tiny);
+        r->a1 = a1;
+        r->a2 = a2;
+        r->m = l * tbx_pair(2.0, 2.0) + h;
+        r->h = h;
+        r->x = x;
+        r->refused = (most - bits) | ((bits - least) & -bits) | (infinite - (tbx_l2)tbx_abs2(span));
+        r->at_face = (lo >= t_max) | (t_min >= hi) | (lo >= hi);
+    }
+}
+
+/* One axis of a plane. */
+typedef struct tbx_side {
+    tbx_d2 a; /* a_1, a_2 */
+    tbx_d2 a_swap;
+    tbx_d2 e;  /* absolute edges 0 and 2 */
+    tbx_d2 e1; /* twice the same, as all below */
+    tbx_d2 m;
+    tbx_d2 h;
+    tbx_d2 x;
+} tbx_side;
+
+TBX_FN void tbx_side_set(tbx_side *r, tbx_d2 a, tbx_d2 m, tbx_d2 h, tbx_d2 x)
+{
+    r->a = a;
+    r->a_swap = tbx_swap(a);
+    r->e = tbx_abs2(a);
+    r->e1 = tbx_abs2(a - r->a_swap);
+    r->m = m;
+    r->h = h;
+    r->x = x;
+}
+
+/* The lesser values of edges 0 and 1, and of 2 and 1. out_n: the normal's component, and its negative. */
+TBX_FN tbx_d2 tbx_edges2(const tbx_side *b, const tbx_side *c, tbx_d2 *out_n)
+{
+    const tbx_d2 product = b->a * c->a_swap;
+    const tbx_d2 n = product - tbx_swap(product);
+    const tbx_d2 line = b->a * c->m - c->a * b->m; /* c_0, -c_2 */
+    const tbx_d2 s = n - line;                     /* s_0, -s_2 */
+    const tbx_d2 s1 = line + tbx_swap(s);
+    const tbx_d2 g = b->e * c->h + (c->e * b->h - tbx_abs2(s));
+    const tbx_d2 g1 = b->e1 * c->h + (c->e1 * b->h - tbx_abs2(s1));
+    *out_n = n;
+    return tbx_min2(g, g1) + tbx_abs2(n);
+}
+
+/* The verdict of the double filter. rule as in tbx_filter4. */
+TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3], const double box_min[3],
+                       const double box_max[3], int rule)
+{
+    const tbx_d2 zero = { 0.0, 0.0 };
+    const tbx_d2 tiny = { 0.0, 4.9406564584124654e-324 };
+    const double ulp = TBX_ULPS * TBX_U64;
+    const tbx_d2 ulps = tbx_pair(ulp, ulp);
+    tbx_axes xy;
+    tbx_axes z;
+    tbx_side sx;
+    tbx_side sy;
+    tbx_side sz;
+    tbx_d2 n_x;
+    tbx_d2 n_y;
+    tbx_d2 n_z;
+    tbx_axes_set(&xy, tbx_load2(v0), tbx_load2(v1), tbx_load2(v2), tbx_load2(box_min), tbx_load2(box_max),
+                 zero);
+    tbx_axes_set(&z, tbx_pair(v0[2], 0.0), tbx_pair(v1[2], 0.0), tbx_pair(v2[2], 0.0),
+                 tbx_pair(box_min[2], 0.0), tbx_pair(box_max[2], 0.0), tiny);
+    tbx_side_set(&sx, TBX_PAIR(xy.a1, xy.a2, 0, 2), TBX_PAIR(xy.m, xy.m, 0, 0), TBX_PAIR(xy.h, xy.h, 0, 0),
+                 TBX_PAIR(xy.x, xy.x, 0, 0));
+    tbx_side_set(&sy, TBX_PAIR(xy.a1, xy.a2, 1, 3), TBX_PAIR(xy.m, xy.m, 1, 1), TBX_PAIR(xy.h, xy.h, 1, 1),
+                 TBX_PAIR(xy.x, xy.x, 1, 1));
+    tbx_side_set(&sz, TBX_PAIR(z.a1, z.a2, 0, 2), TBX_PAIR(z.m, z.m, 0, 0), TBX_PAIR(z.h, z.h, 0, 0),
+                 TBX_PAIR(z.x, z.x, 0, 0));
+    {
+        const tbx_d2 g_x = tbx_edges2(&sy, &sz, &n_x);
+        const tbx_d2 g_y = tbx_edges2(&sz, &sx, &n_y);
+        const tbx_d2 g_z = tbx_edges2(&sx, &sy, &n_z);
+        const tbx_d2 support = tbx_abs2(n_x) * sx.h + tbx_abs2(n_y) * sy.h + tbx_abs2(n_z) * sz.h;
+        const tbx_d2 plane = support - tbx_abs2(n_x * sx.m + n_y * sy.m + n_z * sz.m);
+        const tbx_d2 area_x = sy.x * sz.x;
+        const tbx_d2 area_y = sz.x * sx.x;
+        const tbx_d2 area_z = sx.x * sy.x;
+        const tbx_d2 volume = area_z * sz.x;
+        const tbx_d2 edges_xy = tbx_min2(g_x + ulps * area_x, g_y + ulps * area_y);
+        const tbx_d2 rest = tbx_min2(g_z + ulps * area_z, plane + ulps * volume);
+        const tbx_l2 axes = tbx_min2(edges_xy, rest) < zero;
+        const tbx_l2 faces = tbx_min2(xy.h, z.h) < zero;
+        const tbx_l2 below = (tbx_l2)(g_x - ulps * area_x) | (tbx_l2)(g_y - ulps * area_y) |
+                             (tbx_l2)(g_z - ulps * area_z) | (tbx_l2)(plane - ulps * volume);
+        const int refused = tbx_signs2(z.refused) | tbx_signs2(xy.refused) << 2;
+        const int miss = tbx_signs2(faces | axes) != 0;
+        const int at_face = rule ? tbx_signs2(xy.at_face) | (tbx_signs2(z.at_face) & 1) : 0;
+        const int doubt = (tbx_signs2(below) | at_face) != 0;
+        const int open = doubt & !miss;
+        if (TBX_RARELY((refused != 2) | open)) {
+            if (open || (refused & ~2) != 0 || tbx_may_flush64(v0, v1, v2, box_min, box_max)) {
+                return TBX_UNSURE;
+            }
+        }
+        return !miss;
+    }
+}
+
+/* ---- 11.2 Prepared triangle */
+
+/* x, y, z, z of p; one by one: p was often written just before. */
+TBX_FN tbx_f4 tbx_load_xyzz(const float p[3])
+{
+    tbx_f4 x = { 0.0f, 0.0f, 0.0f, 0.0f };
+    tbx_f4 y = x;
+    tbx_f4 z = x;
+    x[0] = p[0];
+    y[0] = p[1];
+    z[0] = p[2];
+    TBX_KEEP4(x); /* of two shuffles gcc would make three: 1.04x */
+    return TBX_LANES(TBX_LANES(x, y, 0, 4, 1, 5), z, 0, 1, 4, 4);
+}
+
+/* Sign bits: faces that do not hold, as one always does not where p is NaN or infinite. gcc would go by mask
+ * registers for AVX-512; kept in vectors, the test gains 1.04x. */
+TBX_FN tbx_i4 tbx_faces_refuse(const tribox_tri *tri, tbx_f4 x)
+{
+    const tbx_i4 moved = (tbx_i4)((tbx_u4)x + (tbx_u4)tbx_load4i(tri->face_shift));
+    tbx_i4 faces = (tbx_i4)x > tbx_load4i(tri->face_most);
+    TBX_KEEP4(faces);
+    faces |= moved > tbx_load4i(tri->face_span);
+    TBX_KEEP4(faces);
+    return faces;
+}
+
+/* tribox_tri_test in lanes: HIT, MISS or UNSURE. */
+TBX_FN int tbx_tri_test_simd(const tribox_tri *tri, const float p[3])
+{
+    const tbx_f4 x = tbx_load_xyzz(p);
+    const tbx_i4 faces = tbx_faces_refuse(tri, x);
+    tbx_f4 q = x - tbx_load4(tri->ref);
+    TBX_KEEP4(q);
+    {
+        const tbx_f4 q_b = TBX_LANES(q, q, 1, 2, 0, 0);
+        const tbx_f4 q_c = TBX_LANES(q, q, 2, 0, 1, 1);
+        const tbx_f4 first =
+            tbx_fma4(tbx_load4(tri->first_b), q_b,
+                     tbx_fma4(tbx_load4(tri->first_c), q_c,
+                              tbx_fma4(tbx_load4(tri->first_z), q, tbx_load4(tri->first_d))));
+        const tbx_f4 second = tbx_fma4(tbx_load4(tri->second_b), q_b,
+                                       tbx_fma4(tbx_load4(tri->second_c), q_c, tbx_load4(tri->second_d)));
+        const tbx_f4 third = tbx_load4(tri->third_d) - (first + second);
+        const tbx_f4 least = tbx_min4(tbx_min4(first, second), third);
+        /* by their sign bits: least <= 0 or a face, and least < 2; the conditions have 1 added */
+        const int miss = tbx_signs((tbx_i4)least | faces);
+        const int doubt = tbx_signs((tbx_i4)(least - tbx_splat(2.0f)));
+        const unsigned verdict = ((unsigned)miss << 4 | (unsigned)doubt) - 1u; /* a hit wraps round */
+        if (TBX_RARELY(verdict < 15u)) {                                       /* no miss, but doubt */
+            return TBX_UNSURE;
+        }
+        return (int)(verdict >> 31);
+    }
+}
+
+#ifndef TRIBOX_NO_COMPANIONS
+/* The least of the three edge conditions across axis k, plus 1, at q_b = b, q_c = c. */
+TBX_FN tbx_f4 tbx_octant_edges(const tribox_tri *tri, int k, tbx_f4 b, tbx_f4 c)
+{
+    const tbx_f4 first = tbx_fma4(tbx_splat(tri->first_b[k]), b,
+                                  tbx_fma4(tbx_splat(tri->first_c[k]), c, tbx_splat(tri->first_d[k])));
+    const tbx_f4 second = tbx_fma4(tbx_splat(tri->second_b[k]), b,
+                                   tbx_fma4(tbx_splat(tri->second_c[k]), c, tbx_splat(tri->second_d[k])));
+    const tbx_f4 third = tbx_splat(tri->third_d[k]) - (first + second);
+    return tbx_min4(tbx_min4(first, second), third);
+}
+
+/* The conditions of the prepared test in float at the eight octants ref + q, q being lower or upper on each
+ * axis: bits of those where all hold, and of those where that is unsure. Edges see two axes: in lanes at the
+ * four pairs of their lower and upper, for both halves of the third. */
+TBX_FN unsigned tbx_octant_lanes(const tribox_tri *tri, tbx_f4 lower, tbx_f4 upper, unsigned *out_doubt)
+{
+    const tbx_f4 both = TBX_LANES(lower, upper, 0, 4, 1, 5);
+    const tbx_f4 both_z = TBX_LANES(lower, upper, 2, 6, 2, 6);
+    const tbx_f4 x = TBX_LANES(both, both, 0, 1, 0, 1);
+    const tbx_f4 y = TBX_LANES(both, both, 2, 2, 3, 3);
+    const tbx_f4 z = TBX_LANES(both_z, both_z, 0, 0, 1, 1);
+    const tbx_f4 yz = tbx_octant_edges(tri, 0, TBX_LANES(both, both, 2, 3, 2, 3), z);
+    const tbx_f4 zx = tbx_octant_edges(tri, 1, z, x);
+    const tbx_f4 xy = tbx_octant_edges(tri, 2, x, y);
+    const tbx_f4 n_z = tbx_splat(tri->first_z[3]);
+    const tbx_f4 plane = tbx_fma4(tbx_splat(tri->first_b[3]), x,
+                                  tbx_fma4(tbx_splat(tri->first_c[3]), y, tbx_splat(tri->first_d[3])));
+    const tbx_f4 below = tbx_fma4(n_z, TBX_LANES(lower, lower, 2, 2, 2, 2), plane);
+    const tbx_f4 above = tbx_fma4(n_z, TBX_LANES(upper, upper, 2, 2, 2, 2), plane);
+    const tbx_f4 sides = tbx_splat(tri->third_d[3] - tri->second_d[3]);
+    const tbx_f4 two = tbx_splat(2.0f);
+    const tbx_f4 least_below =
+        tbx_min4(tbx_min4(tbx_min4(xy, TBX_LANES(yz, yz, 0, 0, 1, 1)), TBX_LANES(zx, zx, 0, 1, 0, 1)),
+                 tbx_min4(below, sides - below));
+    const tbx_f4 least_above =
+        tbx_min4(tbx_min4(tbx_min4(xy, TBX_LANES(yz, yz, 2, 2, 3, 3)), TBX_LANES(zx, zx, 2, 3, 2, 3)),
+                 tbx_min4(above, sides - above));
+    /* by their sign bits, as tribox_tri_test */
+    const int miss = tbx_signs((tbx_i4)least_below) | tbx_signs((tbx_i4)least_above) << 4;
+    const int no_hit = tbx_signs((tbx_i4)(least_below - two)) | tbx_signs((tbx_i4)(least_above - two)) << 4;
+    *out_doubt = (unsigned)(no_hit & ~miss);
+    return (unsigned)~no_hit;
+}
+
+/* tbx_octant_values in lanes. */
+TBX_FN unsigned tbx_octant_values_simd(const tribox_tri *tri, const double q_near[3], const double q_far[3],
+                                       unsigned *out_doubt)
+{
+    tbx_f4 lower = { (float)q_near[0], (float)q_near[1], (float)q_near[2], 0.0f };
+    tbx_f4 upper = { (float)q_far[0], (float)q_far[1], (float)q_far[2], 0.0f };
+    TBX_KEEP4(lower);
+    TBX_KEEP4(upper);
+    return tbx_octant_lanes(tri, lower, upper, out_doubt);
+}
+
+/* The octants in the lower, or the upper, halves of axes that bits 0..2 name. */
+TBX_FN unsigned tbx_lower_halves(unsigned axes)
+{
+    return (unsigned)(0x7f3f5f0f77335500u >> (axes << 3)) & 0xffu;
+}
+
+TBX_FN unsigned tbx_upper_halves(unsigned axes)
+{
+    return (unsigned)(0xfefcfaf0eeccaa00u >> (axes << 3)) & 0xffu;
+}
+
+/* tribox_tri_octants in lanes; TBX_OCTANTS_UNSURE where some octant cannot be decided. */
+TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
+{
+    const tbx_i4 in = tbx_load4i(tri->face_in);
+    const tbx_i4 out = tbx_load4i(tri->face_out);
+    const tbx_f4 middle = tbx_load4(tri->middle);
+    tbx_f4 lower = tbx_load_xyzz(p) - tbx_load4(tri->ref);
+    tbx_f4 upper;
+    TBX_KEEP4(lower);
+    upper = lower + tbx_load4(tri->step);
+    TBX_KEEP4(upper);
+    {
+        /* by sign bits of differences: faces that do not hold, and such as may or may not; in integers, to
+         * which NaN is far out */
+        const tbx_i4 from_lower = tbx_magnitude(lower - middle);
+        const tbx_i4 from_upper = tbx_magnitude(upper - middle);
+        const tbx_i4 lower_out = out - from_lower;
+        const tbx_i4 upper_out = out - from_upper;
+        const tbx_i4 unsure = ((in - from_lower) ^ lower_out) | ((in - from_upper) ^ upper_out);
+        const unsigned asked = ~(tbx_lower_halves((unsigned)tbx_signs(lower_out) & 7u) |
+                                 tbx_upper_halves((unsigned)tbx_signs(upper_out) & 7u)) &
+                               0xffu;
+        unsigned doubt;
+        const unsigned hits = tbx_octant_lanes(tri, lower, upper, &doubt);
+        if (TBX_RARELY(((doubt & asked) | (unsigned)tbx_signs(unsure)) != 0)) {
+            return TBX_OCTANTS_UNSURE;
+        }
+        return hits & asked;
+    }
+}
+#endif
+
+/* ---- 11.3 Rows of one triangle */
+
+/* A limit as four lines at once ask it, alpha*i + (beta*line + rest) >= 0, scaled to at most 1.
+ *
+ * Bound. alpha, beta and rest are rounded to float (1 u each), two products and two sums add 3 u, the sum of
+ * magnitudes being at most 1: 4 u, taken as 8, on top of the limit's own. On a lattice and below 2^23 of its
+ * quanta all is exact, and no value is zero. The root's quotient is a guess m, within one of the root: the
+ * values at m and at its neighbour towards the other sign must both be certain. A limit too flat along i to
+ * have a root takes its value at 0 for the whole line, up to |alpha| * count. */
+typedef struct tbx_lines {
+    double scale;
+    float alpha;
+    float beta;
+    float inverse; /* about -1 / alpha; 0: flat */
+    float step;    /* from the last false index to the first true one */
+    float lo_off;  /* far down if it limits from above */
+    float hi_off;  /* far up if it limits from below */
+    float bound;
+    float room; /* |alpha| - bound, against the value at m */
+} tbx_lines;
+
+#define TBX_FAR 16777216.0f /* 2^24, beyond every index in lanes */
+
+TBX_FN void tbx_lines_init(tbx_lines *q, const tbx_walk *w, const tbx_limit *c, int line_axis)
+{
+    const double terms = tbx_abs(c->a[0]) * (double)w->count[0] + tbx_abs(c->a[1]) * (double)w->count[1] +
+                         tbx_abs(c->a[2]) * (double)w->count[2] + tbx_abs(c->d) + c->bound;
+    const double scale = tbx_from_bits64((uint64_t)(2045 - (tbx_bits64(&terms) >> 52)) << 52);
+    const double along = tbx_abs(c->a[c->axis]) * scale;
+    double bound = 0.0;
+    int flat;
+    if (c->bound > 0.0 || terms > c->quantum * 8388608.0) { /* 2^23 */
+        bound = c->bound * scale + (double)(8.0f * TBX_U32);
+    }
+    flat = along <= 4.0 * bound;
+    q->scale = scale;
+    q->alpha = flat ? 0.0f : (float)(c->a[c->axis] * scale);
+    q->beta = (float)(c->a[line_axis] * scale);
+    q->inverse = flat ? 0.0f : -1.0f / q->alpha;
+    q->step = flat ? TBX_FAR : c->sign > 0 ? 1.0f : -1.0f;
+    q->lo_off = flat || c->sign > 0 ? 0.0f : -TBX_FAR;
+    q->hi_off = flat || c->sign > 0 ? TBX_FAR : 0.0f;
+    bound = (bound + (flat ? along * (double)w->count[c->axis] : 0.0)) * 1.0001;
+    q->bound = (float)bound;
+    q->room = flat ? TBX_FAR : (float)(along - bound);
+}
+
+/* Narrows four lines. Returns the lanes in which the limit is not certain. */
+TBX_FN tbx_i4 tbx_lines_narrow(const tbx_lines *q, tbx_f4 line, float rest, tbx_f4 count, tbx_f4 *lo,
+                               tbx_f4 *hi)
+{
+    const tbx_f4 at_0 = tbx_splat(q->beta) * line + tbx_splat(rest);
+    const tbx_f4 root = at_0 * tbx_splat(q->inverse);
+    const tbx_f4 inside = tbx_min4(tbx_max4(root, tbx_splat(-1.0f)), count);
+    const tbx_f4 m = tbx_truncate(inside);
+    const tbx_f4 value = tbx_splat(q->alpha) * m + at_0;
+    const tbx_f4 size = tbx_abs4(value);
+    const tbx_i4 is_false = value < tbx_splat(0.0f);
+    const tbx_f4 edge = m + (tbx_f4)(is_false & (tbx_i4)tbx_splat(q->step));
+    *lo = tbx_max4(*lo, edge + tbx_splat(q->lo_off));
+    *hi = tbx_min4(*hi, edge + tbx_splat(q->hi_off));
+    return (size < tbx_splat(q->bound)) | ((size > tbx_splat(q->room)) & (root == inside));
+}
+
+/* Bounds lo[i]..hi[i] of the lines of one tile; empty where lo > hi. */
+typedef struct tbx_bounds {
+    float lo[TBX_TILE];
+    float hi[TBX_TILE];
+} tbx_bounds;
+
+/* One line's bounds, narrowed by a group of limits one by one: what the lanes leave open. */
+TBX_NOINLINE void tbx_line_exact(const tbx_walk *w, int group, int64_t index[3], float *lo, float *hi)
+{
+    int64_t first = (int64_t)*lo;
+    int64_t last = (int64_t)*hi;
+    int i;
+    for (i = w->first[group]; i < w->first[group + 1] && first <= last; i++) {
+        tbx_limit_narrow(w, &w->limit[i], index, &first, &last);
+    }
+    *lo = (float)first;
+    *hi = (float)last;
+}
+
+/* Bounds along `axis` of the tile of lines that starts at `start`, counted by line_axis,
+ * by the edges of a group. */
+TBX_FN void tbx_tile_bounds(const tbx_walk *w, const tbx_lines *lines, int group, int axis, int line_axis,
+                            int64_t start, tbx_bounds *out)
+{
+    const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
+    const tbx_f4 count = tbx_splat((float)w->count[axis]);
+    const float last = (float)(w->count[axis] - 1);
+    int j;
+    for (j = 0; j < TBX_TILE && start + j < w->count[line_axis]; j += 4) {
+        const tbx_f4 line = tbx_splat((float)(start + j)) + four;
+        tbx_f4 lo = tbx_splat(0.0f);
+        tbx_f4 hi = tbx_splat(last);
+        tbx_i4 doubt = tbx_splat_int(0);
+        int doubts;
+        int i;
+        for (i = w->first[group]; i < w->first[group + 1]; i++) {
+            const float rest = (float)(w->limit[i].d * lines[i].scale);
+            doubt |= tbx_lines_narrow(&lines[i], line, rest, count, &lo, &hi);
+        }
+        TBX_COPY(out->lo + j, &lo, sizeof lo);
+        TBX_COPY(out->hi + j, &hi, sizeof hi);
+        doubts = tbx_signs(doubt);
+        for (i = j; doubts != 0; i++, doubts >>= 1) {
+            if ((doubts & 1) != 0) {
+                int64_t index[3] = { 0, 0, 0 };
+                index[line_axis] = start + i;
+                out->lo[i] = 0.0f;
+                out->hi[i] = last;
+                tbx_line_exact(w, group, index, &out->lo[i], &out->hi[i]);
+            }
+        }
+    }
+}
+
+/* The row walk, four rows at a time. Floats hold every index: counts are below 2^20. */
+TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink)
+{
+    const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
+    const tbx_f4 count = tbx_splat((float)w->count[0]);
+    tbx_lines lines[11];
+    tbx_bounds x_of_y;
+    tbx_bounds x_of_z;
+    tbx_bounds y_of_z;
+    const tbx_target *t = sink->target;
+    const size_t start_x = t != NULL ? (size_t)(w->base[0] - t->lo[0]) : 0;
+    int64_t y_start = -1; /* the tiles that these are of */
+    int64_t z;
+    int i;
+    for (i = 0; i < w->limits; i++) {
+        tbx_lines_init(&lines[i], w, &w->limit[i], i >= w->first[1] && i < w->first[3] ? 2 : 1);
+    }
+    for (z = 0; z < w->count[2]; z++) {
+        const int layer = (int)(z % TBX_TILE);
+        const size_t layer_words = t != NULL ? (size_t)(w->base[2] + z - t->lo[2]) * t->ny * t->row_words : 0;
+        float rest[2] = { 0.0f, 0.0f };
+        int64_t y;
+        int64_t y_end;
+        if (layer == 0) {
+            tbx_tile_bounds(w, lines, 1, 0, 2, z, &x_of_z);
+            tbx_tile_bounds(w, lines, 2, 1, 2, z, &y_of_z);
+        }
+        if (!(x_of_z.lo[layer] <= x_of_z.hi[layer])) {
+            continue;
+        }
+        for (i = w->first[3]; i < w->first[4]; i++) {
+            rest[i - w->first[3]] = (float)((w->limit[i].a[2] * (double)z + w->limit[i].d) * lines[i].scale);
+        }
+        y_end = (int64_t)y_of_z.hi[layer];
+        for (y = (int64_t)y_of_z.lo[layer] & ~(int64_t)3; y <= y_end; y += 4) {
+            const int row = (int)(y % TBX_TILE);
+            const tbx_f4 line = tbx_splat((float)y) + four;
+            const tbx_i4 outside =
+                (line < tbx_splat(y_of_z.lo[layer])) | (line > tbx_splat(y_of_z.hi[layer]));
+            tbx_i4 doubt = tbx_splat_int(0);
+            tbx_f4 lo;
+            tbx_f4 hi;
+            tbx_f4 lo_edges;
+            tbx_f4 hi_edges;
+            float x_lo[4];
+            float x_hi[4];
+            uint64_t *row_bits = NULL;
+            int doubts;
+            int rows;
+            if (y - row != y_start) {
+                y_start = y - row;
+                tbx_tile_bounds(w, lines, 0, 0, 1, y_start, &x_of_y);
+            }
+            lo_edges = tbx_max4(tbx_load4(x_of_y.lo + row), tbx_splat(x_of_z.lo[layer]));
+            hi_edges = tbx_min4(tbx_load4(x_of_y.hi + row), tbx_splat(x_of_z.hi[layer]));
+            lo = lo_edges;
+            hi = hi_edges;
+            for (i = w->first[3]; i < w->first[4]; i++) {
+                doubt |= tbx_lines_narrow(&lines[i], line, rest[i - w->first[3]], count, &lo, &hi);
+            }
+            TBX_COPY(x_lo, &lo, sizeof lo);
+            TBX_COPY(x_hi, &hi, sizeof hi);
+            doubts = tbx_signs(doubt & ~(outside | (lo_edges > hi_edges)));
+            rows = tbx_signs(~(outside | (lo > hi))) | doubts;
+            if (t != NULL) {
+                row_bits = t->bits + layer_words + (size_t)(w->base[1] + y - t->lo[1]) * t->row_words;
+            }
+            for (i = 0; rows != 0; i++, rows >>= 1) {
+                if ((rows & 1) == 0) {
+                    continue;
+                }
+                if (((doubts >> i) & 1) != 0) {
+                    int64_t index[3];
+                    index[0] = 0;
+                    index[1] = y + i;
+                    index[2] = z;
+                    x_lo[i] = lo_edges[i];
+                    x_hi[i] = hi_edges[i];
+                    tbx_line_exact(w, 3, index, &x_lo[i], &x_hi[i]);
+                    if (x_lo[i] > x_hi[i]) {
+                        continue;
+                    }
+                }
+                if (t != NULL) {
+                    tbx_set_run(t, row_bits + (size_t)i * t->row_words, start_x + (size_t)(int32_t)x_lo[i],
+                                start_x + (size_t)(int32_t)x_hi[i]);
+                } else {
+                    tbx_walk_emit(w, (int64_t)x_lo[i], (int64_t)x_hi[i], y + i, z, sink);
+                }
+            }
+        }
+    }
+}
+
+/* ---- 11.4 Fill */
+
 /* ---- Meshes, many triangles at once -----------------------------------------------------------------------
  *
  * Most triangles of a mesh touch few voxels. Their index boxes are found several at a time. A box whose
@@ -5894,852 +7694,10 @@ TBX_FN size_t tbx_fill_quick(const tribox_grid *grid, const tbx_fine *fine, cons
     tbx_fill_doubts(&fill, grid);
     return t;
 }
-#endif
 
-TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
-{
-    tbx_target target;
-    tbx_fine fine;
-    tbx_part all;
-    size_t t = 0;
-    int k;
-    if (tribox_grid_words(grid) == 0) {
-        return;
-    }
-    target.bits = bits;
-    for (k = 0; k < 3; k++) {
-        target.lo[k] = grid->lo[k];
-    }
-    target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
-    target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
-    tbx_fine_init(&fine, grid);
-#if TRIBOX_SIMD
-    t = tbx_fill_quick(grid, &fine, mesh, &target);
-#endif
-    for (k = 0; k < 2; k++) {
-        all.first[k] = 0;
-        all.last[k] = (int64_t)grid->hi[k + 1] - 1 - grid->lo[k + 1];
-    }
-    for (; t < mesh->triangles; t++) {
-        tbx_fill_part(grid, &fine, mesh, t, &all, &target);
-    }
-}
-
-TRIBOX_FN int tribox_grid_get(const tribox_grid *grid, const uint64_t *bits, int x, int y, int z)
-{
-    size_t row;
-    size_t column;
-    if (tribox_grid_words(grid) == 0 || x < grid->lo[0] || x >= grid->hi[0] || y < grid->lo[1] ||
-        y >= grid->hi[1] || z < grid->lo[2] || z >= grid->hi[2]) {
-        return 0;
-    }
-    column = (size_t)((int64_t)x - grid->lo[0]);
-    row = (size_t)((int64_t)z - grid->lo[2]) * (size_t)((int64_t)grid->hi[1] - grid->lo[1]) +
-          (size_t)((int64_t)y - grid->lo[1]);
-    row *= (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
-    return (int)((bits[row + (column >> 6)] >> (column & 63)) & 1u);
-}
-
-TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3], int out_index[3])
-{
-    const int64_t least = -((int64_t)1 << 31);
-    const int64_t most = ((int64_t)1 << 31) - 1;
-    int inside = 1;
-    int k;
-    for (k = 0; k < 3; k++) {
-        if (!tbx_is_finite(grid->origin[k]) || !tbx_is_finite(grid->size[k]) ||
-            tbx_sign(grid->size[k]) <= 0 || !tbx_is_finite(point[k])) {
-            return 0;
-        }
-    }
-    for (k = 0; k < 3; k++) {
-        const int64_t i = tbx_plane_search(grid, k, least + 1, most + 1, point[k], 1) - 1;
-        inside &= i >= grid->lo[k] && i < grid->hi[k] &&
-                  (i > least || tbx_plane_compare(grid, k, i, point[k]) <= 0);
-        out_index[k] = (int)i;
-    }
-    return inside;
-}
-
-/* Bounds of the mesh's triangles, those with a NaN or infinite corner left out.
- * Returns 0 if there is none. */
-TBX_FN int tbx_mesh_bounds(const tribox_mesh *mesh, double out_min[3], double out_max[3])
-{
-    int any = 0;
-    size_t t;
-    for (t = 0; t < mesh->triangles; t++) {
-        double v[3][3];
-        int c;
-        int k;
-        for (c = 0; c < 3; c++) {
-            tbx_mesh_corner(mesh, t, c, v[c]);
-        }
-        if (!tbx_corners_finite(v[0], v[1], v[2])) {
-            continue;
-        }
-        for (c = 0; c < 3; c++) {
-            for (k = 0; k < 3; k++) {
-                out_min[k] = any && !(v[c][k] < out_min[k]) ? out_min[k] : v[c][k];
-                out_max[k] = any && !(v[c][k] > out_max[k]) ? out_max[k] : v[c][k];
-            }
-            any = 1;
-        }
-    }
-    return any;
-}
-
-/* Voxel size and origin are kept to few bits (24 and 2^-12 of a voxel),
- * which keeps later exact signs short. */
-TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
-{
-    double t_min[3];
-    double t_max[3];
-    double longest = 0.0;
-    double size;
-    double bump = 0.0; /* doubles, for a mesh that is small beside its coordinates */
-    int fits = 0;
-    int k;
-    grid->flags = 0;
-    for (k = 0; k < 3; k++) {
-        grid->origin[k] = 0.0;
-        grid->size[k] = 1.0;
-        grid->lo[k] = 0;
-        grid->hi[k] = 0;
-    }
-    if (n < 1 || !tbx_mesh_bounds(mesh, t_min, t_max)) {
-        return 0;
-    }
-    for (k = 0; k < 3; k++) {
-        longest = t_max[k] - t_min[k] > longest ? t_max[k] - t_min[k] : longest;
-    }
-    if (!(longest > 0.0)) {
-        return 0;
-    }
-    size = longest / n * (1.0 + 1.0 / 512.0 / n);
-    while (!fits) {
-        double q;
-        q = tbx_floor_pow2(size) * (1.0 / 8388608.0); /* 2^-23: 24 bits of size */
-        size = tbx_floor_to(size + bump, q) + q;
-        bump = 2.0 * bump + q;
-        q = tbx_floor_pow2(size) * (1.0 / 4096.0);
-        fits = 1;
-        for (k = 0; k < 3; k++) {
-            const double extent = t_max[k] - t_min[k];
-            int cells = (int)(extent / size * (1.0 + 1.0 / 4096.0 / n)) + 1;
-            cells = cells < n ? cells : n;
-            cells = extent < longest ? cells : n;
-            grid->size[k] = size;
-            grid->hi[k] = cells;
-            grid->origin[k] = tbx_floor_to((t_min[k] + t_max[k] - cells * size) * 0.5, q);
-            fits &= tbx_plane_compare(grid, k, 0, t_min[k]) < 0 &&
-                    tbx_plane_compare(grid, k, cells, t_max[k]) > 0;
-        }
-    }
-    return 1;
-}
+/* ---- 11.5 Companions */
 
 #ifndef TRIBOX_NO_COMPANIONS
-/* ---- 10. Companions ---------------------------------------------------------------------------------------
- *
- * Each algorithm is written once, over tbx_num, and runs at most twice: first in double with a bound
- * of the error beside each value, then, only if some sign was unsure, in integers. Both runs take the same
- * branches on signs that are certain, so an answer of the first run is the answer of the second.
- *
- * In double: |exact - mid| <= 2 rad. A degree-d number is a multiple of 2^-150d below 2^(130d + 8), d <= 6,
- * and rounding to 53 bits keeps it so: nothing overflows, mid is 0 or at least 2^-900, rad 0 or at least
- * 2^-1000; so there are no subnormals. Each operation adds U |mid|, U = 2^-51, twice what its rounding needs.
- * The roundings of rad itself, at most 2^6 operations of 2^-50 each, are covered by the 2. Sums are kept in
- * the order written; a reassociated product has no more roundings, a fused one fewer. rad = 0 says that no
- * rounding took part: numbers of 24 bits have exact products, and exact sums where their exponents differ by
- * at most 28. So on small integers every sign is sure, zeros too.
- *
- * In integers: sign * limbs * 2^exponent, of any exponent, so that ordinary inputs take one limb. A degree-6
- * number spans at most 6 * 280 + 8 = 1688 bits: 53 limbs, and one each for the two unaligned ends. */
-#define TBX_NUM_LIMBS 56
-
-typedef struct tbx_num {
-    double mid; /* in double */
-    double rad;
-    int sign; /* in integers */
-    int exponent;
-    int n;
-    uint32_t limb[TBX_NUM_LIMBS];
-} tbx_num;
-
-typedef struct tbx_calc {
-    int exact;  /* which of the two runs */
-    int unsure; /* some sign was not certain: what follows means nothing */
-} tbx_calc;
-
-/* r = a * 2^(a's exponent - exponent) */
-TBX_FN void tbx_num_unpack(tbx_big *r, const tbx_num *a, int exponent)
-{
-    const int shift = a->sign != 0 ? a->exponent - exponent : 0;
-    uint64_t carry = 0;
-    int i;
-    r->sign = a->sign;
-    r->n = shift >> 5;
-    for (i = 0; i < r->n; i++) {
-        r->limb[i] = 0;
-    }
-    for (i = 0; i < a->n; i++) {
-        carry |= (uint64_t)a->limb[i] << (shift & 31);
-        r->limb[r->n++] = (uint32_t)carry;
-        carry >>= 32;
-    }
-    r->limb[r->n] = (uint32_t)carry;
-    r->n = a->sign != 0 ? r->n + (carry != 0) : 0;
-}
-
-/* r = a * 2^exponent, without limbs that are 0 at the low end */
-TBX_FN void tbx_num_pack(tbx_num *r, const tbx_big *a, int exponent)
-{
-    int zeros = 0;
-    int i;
-    while (zeros < a->n && a->limb[zeros] == 0) {
-        zeros++;
-    }
-    r->mid = 0.0; /* unused; compilers warn of what they cannot see */
-    r->rad = 0.0;
-    r->sign = a->sign;
-    r->n = a->n - zeros;
-    r->exponent = exponent + 32 * zeros;
-    for (i = 0; i < r->n; i++) {
-        r->limb[i] = a->limb[i + zeros];
-    }
-}
-
-TBX_COLD void tbx_num_set_exact(tbx_num *r, double x)
-{
-    int64_t mantissa;
-    const int exponent = tbx_split(x, &mantissa);
-    tbx_big a;
-    tbx_big_set(&a, mantissa, 0);
-    tbx_num_pack(r, &a, exponent);
-}
-
-TBX_COLD void tbx_num_add_exact(tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
-{
-    const int a_lower = b->sign == 0 || (a->sign != 0 && a->exponent < b->exponent);
-    const int exponent = a_lower ? a->exponent : b->exponent;
-    tbx_big x;
-    tbx_big y;
-    tbx_num_unpack(&x, a, exponent);
-    tbx_num_unpack(&y, b, exponent);
-    tbx_big_add(&x, &y, sign);
-    tbx_num_pack(r, &x, exponent);
-}
-
-TBX_COLD void tbx_num_mul_exact(tbx_num *r, const tbx_num *a, const tbx_num *b)
-{
-    const int exponent = a->exponent + b->exponent;
-    tbx_big x;
-    tbx_big y;
-    tbx_big xy;
-    tbx_num_unpack(&x, a, a->exponent);
-    tbx_num_unpack(&y, b, b->exponent);
-    tbx_big_mul(&xy, &x, &y);
-    tbx_num_pack(r, &xy, exponent);
-}
-
-/* The number rounded to a double, to a few ulp: its three highest limbs. */
-TBX_COLD double tbx_num_value_exact(const tbx_num *a)
-{
-    double value = 0.0;
-    int exponent = a->exponent;
-    int i;
-    if (a->sign == 0) {
-        return 0.0;
-    }
-    for (i = a->n > 3 ? a->n - 3 : 0; i < a->n; i++) {
-        value = value * (1.0 / 4294967296.0) + (double)a->limb[i];
-    }
-    exponent += 32 * (a->n - 1);
-    return a->sign * value * tbx_from_bits64((uint64_t)(1023 + exponent) << 52);
-}
-
-#define TBX_NUM_U 4.44089209850062616169452667236328125e-16 /* 2^-51 */
-
-TBX_FN void tbx_num_set(const tbx_calc *c, tbx_num *r, double x)
-{
-    if (c->exact) {
-        tbx_num_set_exact(r, x);
-    } else {
-        r->mid = x;
-        r->rad = 0.0;
-    }
-}
-
-/* What this run uses of a number: copies of whole structs would take longer than the sums. */
-TBX_FN void tbx_num_copy(const tbx_calc *c, tbx_num *r, const tbx_num *a)
-{
-    if (c->exact) {
-        *r = *a;
-    } else {
-        r->mid = a->mid;
-        r->rad = a->rad;
-    }
-}
-
-/* Have both numbers at most 24 bits? */
-TBX_FN int tbx_both_short(double a, double b)
-{
-    return ((tbx_bits64(&a) | tbx_bits64(&b)) & 0x1fffffffu) == 0;
-}
-
-TBX_FN int tbx_sum_is_exact(double a, double b)
-{
-    const int64_t e = (int64_t)(tbx_bits64(&a) >> 52 & 0x7ffu);
-    const int64_t f = (int64_t)(tbx_bits64(&b) >> 52 & 0x7ffu);
-    return e == 0 || f == 0 || (e - f <= 28 && f - e <= 28 && tbx_both_short(a, b));
-}
-
-/* r = a + sign * b; r may be a or b, here and below */
-TBX_FN void tbx_num_add(const tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
-{
-    if (c->exact) {
-        tbx_num_add_exact(r, a, b, sign);
-    } else {
-        const double rad = a->rad + b->rad;
-        double mid = sign > 0 ? a->mid + b->mid : a->mid - b->mid;
-        TBX_KEEP(mid);
-        r->rad = rad > 0.0 || !tbx_sum_is_exact(a->mid, b->mid) ? rad + TBX_NUM_U * tbx_abs(mid) : 0.0;
-        r->mid = mid;
-    }
-}
-
-TBX_FN void tbx_num_mul(const tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b)
-{
-    if (c->exact) {
-        tbx_num_mul_exact(r, a, b);
-    } else {
-        const double mid = a->mid * b->mid;
-        const double rad = tbx_abs(a->mid) * b->rad + tbx_abs(b->mid) * a->rad + a->rad * b->rad;
-        r->rad = rad > 0.0 || !tbx_both_short(a->mid, b->mid) ? rad + TBX_NUM_U * tbx_abs(mid) : 0.0;
-        r->mid = mid;
-    }
-}
-
-/* r = x - y, of two inputs */
-TBX_FN void tbx_num_difference(const tbx_calc *c, tbx_num *r, double x, double y)
-{
-    tbx_num b;
-    tbx_num_set(c, r, x);
-    tbx_num_set(c, &b, y);
-    tbx_num_add(c, r, r, &b, -1);
-}
-
-TBX_FN void tbx_num_flip(const tbx_calc *c, tbx_num *r, int sign)
-{
-    if (c->exact) {
-        r->sign *= sign;
-    } else {
-        r->mid = sign < 0 ? -r->mid : r->mid;
-    }
-}
-
-TBX_FN int tbx_num_sign(tbx_calc *c, const tbx_num *a)
-{
-    if (c->exact) {
-        return a->sign;
-    }
-    if (a->mid > 2.0 * a->rad) {
-        return 1;
-    }
-    if (-a->mid > 2.0 * a->rad) {
-        return -1;
-    }
-    c->unsure |= a->rad > 0.0;
-    return 0;
-}
-
-TBX_FN double tbx_num_value(const tbx_calc *c, const tbx_num *a)
-{
-    return c->exact ? tbx_num_value_exact(a) : a->mid;
-}
-
-/* r = x.y */
-TBX_FN void tbx_num_dot(const tbx_calc *c, tbx_num *r, const tbx_num x[3], const tbx_num y[3])
-{
-    tbx_num sum;
-    tbx_num xy;
-    tbx_num_mul(c, &sum, &x[0], &y[0]);
-    tbx_num_mul(c, &xy, &x[1], &y[1]);
-    tbx_num_add(c, &sum, &sum, &xy, 1);
-    tbx_num_mul(c, &xy, &x[2], &y[2]);
-    tbx_num_add(c, r, &sum, &xy, 1);
-}
-
-/* r = x * y, r neither x nor y */
-TBX_FN void tbx_num_cross(const tbx_calc *c, tbx_num r[3], const tbx_num x[3], const tbx_num y[3])
-{
-    int k;
-    for (k = 0; k < 3; k++) {
-        const int l = (k + 1) % 3;
-        const int m = (k + 2) % 3;
-        tbx_num xy;
-        tbx_num_mul(c, &r[k], &x[l], &y[m]);
-        tbx_num_mul(c, &xy, &x[m], &y[l]);
-        tbx_num_add(c, &r[k], &r[k], &xy, -1);
-    }
-}
-
-TBX_FN void tbx_num_difference3(const tbx_calc *c, tbx_num r[3], const double x[3], const double y[3])
-{
-    int k;
-    for (k = 0; k < 3; k++) {
-        tbx_num_difference(c, &r[k], x[k], y[k]);
-    }
-}
-
-/* (v1 - v0) x (v2 - v0) */
-TBX_FN void tbx_num_normal(const tbx_calc *c, tbx_num r[3], const double v0[3], const double v1[3],
-                           const double v2[3])
-{
-    tbx_num x[3];
-    tbx_num y[3];
-    tbx_num_difference3(c, x, v1, v0);
-    tbx_num_difference3(c, y, v2, v0);
-    tbx_num_cross(c, r, x, y);
-}
-
-/* ---- fractions */
-
-/* n / d with d > 0, or d = 0: infinite with the sign of n. A plain struct of two, never stored reduced. */
-typedef struct tbx_fraction {
-    tbx_num n;
-    tbx_num d;
-} tbx_fraction;
-
-TBX_FN void tbx_fraction_set(const tbx_calc *c, tbx_fraction *r, double x)
-{
-    const int finite = tbx_is_finite(x);
-    tbx_num_set(c, &r->n, finite ? x : (double)tbx_sign(x));
-    tbx_num_set(c, &r->d, finite ? 1.0 : 0.0);
-}
-
-/* The sign of a - b; equal infinities give 0. */
-TBX_FN int tbx_fraction_compare(tbx_calc *c, const tbx_fraction *a, const tbx_fraction *b)
-{
-    tbx_num x;
-    tbx_num y;
-    tbx_num_mul(c, &x, &a->n, &b->d);
-    tbx_num_mul(c, &y, &b->n, &a->d);
-    tbx_num_add(c, &x, &x, &y, -1);
-    return tbx_num_sign(c, &x);
-}
-
-enum { TBX_DOWN, TBX_NEAREST, TBX_UP }; /* NEAREST: ties to even */
-
-#define TBX_KEY_INFINITY 0x7f800000
-
-/* The float of a key, infinities included. */
-TBX_FN float tbx_from_key32(int64_t key)
-{
-    return tbx_from_bits32(key < 0 ? 0x80000000u | (uint32_t)-key : (uint32_t)key);
-}
-
-/* Is x, rounded, at least the float with this key? The least x for which it is: the float itself (down),
- * just above the one before (up), or half-way between the two, itself included for an even float
- * (nearest; x is then no larger than the largest float). */
-TBX_FN int tbx_rounds_to_at_least(tbx_calc *c, const tbx_fraction *x, int64_t key, int rounding)
-{
-    const int64_t from = rounding == TBX_DOWN ? key : key - 1;
-    double border;
-    tbx_fraction b;
-    int order;
-    if (from <= -TBX_KEY_INFINITY) {
-        return 1;
-    }
-    if ((rounding == TBX_UP ? from : key) >= TBX_KEY_INFINITY) {
-        return 0;
-    }
-    border = tbx_key32_value((int32_t)from);
-    if (rounding == TBX_NEAREST) {
-        border = (border + tbx_key32_value((int32_t)key)) * 0.5;
-    }
-    tbx_fraction_set(c, &b, border);
-    order = tbx_fraction_compare(c, x, &b);
-    return order > 0 || (order == 0 && (rounding == TBX_DOWN || (rounding == TBX_NEAREST && (key & 1) == 0)));
-}
-
-/* The fraction as a float. The quotient in double only says where to look: from there, steps that double,
- * then halve, find the greatest float that x rounds to at least. */
-TBX_FN float tbx_fraction_round(tbx_calc *c, const tbx_fraction *x, int rounding)
-{
-    const double largest = (double)FLT_MAX;
-    int64_t lo = -TBX_KEY_INFINITY; /* x rounds to at least lo and to less than hi */
-    int64_t hi = TBX_KEY_INFINITY + 1;
-    int64_t step = 1;
-    double guess;
-    float narrow;
-    int32_t key;
-    if (tbx_num_sign(c, &x->d) == 0) {
-        return tbx_from_key32(tbx_num_sign(c, &x->n) * TBX_KEY_INFINITY);
-    }
-    guess = tbx_num_value(c, &x->n) / tbx_num_value(c, &x->d);
-    narrow = (float)tbx_max(tbx_min(guess, largest), -largest);
-    key = tbx_key32(&narrow);
-    if (tbx_rounds_to_at_least(c, x, key, rounding)) {
-        lo = key;
-        while (lo + step < hi && tbx_rounds_to_at_least(c, x, lo + step, rounding)) {
-            lo += step;
-            step *= 2;
-        }
-        hi = lo + step < hi ? lo + step : hi;
-    } else {
-        hi = key;
-        while (hi - step > lo && !tbx_rounds_to_at_least(c, x, hi - step, rounding)) {
-            hi -= step;
-            step *= 2;
-        }
-        lo = hi - step > lo ? hi - step : lo;
-    }
-    while (hi - lo > 1) {
-        const int64_t mid = lo + (hi - lo) / 2;
-        if (tbx_rounds_to_at_least(c, x, mid, rounding)) {
-            lo = mid;
-        } else {
-            hi = mid;
-        }
-    }
-    return tbx_from_key32(lo);
-}
-
-/* ---- inputs */
-
-TBX_FN void tbx_widen3(double out[3], const float x[3])
-{
-    out[0] = tbx_widen(x);
-    out[1] = tbx_widen(x + 1);
-    out[2] = tbx_widen(x + 2);
-}
-
-/* Does the closed box hold a real point? Not with NaN, min > max, or both faces at one infinity. */
-TBX_FN int tbx_box_valid(const double lo[3], const double hi[3])
-{
-    const int64_t infinity = (int64_t)0x7ff << 52;
-    int valid = 1;
-    int k;
-    for (k = 0; k < 3; k++) {
-        const int64_t key_lo = tbx_key64(lo[k]);
-        const int64_t key_hi = tbx_key64(hi[k]);
-        valid = valid && !tbx_is_nan(lo[k]) && !tbx_is_nan(hi[k]) && key_lo <= key_hi && key_lo < infinity &&
-                key_hi > -infinity;
-    }
-    return valid;
-}
-
-TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const float b_min[3],
-                             const float b_max[3])
-{
-    double a_lo[3];
-    double a_hi[3];
-    double b_lo[3];
-    double b_hi[3];
-    int k;
-    tbx_widen3(a_lo, a_min);
-    tbx_widen3(a_hi, a_max);
-    tbx_widen3(b_lo, b_min);
-    tbx_widen3(b_hi, b_max);
-    if (!tbx_box_valid(a_lo, a_hi) || !tbx_box_valid(b_lo, b_hi)) {
-        return 0;
-    }
-    for (k = 0; k < 3; k++) {
-        if (tbx_less(a_hi[k], b_lo[k]) || tbx_less(b_hi[k], a_lo[k])) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
-/* ---- plane and box */
-
-/* The sign of the greatest value of side * (n.q + d) over the box; an infinite face decides it. */
-TBX_FN int tbx_plane_side(tbx_calc *c, const double n[3], double d, const double lo[3], const double hi[3],
-                          int side)
-{
-    tbx_num sum;
-    int k;
-    tbx_num_set(c, &sum, d);
-    for (k = 0; k < 3; k++) {
-        const int n_sign = tbx_sign(n[k]);
-        const double q = side * n_sign > 0 ? hi[k] : lo[k];
-        tbx_num x;
-        tbx_num y;
-        if (n_sign == 0) {
-            continue;
-        }
-        if (!tbx_is_finite(q)) {
-            return 1;
-        }
-        tbx_num_set(c, &x, n[k]);
-        tbx_num_set(c, &y, q);
-        tbx_num_mul(c, &x, &x, &y);
-        tbx_num_add(c, &sum, &sum, &x, 1);
-    }
-    return side * tbx_num_sign(c, &sum);
-}
-
-TBX_NOINLINE int tbx_plane_box(tbx_calc *c, const double n[3], double d, const double lo[3],
-                               const double hi[3])
-{
-    if (tbx_plane_side(c, n, d, lo, hi, 1) < 0) {
-        return -1;
-    }
-    return tbx_plane_side(c, n, d, lo, hi, -1) < 0;
-}
-
-TRIBOX_FN int tribox_plane_box(const float n[3], float d, const float box_min[3], const float box_max[3])
-{
-    tbx_calc c = { 0, 0 };
-    const double d_wide = tbx_widen(&d);
-    double n_wide[3];
-    double lo[3];
-    double hi[3];
-    int side;
-    tbx_widen3(n_wide, n);
-    tbx_widen3(lo, box_min);
-    tbx_widen3(hi, box_max);
-    if (!tbx_finite3(n_wide) || tbx_is_nan(d_wide) || !tbx_box_valid(lo, hi)) {
-        return 2;
-    }
-    if (!tbx_is_finite(d_wide)) {
-        return tbx_sign(d_wide);
-    }
-    side = tbx_plane_box(&c, n_wide, d_wide, lo, hi);
-    if (c.unsure) {
-        c.exact = 1;
-        side = tbx_plane_box(&c, n_wide, d_wide, lo, hi);
-    }
-    return side;
-}
-
-/* ---- motion: rays and sweeps
- *
- * The box B + t u meets T iff each of the 13 axes l lets their projections meet ("the exact test", at any
- * t), and each axis gives two conditions that are linear in t: for both l' = +-l,
- *
- *   max over B of l'.b - min over T of l'.v  +  t (l'.u)  >=  0.
- *
- * So the times of contact are one interval, and its ends are fractions. A ray is a point in motion, which
- * meets the box B as B, moving by -dir, meets the point; and a triangle as a box of one point, moving by
- * dir, does. */
-/* 0..2 faces; 4 + 3a + i: edge i x axis a */
-enum { TBX_AXIS_NORMAL = 3, TBX_AXES = 13 };
-
-typedef struct tbx_motion {
-    tbx_calc calc;
-    double v[3][3];
-    double lo[3];
-    double hi[3];
-    double velocity[3];
-    tbx_fraction first; /* the interval of t so far */
-    tbx_fraction last;
-    int empty;
-    int n_sign[3]; /* of the normal */
-    int opens;     /* the axis whose interval opens at `first`, -1 if none; its side of T: */
-    int opens_side;
-    int touches; /* the first axis of zero gap at t = 0, -1 if none */
-    int touches_side;
-} tbx_motion;
-
-/* Keeps those t of the interval for which c0 + t c1 >= 0, by axis and side of T. */
-TBX_FN void tbx_motion_keep(tbx_motion *m, const tbx_num *c0, const tbx_num *c1, int axis, int side)
-{
-    tbx_calc *c = &m->calc;
-    const int direction = tbx_num_sign(c, c1);
-    const int gap = tbx_num_sign(c, c0);
-    tbx_fraction t;
-    tbx_fraction *end = direction > 0 ? &m->first : &m->last;
-    int tighter;
-    if (gap == 0 && m->touches < 0) {
-        m->touches = axis;
-        m->touches_side = side;
-    }
-    if (direction == 0) {
-        m->empty |= gap < 0;
-        return;
-    }
-    tbx_num_copy(c, &t.n, c0);
-    tbx_num_copy(c, &t.d, c1);
-    tbx_num_flip(c, &t.n, -direction);
-    tbx_num_flip(c, &t.d, direction);
-    tighter = direction * tbx_fraction_compare(c, &t, end);
-    if (direction > 0 && (tighter > 0 || (tighter == 0 && m->opens < 0))) {
-        m->opens = axis;
-        m->opens_side = side;
-    }
-    if (tighter > 0) {
-        tbx_num_copy(c, &end->n, &t.n);
-        tbx_num_copy(c, &end->d, &t.d);
-    }
-}
-
-/* The axis as a vector: unit, normal, or edge i x unit a = (0, e_c, -e_b) from component a on. */
-TBX_FN void tbx_motion_axis(tbx_motion *m, int axis, tbx_num l[3])
-{
-    const tbx_calc *c = &m->calc;
-    int k;
-    if (axis < TBX_AXIS_NORMAL) {
-        for (k = 0; k < 3; k++) {
-            tbx_num_set(c, &l[k], k == axis ? 1.0 : 0.0);
-        }
-    } else if (axis == TBX_AXIS_NORMAL) {
-        tbx_num_normal(c, l, m->v[0], m->v[1], m->v[2]);
-    } else {
-        const int a = (axis - 4) / 3;
-        const int i = (axis - 4) % 3;
-        const int b = (a + 1) % 3;
-        const int e = (a + 2) % 3;
-        const int j = (i + 1) % 3;
-        tbx_num_set(c, &l[a], 0.0);
-        tbx_num_difference(c, &l[b], m->v[j][e], m->v[i][e]);
-        tbx_num_difference(c, &l[e], m->v[i][b], m->v[j][b]);
-    }
-}
-
-/* The corner of T that is least (want = 1) or greatest (-1) along the axis. Along edge i x unit a: the
- * third corner lies at -n_a from corner i. */
-TBX_FN int tbx_motion_corner(const tbx_motion *m, int axis, int want)
-{
-    int best = 0;
-    int i;
-    if (axis > TBX_AXIS_NORMAL) {
-        i = (axis - 4) % 3;
-        return m->n_sign[(axis - 4) / 3] * want > 0 ? (i + 2) % 3 : i;
-    }
-    for (i = 1; i < 3 && axis < TBX_AXIS_NORMAL; i++) {
-        const int below = tbx_less(m->v[i][axis], m->v[best][axis]);
-        const int above = tbx_less(m->v[best][axis], m->v[i][axis]);
-        best = (want > 0 ? below : above) ? i : best;
-    }
-    return best;
-}
-
-/* Both conditions of one axis. An axis that is zero says nothing; one along a unit vector says what a face
- * says. */
-TBX_FN void tbx_motion_clip(tbx_motion *m, int axis)
-{
-    tbx_calc *c = &m->calc;
-    tbx_num l[3];
-    tbx_num u[3];
-    int l_sign[3];
-    int side;
-    int k;
-    tbx_motion_axis(m, axis, l);
-    for (k = 0; k < 3; k++) {
-        l_sign[k] = tbx_num_sign(c, &l[k]);
-        if (axis == TBX_AXIS_NORMAL) {
-            m->n_sign[k] = l_sign[k];
-        }
-        tbx_num_set(c, &u[k], m->velocity[k]);
-    }
-    if (axis >= TBX_AXIS_NORMAL &&
-        l_sign[0] * l_sign[0] + l_sign[1] * l_sign[1] + l_sign[2] * l_sign[2] < 2) {
-        return;
-    }
-    tbx_num_dot(c, &u[0], l, u);
-    for (side = 1; side >= -1; side -= 2) {
-        const double *v = m->v[tbx_motion_corner(m, axis, side)];
-        tbx_num gap[3];
-        int infinite = 0;
-        for (k = 0; k < 3; k++) {
-            const double q = l_sign[k] * side > 0 ? m->hi[k] : m->lo[k];
-            const int used = l_sign[k] != 0;
-            infinite |= used && !tbx_is_finite(q);
-            tbx_num_difference(c, &gap[k], used && !infinite ? q : 0.0, used && !infinite ? v[k] : 0.0);
-        }
-        if (!infinite) {
-            tbx_num_dot(c, &gap[0], l, gap);
-            tbx_num_flip(c, &gap[0], side);
-            tbx_num_flip(c, &u[0], side);
-            tbx_motion_keep(m, &gap[0], &u[0], axis, -side);
-            tbx_num_flip(c, &u[0], side);
-        }
-    }
-}
-
-/* Do T and the moving box meet at some t in [t_min, t_max], by the first so many axes? Leaves the interval
- * in m. */
-TBX_NOINLINE int tbx_motion_run(tbx_motion *m, int axes, double t_min, double t_max, int exact)
-{
-    int axis;
-    m->calc.exact = exact;
-    m->calc.unsure = 0;
-    m->empty = 0;
-    m->opens = -1;
-    m->touches = -1;
-    tbx_fraction_set(&m->calc, &m->first, t_min);
-    tbx_fraction_set(&m->calc, &m->last, t_max);
-    for (axis = 0; axis < axes && !m->calc.unsure && !m->empty; axis++) {
-        tbx_motion_clip(m, axis);
-        if (axis == TBX_AXIS_NORMAL - 1 || axis == axes - 1) {
-            m->empty |= tbx_fraction_compare(&m->calc, &m->first, &m->last) > 0;
-        }
-    }
-    return !m->empty;
-}
-
-TBX_FN void tbx_motion_round(tbx_motion *m, float *out_first, float *out_last)
-{
-    if (out_first != NULL) {
-        *out_first = tbx_fraction_round(&m->calc, &m->first, TBX_DOWN);
-    }
-    if (out_last != NULL) {
-        *out_last = tbx_fraction_round(&m->calc, &m->last, TBX_UP);
-    }
-}
-
-/* A ray as a question: origin and direction finite, some real t in [t_min, t_max]. */
-TBX_FN int tbx_ray_valid(const double origin[3], const double dir[3], double t_min, double t_max)
-{
-    return tbx_finite3(origin) && tbx_finite3(dir) && !tbx_is_nan(t_min) && !tbx_is_nan(t_max) &&
-           !tbx_less(t_max, t_min) && (tbx_is_finite(t_min) || tbx_sign(t_min) < 0) &&
-           (tbx_is_finite(t_max) || tbx_sign(t_max) > 0);
-}
-
-/* What the filter leaves open: in double with bounds, then in integers. */
-TBX_NOINLINE int tbx_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
-                             const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
-{
-    tbx_motion m;
-    double d[3];
-    float t[2] = { 0.0f, 0.0f };
-    const double t0 = tbx_widen(&t_min);
-    const double t1 = tbx_widen(&t_max);
-    int hit = 0;
-    int exact;
-    int k;
-    /* cppcheck-suppress uninitvar ; it is written there */
-    tbx_widen3(m.v[0], origin);
-    tbx_widen3(d, dir);
-    tbx_widen3(m.lo, box_min);
-    tbx_widen3(m.hi, box_max);
-    if (!tbx_ray_valid(m.v[0], d, t0, t1) || !tbx_box_valid(m.lo, m.hi)) {
-        return 0;
-    }
-    for (k = 0; k < 3; k++) {
-        m.velocity[k] = -d[k];
-        m.v[2][k] = m.v[1][k] = m.v[0][k];
-    }
-    m.calc.unsure = 1;
-    for (exact = 0; exact < 2 && m.calc.unsure; exact++) {
-        hit = tbx_motion_run(&m, TBX_AXIS_NORMAL, t0, t1, exact);
-        if (hit && !m.calc.unsure) {
-            tbx_motion_round(&m, &t[0], &t[1]);
-        }
-    }
-    if (hit && out_t0 != NULL) {
-        *out_t0 = t[0];
-    }
-    if (hit && out_t1 != NULL) {
-        *out_t1 = t[1];
-    }
-    return hit;
-}
-
-#if TRIBOX_SIMD
 /* The key of the float at or below (up = 0) or above (1) every number within 64 ulp of t, 1e-6 < |t| < 2^82;
  * 0 where these have several. */
 TBX_FN int32_t tbx_slab_round(double t, int up)
@@ -6928,31 +7886,7 @@ TBX_NOINLINE int tbx_ray_flat(const float origin[3], const float dir[3], float t
     }
     return tbx_ray_filter(x[0], x[1], t_min, t_max, x[2], x[3], out_t0, out_t1);
 }
-#endif
 
-TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
-                             const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
-{
-    const uint32_t infinity = 0x7f800000u;
-    if ((tbx_bits32(&t_min) & 0x7fffffffu) > infinity || (tbx_bits32(&t_max) & 0x7fffffffu) > infinity) {
-        return 0;
-    }
-#if TRIBOX_SIMD
-    {
-        int verdict = tbx_ray_filter(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
-        if (!TBX_RARELY(verdict == TBX_UNSURE)) {
-            return verdict;
-        }
-        verdict = tbx_ray_flat(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
-        if (verdict != TBX_UNSURE) {
-            return verdict;
-        }
-    }
-#endif
-    return tbx_ray_box(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
-}
-
-#if TRIBOX_SIMD
 /* tbx_filter4 for a segment: two equal corners leave n = 0, so no plane, and for each axis one
  * condition r - |c| >= 0, c = m x (q - p). Errors in units of u X_b X_c: c: two products of 2 + 1 + 1, and 2
  * for their difference: 10; r: 8; r - |c|: 3 more: within ULPS. Where X_b or X_c is 0, value and bound are
@@ -6997,878 +7931,7 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
 }
 #endif
 
-TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float box_min[3],
-                                 const float box_max[3])
-{
-#if TRIBOX_SIMD
-    const int verdict = tbx_segment_filter(p, q, box_min, box_max);
-    if (!TBX_RARELY(verdict == TBX_UNSURE)) {
-        return verdict;
-    }
-#endif
-    return tbx_overlap_widened(p, q, q, box_min, box_max, 0);
-}
-
-/* ---- ray and triangle */
-
-/* The usual case in double: the line crosses the plane of T at one point, strictly inside or outside of T.
- * det_i is six times the volume of the tetrahedron dir, v_i - o, v_i+1 - o. If two differ in sign, the
- * line misses T, also if it lies in T's plane (then all are 0) or T is a segment (then a line that meets
- * it makes all 0). */
-TBX_NOINLINE int tbx_ray_triangle_fast(tbx_calc *c, const tbx_motion *m, double t_min, double t_max,
-                                       float *out_t)
-{
-    tbx_num a[3][3];
-    tbx_num d[3];
-    tbx_num n[3];
-    tbx_num det[3];
-    tbx_fraction t;
-    tbx_fraction end;
-    int above = 0;
-    int below = 0;
-    int i;
-    for (i = 0; i < 3; i++) {
-        tbx_num_difference3(c, a[i], m->v[i], m->lo);
-        tbx_num_set(c, &d[i], m->velocity[i]);
-    }
-    for (i = 0; i < 3; i++) {
-        int sign;
-        tbx_num_cross(c, n, a[i], a[(i + 1) % 3]);
-        tbx_num_dot(c, &det[i], d, n);
-        sign = tbx_num_sign(c, &det[i]);
-        above += sign > 0;
-        below += sign < 0;
-    }
-    if (above > 0 && below > 0) {
-        c->unsure = 0;
-        return 0;
-    }
-    tbx_num_normal(c, n, m->v[0], m->v[1], m->v[2]);
-    tbx_num_dot(c, &t.d, n, d);
-    tbx_num_dot(c, &t.n, n, a[0]);
-    i = tbx_num_sign(c, &t.d);
-    if (i == 0 || c->unsure) {
-        c->unsure = 1;
-        return 0;
-    }
-    tbx_num_flip(c, &t.n, i);
-    tbx_num_flip(c, &t.d, i);
-    tbx_fraction_set(c, &end, t_min);
-    if (tbx_fraction_compare(c, &t, &end) < 0) {
-        return 0;
-    }
-    tbx_fraction_set(c, &end, t_max);
-    if (tbx_fraction_compare(c, &t, &end) > 0) {
-        return 0;
-    }
-    if (out_t != NULL && !c->unsure) {
-        const float rounded = tbx_fraction_round(c, &t, TBX_DOWN);
-        if (!c->unsure) {
-            *out_t = rounded;
-        }
-    }
-    return 1;
-}
-
-TBX_COLD int tbx_ray_triangle_exact(tbx_motion *m, double t_min, double t_max, float *out_t)
-{
-    if (!tbx_motion_run(m, TBX_AXES, t_min, t_max, 1)) {
-        return 0;
-    }
-    tbx_motion_round(m, out_t, NULL);
-    return 1;
-}
-
-TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], float t_min, float t_max,
-                                  const float v0[3], const float v1[3], const float v2[3], float *out_t)
-{
-    tbx_motion m;
-    tbx_calc c = { 0, 0 };
-    const double t0 = tbx_widen(&t_min);
-    const double t1 = tbx_widen(&t_max);
-    int hit;
-    /* cppcheck-suppress uninitvar ; it is written there */
-    tbx_widen3(m.v[0], v0);
-    tbx_widen3(m.v[1], v1);
-    tbx_widen3(m.v[2], v2);
-    tbx_widen3(m.lo, origin);
-    tbx_widen3(m.hi, origin);
-    tbx_widen3(m.velocity, dir);
-    if (!tbx_ray_valid(m.lo, m.velocity, t0, t1) || !tbx_corners_finite(m.v[0], m.v[1], m.v[2])) {
-        return 0;
-    }
-    hit = tbx_ray_triangle_fast(&c, &m, t0, t1, out_t);
-    return c.unsure ? tbx_ray_triangle_exact(&m, t0, t1, out_t) : hit;
-}
-
-/* ---- sweep */
-
-/* side * x / |x|. The first guess of 1/sqrt is off by less than 4 %; each step squares that, times 1.5:
- * 2^-9, 2^-17, 2^-34, 2^-50. Squares of degree 2 neither overflow nor underflow. */
-TBX_FN void tbx_unit(const double x[3], int side, float out[3])
-{
-    const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
-    double y = tbx_from_bits64(0x5fe6eb50c7b537a9u - (tbx_bits64(&square) >> 1));
-    int k;
-    for (k = 0; k < 4; k++) {
-        y = y * (1.5 - 0.5 * square * y * y);
-    }
-    for (k = 0; k < 3; k++) {
-        out[k] = (float)(side * x[k] * y);
-    }
-}
-
-/* In double, unsure unless the vector is known to 2^-30 of its length. Only contacts at the start have no
- * axis that opens there. */
-TBX_FN void tbx_motion_contact(tbx_motion *m, float out_axis[3])
-{
-    const int axis = m->opens < 0 ? m->touches : m->opens;
-    const int side = m->opens < 0 ? m->touches_side : m->opens_side;
-    tbx_num l[3];
-    double x[3];
-    double rad = 0.0;
-    double longest = 0.0;
-    int k;
-    if (axis < 0) {
-        out_axis[0] = out_axis[1] = out_axis[2] = 0.0f;
-        return;
-    }
-    tbx_motion_axis(m, axis, l);
-    for (k = 0; k < 3; k++) {
-        x[k] = tbx_num_value(&m->calc, &l[k]);
-        if (!m->calc.exact) {
-            rad += l[k].rad;
-            longest = tbx_max(longest, tbx_abs(x[k]));
-        }
-    }
-    m->calc.unsure |= rad > longest * (1.0 / 4294967296.0);
-    tbx_unit(x, side, out_axis);
-}
-
-/* Everything about the sweep in one of the two runs. In double, nothing is to be trusted if unsure. */
-TBX_NOINLINE int tbx_sweep(tbx_motion *m, int exact, float out_t[2], float out_axis[3])
-{
-    if (!tbx_motion_run(m, TBX_AXES, 0.0, 1.0, exact)) {
-        return 0;
-    }
-    if (!m->calc.unsure) {
-        tbx_motion_round(m, &out_t[0], &out_t[1]);
-        tbx_motion_contact(m, out_axis);
-    }
-    return 1;
-}
-
-TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                           const float box_max[3], const float velocity[3], float *out_t0, float *out_t1,
-                           float out_axis[3])
-{
-    tbx_motion m;
-    float t[2];
-    float axis[3];
-    int hit;
-    /* cppcheck-suppress uninitvar ; it is written there */
-    tbx_widen3(m.v[0], v0);
-    tbx_widen3(m.v[1], v1);
-    tbx_widen3(m.v[2], v2);
-    tbx_widen3(m.lo, box_min);
-    tbx_widen3(m.hi, box_max);
-    tbx_widen3(m.velocity, velocity);
-    if (!tbx_corners_finite(m.v[0], m.v[1], m.v[2]) || !tbx_finite3(m.velocity) ||
-        !tbx_box_valid(m.lo, m.hi)) {
-        return 0;
-    }
-    hit = tbx_sweep(&m, 0, t, axis);
-    if (m.calc.unsure) {
-        hit = tbx_sweep(&m, 1, t, axis);
-    }
-    if (hit && out_t0 != NULL) {
-        *out_t0 = t[0];
-    }
-    if (hit && out_t1 != NULL) {
-        *out_t1 = t[1];
-    }
-    if (hit && out_axis != NULL) {
-        TBX_COPY(out_axis, axis, sizeof axis);
-    }
-    return hit;
-}
-
-/* ---- closest point
- *
- * The point x of T nearest to q is the one with (q - x).(v - x) <= 0 for every corner v. With D_ij = (q -
- * v_i).(v_j - v_i): corner i is nearest iff D_ij <= 0 for both j. The foot of q on edge ij is strictly
- * inside the edge iff D_ij > 0 and D_ji > 0, and divides it as D_ij : D_ji; it is nearest iff the third
- * corner is not on q's side of the edge, that is, iff the third weight W_k of q's foot in the plane is <=
- * 0; W_k = n.((v_i - q) x (v_j - q)), 0 if T is a segment. Otherwise the foot in the plane is in T. */
-TBX_FN void tbx_closest_dot(const tbx_calc *c, tbx_num *r, const double q[3], const double vi[3],
-                            const double vj[3])
-{
-    tbx_num x[3];
-    tbx_num y[3];
-    tbx_num_difference3(c, x, q, vi);
-    tbx_num_difference3(c, y, vj, vi);
-    tbx_num_dot(c, r, x, y);
-}
-
-/* W_k of the face's foot */
-TBX_FN void tbx_closest_face(const tbx_calc *c, tbx_num *r, const tbx_num n[3], const double vi[3],
-                             const double vj[3], const double q[3])
-{
-    tbx_num x[3];
-    tbx_num_normal(c, x, q, vi, vj);
-    tbx_num_dot(c, r, n, x);
-}
-
-TBX_NOINLINE void tbx_closest(tbx_calc *c, double v[3][3], const double q[3], float out_weights[3])
-{
-    tbx_num n[3];
-    tbx_num dots[3][3];
-    tbx_fraction w;
-    int along[3][3];
-    int i;
-    int j;
-    int k;
-    out_weights[0] = out_weights[1] = out_weights[2] = 0.0f;
-    for (i = 0; i < 3; i++) {
-        for (j = 0; j < 3; j++) {
-            along[i][j] = 0;
-            if (j != i) {
-                tbx_closest_dot(c, &dots[i][j], q, v[i], v[j]);
-                along[i][j] = tbx_num_sign(c, &dots[i][j]);
-            }
-        }
-    }
-    for (i = 0; i < 3; i++) {
-        if (along[i][(i + 1) % 3] <= 0 && along[i][(i + 2) % 3] <= 0) {
-            out_weights[i] = 1.0f;
-            return;
-        }
-    }
-    tbx_num_normal(c, n, v[0], v[1], v[2]);
-    for (k = 2; k >= 0; k--) { /* edges 01, 02, 12 */
-        i = k == 0 ? 1 : 0;
-        j = 3 - i - k;
-        tbx_closest_face(c, &dots[k][k], n, v[(k + 1) % 3], v[(k + 2) % 3], q);
-        if (tbx_num_sign(c, &dots[k][k]) <= 0 && along[i][j] > 0 && along[j][i] > 0) {
-            tbx_num_add(c, &w.d, &dots[i][j], &dots[j][i], 1);
-            tbx_num_copy(c, &w.n, &dots[j][i]);
-            out_weights[i] = tbx_fraction_round(c, &w, TBX_NEAREST);
-            tbx_num_copy(c, &w.n, &dots[i][j]);
-            out_weights[j] = tbx_fraction_round(c, &w, TBX_NEAREST);
-            return;
-        }
-    }
-    tbx_num_dot(c, &w.d, n, n);
-    for (k = 0; k < 3; k++) {
-        tbx_num_copy(c, &w.n, &dots[k][k]);
-        out_weights[k] = tbx_fraction_round(c, &w, TBX_NEAREST);
-    }
-}
-
-TRIBOX_FN void tribox_closest(const float v0[3], const float v1[3], const float v2[3], const float q[3],
-                              float out_weights[3])
-{
-    tbx_calc c = { 0, 0 };
-    double v[3][3];
-    double q_wide[3];
-    tbx_widen3(v[0], v0);
-    tbx_widen3(v[1], v1);
-    tbx_widen3(v[2], v2);
-    tbx_widen3(q_wide, q);
-    if (!tbx_corners_finite(v[0], v[1], v[2]) || !tbx_finite3(q_wide)) {
-        out_weights[0] = 1.0f;
-        out_weights[1] = out_weights[2] = 0.0f;
-        return;
-    }
-    tbx_closest(&c, v, q_wide, out_weights);
-    if (c.unsure) {
-        c.exact = 1;
-        tbx_closest(&c, v, q_wide, out_weights);
-    }
-}
-
-/* ---- clip
- *
- * The lines that bound T n B within T's plane are numbered: 0..2 the edges of T, 3 + 2a and 4 + 2a the
- * lower and upper face across axis a. A vertex is a corner of T (b = -1) or where two lines a and b meet,
- * so it is known exactly and its coordinates keep a low degree, however often the polygon is cut. Cut by
- * exact signs, a strictly convex polygon stays one, so its vertices are extreme points of T n B, and
- * distinct. One point, or two joined by line[0], are a polygon too: of a degenerate T, or of a T that
- * touches the box. */
-typedef struct tbx_vertex {
-    int a;
-    int b;
-} tbx_vertex;
-
-typedef struct tbx_polygon {
-    int count;
-    tbx_vertex vertex[9];
-    int line[9]; /* from this vertex to the next */
-} tbx_polygon;
-
-typedef struct tbx_cut {
-    tbx_calc calc;
-    double v[3][3];
-    double face[2][3]; /* of the box: lower, upper */
-    tbx_num n[3];      /* normal of T */
-} tbx_cut;
-
-TBX_FN int tbx_line_axis(int line)
-{
-    return (line - 3) / 2;
-}
-
-TBX_FN double tbx_line_face(const tbx_cut *t, int line)
-{
-    return t->face[(line - 3) % 2][tbx_line_axis(line)];
-}
-
-/* r += n_axis * (v0_axis - face), of a line that is a face */
-TBX_FN void tbx_cut_add_face(const tbx_cut *t, tbx_num *r, int line)
-{
-    const int axis = tbx_line_axis(line);
-    tbx_num x;
-    tbx_num_difference(&t->calc, &x, t->v[0][axis], tbx_line_face(t, line));
-    tbx_num_mul(&t->calc, &x, &x, &t->n[axis]);
-    tbx_num_add(&t->calc, r, r, &x, 1);
-}
-
-/* Coordinate k of a vertex. Edge pq and face f across axis a: (p_k (q_a - f) + q_k (f - p_a)) / (q_a -
- * p_a). Two faces: from n.(x - v0) = 0, with the faces' two coordinates put in. */
-TBX_FN void tbx_cut_coordinate(tbx_cut *t, tbx_vertex x, int k, tbx_fraction *r)
-{
-    tbx_calc *c = &t->calc;
-    if (x.b < 0) {
-        tbx_fraction_set(c, r, t->v[x.a][k]);
-    } else if (tbx_line_axis(x.b) == k) {
-        tbx_fraction_set(c, r, tbx_line_face(t, x.b));
-    } else if (x.a < 3) {
-        const int a = tbx_line_axis(x.b);
-        const double f = tbx_line_face(t, x.b);
-        const double *p = t->v[x.a];
-        const double *q = t->v[(x.a + 1) % 3];
-        tbx_num y;
-        tbx_num z;
-        tbx_num_difference(c, &r->d, q[a], p[a]);
-        tbx_num_difference(c, &y, q[a], f);
-        tbx_num_set(c, &z, p[k]);
-        tbx_num_mul(c, &r->n, &y, &z);
-        tbx_num_difference(c, &y, f, p[a]);
-        tbx_num_set(c, &z, q[k]);
-        tbx_num_mul(c, &y, &y, &z);
-        tbx_num_add(c, &r->n, &r->n, &y, 1);
-    } else if (tbx_line_axis(x.a) == k) {
-        tbx_fraction_set(c, r, tbx_line_face(t, x.a));
-    } else {
-        tbx_num v0;
-        tbx_num_copy(c, &r->d, &t->n[k]);
-        tbx_num_set(c, &v0, t->v[0][k]);
-        tbx_num_mul(c, &r->n, &v0, &t->n[k]);
-        tbx_cut_add_face(t, &r->n, x.a);
-        tbx_cut_add_face(t, &r->n, x.b);
-    }
-    {
-        const int sign = tbx_num_sign(c, &r->d);
-        tbx_num_flip(c, &r->n, sign);
-        tbx_num_flip(c, &r->d, sign);
-    }
-}
-
-/* The sign of the vertex's distance to the face, positive inside the box. */
-TBX_FN int tbx_cut_side(tbx_cut *t, tbx_vertex x, int line)
-{
-    tbx_fraction at;
-    tbx_fraction face;
-    tbx_cut_coordinate(t, x, tbx_line_axis(line), &at);
-    tbx_fraction_set(&t->calc, &face, tbx_line_face(t, line));
-    return tbx_fraction_compare(&t->calc, &at, &face) * ((line - 3) % 2 == 0 ? 1 : -1);
-}
-
-TBX_FN void tbx_polygon_add(tbx_polygon *p, int a, int b, int line)
-{
-    p->vertex[p->count].a = a;
-    p->vertex[p->count].b = b;
-    p->line[p->count] = line;
-    p->count++;
-}
-
-/* Cuts the polygon by one face. New vertices lie strictly inside an edge, never at a vertex. */
-TBX_FN void tbx_cut_by(tbx_cut *t, tbx_polygon *p, int line)
-{
-    const tbx_polygon old = *p;
-    int side[9];
-    int i;
-    for (i = 0; i < old.count; i++) {
-        side[i] = tbx_cut_side(t, old.vertex[i], line);
-    }
-    if (t->calc.unsure) {
-        return;
-    }
-    p->count = 0;
-    for (i = 0; i < old.count; i++) {
-        const int last_of_chain = old.count <= 2 && i == old.count - 1;
-        const int next = last_of_chain ? side[i] : side[(i + 1) % old.count];
-        if (side[i] >= 0) {
-            tbx_polygon_add(p, old.vertex[i].a, old.vertex[i].b,
-                            side[i] == 0 && next < 0 ? line : old.line[i]);
-        }
-        if (side[i] * next < 0) {
-            tbx_polygon_add(p, old.line[i], line, next < 0 ? line : old.line[i]);
-        }
-    }
-}
-
-/* The sign of x - y, by the first coordinate that differs. */
-TBX_FN int tbx_cut_compare(tbx_cut *t, tbx_vertex x, tbx_vertex y)
-{
-    int order = 0;
-    int k;
-    for (k = 0; k < 3 && order == 0; k++) {
-        tbx_fraction x_k;
-        tbx_fraction y_k;
-        tbx_cut_coordinate(t, x, k, &x_k);
-        tbx_cut_coordinate(t, y, k, &y_k);
-        order = tbx_fraction_compare(&t->calc, &x_k, &y_k);
-    }
-    return order;
-}
-
-/* T itself: its corners; or, if it is a segment or a point, the ends. */
-TBX_FN void tbx_cut_start(tbx_cut *t, tbx_polygon *p)
-{
-    tbx_vertex corner = { 0, -1 };
-    int flat = 1;
-    int least = 0;
-    int most = 0;
-    int i;
-    p->count = 0;
-    for (i = 0; i < 3; i++) {
-        flat &= tbx_num_sign(&t->calc, &t->n[i]) == 0;
-    }
-    for (i = 0; i < 3 && !flat; i++) {
-        tbx_polygon_add(p, i, -1, i);
-    }
-    for (i = 1; i < 3 && flat; i++) {
-        tbx_vertex end = { 0, -1 };
-        corner.a = i;
-        end.a = least;
-        least = tbx_cut_compare(t, corner, end) < 0 ? i : least;
-        end.a = most;
-        most = tbx_cut_compare(t, corner, end) > 0 ? i : most;
-    }
-    if (flat) {
-        tbx_polygon_add(p, least, -1, (least + 1) % 3 == most ? least : most);
-    }
-    if (least != most) {
-        tbx_polygon_add(p, most, -1, p->line[0]);
-    }
-}
-
-/* All of it, in one of the two runs. */
-TBX_NOINLINE int tbx_cut_all(tbx_cut *t, int exact, float out_polygon[9][3])
-{
-    tbx_polygon p;
-    int first = 0;
-    int count = 0;
-    int line;
-    int i;
-    int k;
-    t->calc.exact = exact;
-    t->calc.unsure = 0;
-    tbx_num_normal(&t->calc, t->n, t->v[0], t->v[1], t->v[2]);
-    tbx_cut_start(t, &p);
-    for (line = 3; line < 9 && !t->calc.unsure; line++) {
-        if (tbx_is_finite(tbx_line_face(t, line))) {
-            tbx_cut_by(t, &p, line);
-        }
-    }
-    for (i = 1; i < p.count && !t->calc.unsure; i++) {
-        first = tbx_cut_compare(t, p.vertex[i], p.vertex[first]) < 0 ? i : first;
-    }
-    for (i = 0; i < p.count && !t->calc.unsure; i++) {
-        int same = 0;
-        int j;
-        for (k = 0; k < 3; k++) {
-            tbx_fraction x;
-            tbx_cut_coordinate(t, p.vertex[(first + i) % p.count], k, &x);
-            out_polygon[count][k] = tbx_fraction_round(&t->calc, &x, TBX_NEAREST);
-        }
-        for (j = 0; j < count; j++) {
-            same |= tbx_key32(&out_polygon[j][0]) == tbx_key32(&out_polygon[count][0]) &&
-                    tbx_key32(&out_polygon[j][1]) == tbx_key32(&out_polygon[count][1]) &&
-                    tbx_key32(&out_polygon[j][2]) == tbx_key32(&out_polygon[count][2]);
-        }
-        count += !same;
-    }
-    return count;
-}
-
-TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                          const float box_max[3], float out_polygon[9][3])
-{
-    tbx_cut t;
-    int count;
-    /* cppcheck-suppress uninitvar ; it is written there */
-    tbx_widen3(t.v[0], v0);
-    tbx_widen3(t.v[1], v1);
-    tbx_widen3(t.v[2], v2);
-    tbx_widen3(t.face[0], box_min);
-    tbx_widen3(t.face[1], box_max);
-    if (!tbx_corners_finite(t.v[0], t.v[1], t.v[2]) || !tbx_box_valid(t.face[0], t.face[1])) {
-        return 0;
-    }
-    count = tbx_cut_all(&t, 0, out_polygon);
-    return t.calc.unsure ? tbx_cut_all(&t, 1, out_polygon) : count;
-}
-
-/* ---- meshes */
-
-#if defined(__GNUC__) && !defined(__CUDACC__)
-#define TBX_QUERY TBX_FN __attribute__((always_inline))
-#else
-#define TBX_QUERY TBX_FN
-#endif
-
-/* Are three corners all below lo or all above hi on one axis? Where subnormals are read as zero, a face of
- * the box and a corner may seem equal, and do not part then: the answer only ever errs to 0. */
-TBX_FN int tbx_beyond(const char *a, const char *b, const char *c, size_t at, float lo, float hi)
-{
-    float x;
-    float y;
-    float z;
-    TBX_COPY(&x, a + at, sizeof x);
-    TBX_COPY(&y, b + at, sizeof y);
-    TBX_COPY(&z, c + at, sizeof z);
-    return tbx_maxf(tbx_maxf(x, y), z) < lo || tbx_minf(tbx_minf(x, y), z) > hi;
-}
-
-/* Out of line, so that the loop below keeps its constants in registers. */
-TBX_NOINLINE int tbx_query_touches(const char *a, const char *b, const char *c, const float lo[3],
-                                   const float hi[3])
-{
-    float v[3][3];
-    TBX_COPY(v[0], a, sizeof v[0]);
-    TBX_COPY(v[1], b, sizeof v[1]);
-    TBX_COPY(v[2], c, sizeof v[2]);
-    return tribox_overlap(v[0], v[1], v[2], lo, hi);
-}
-
-/* Neighbours in a mesh lie beyond the same face, so asking axis by axis is foreseen, and reads a third of
- * the corners. */
-TBX_QUERY size_t tbx_query(const tribox_mesh *mesh, const uint32_t *index, size_t stride,
-                           const float box_min[3], const float box_max[3], uint32_t *out_triangles,
-                           size_t capacity)
-{
-    const char *positions = (const char *)mesh->positions;
-    const size_t triangles = mesh->triangles;
-    const float lo[3] = { box_min[0], box_min[1], box_min[2] };
-    const float hi[3] = { box_max[0], box_max[1], box_max[2] };
-    size_t count = 0;
-    size_t i;
-    for (i = 0; i < triangles; i++) {
-        const size_t at = 3 * i;
-        const char *a = positions + (index != NULL ? index[at] : at) * stride;
-        const char *b = positions + (index != NULL ? index[at + 1] : at + 1) * stride;
-        const char *c = positions + (index != NULL ? index[at + 2] : at + 2) * stride;
-        if (tbx_beyond(a, b, c, 0, lo[0], hi[0]) || tbx_beyond(a, b, c, sizeof(float), lo[1], hi[1]) ||
-            tbx_beyond(a, b, c, 2 * sizeof(float), lo[2], hi[2])) {
-            continue;
-        }
-        if (tbx_query_touches(a, b, c, lo, hi)) {
-            if (count < capacity) {
-                out_triangles[count] = (uint32_t)i;
-            }
-            count++;
-        }
-    }
-    return count;
-}
-
-/* Packed vertices with indices, the usual mesh, need no multiplication by the stride. */
-TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[3], const float box_max[3],
-                                   uint32_t *out_triangles, size_t capacity)
-{
-    const size_t packed = 3 * sizeof(float);
-    const size_t stride = mesh->stride != 0 ? mesh->stride : packed;
-    const uint32_t *index = mesh->indices;
-    if (index != NULL && stride == packed) {
-        return tbx_query(mesh, index, packed, box_min, box_max, out_triangles, capacity);
-    }
-    return tbx_query(mesh, index, stride, box_min, box_max, out_triangles, capacity);
-}
-
-/* ---- octree descent */
-
-TRIBOX_FN void tribox_tri_resize_f64(tribox_tri *tri, const double size[3])
-{
-    tribox_tri_init_f64(tri, tri->v[0], tri->v[1], tri->v[2], size, tri->asked);
-}
-
-TRIBOX_FN void tribox_tri_resize(tribox_tri *tri, const float size[3])
-{
-    double wide[3];
-    tbx_widen3(wide, size);
-    tribox_tri_resize_f64(tri, wide);
-}
-
-/* The sign of p + count*size - t. */
-TBX_FN int tbx_face_sign(double p, double size, int count, double t)
-{
-    const tbx_coord face = tbx_at(p, size, 2 * count);
-    const tbx_coord plane = tbx_at(t, 0.0, 0);
-    return tbx_compare(&face, &plane);
-}
-
-TBX_COLD unsigned tbx_octant_faces_exact(const tribox_tri *tri, int k, double p)
-{
-    const int lo_is_open = (tri->flags & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
-    const double size = tri->size[k];
-    const unsigned below = tbx_key64(p) + lo_is_open <= tbx_key64(tri->t_max[k]);
-    unsigned near_holds;
-    unsigned far_holds;
-    if (!tbx_is_finite(size)) {
-        return below;
-    }
-    near_holds = tbx_face_sign(p, size, 1, tri->t_min[k]) >= hi_is_open;
-    far_holds = tbx_face_sign(p, size, 1, tri->t_max[k]) <= -lo_is_open &&
-                tbx_face_sign(p, size, 2, tri->t_min[k]) >= hi_is_open;
-    return (below & near_holds) | far_holds << 1;
-}
-
-/* Bit 0, bit 1: the faces of axis k hold for [p, p + size], for [p + size, p + 2 size]. With an infinite
- * size, only the first is a box. A sum x of p - t and up to two sizes is made of sums below |x| + 2 size,
- * so it errs by less than 3 u (|x| + size), and its sign is sure if |x| > 16 u size. */
-TBX_FN unsigned tbx_octant_faces(const tribox_tri *tri, int k, double p)
-{
-    const double size = tri->size[k];
-    const double e = 16.0 * TBX_U64 * size;
-    const uint64_t exponent = tbx_bits64(&size) >> 52;
-    const double above = p - tri->t_min[k] + size; /* both >= 0 where the faces hold */
-    const double below = tri->t_max[k] - p;
-    const double above_far = above + size;
-    const double below_far = below - size;
-    const double nearer = above < below ? above : below;
-    const double farther = above_far < below_far ? above_far : below_far;
-    const unsigned holds = (unsigned)(nearer > e) | (unsigned)(farther > e) << 1;
-    const unsigned fails = (unsigned)(nearer < -e) | (unsigned)(farther < -e) << 1;
-    if (TBX_RARELY((holds | fails) != 3u || exponent - 64u > 1919u)) { /* 2^-959..2^960 */
-        return tbx_octant_faces_exact(tri, k, p);
-    }
-    return holds;
-}
-
-/* One octant whose faces hold: by the prepared test if its corner is a double, else by exact signs. */
-TBX_COLD int tbx_octant(const tribox_tri *tri, const double p[3], unsigned octant)
-{
-    tbx_exact f;
-    double corner[3];
-    int is_double = 1;
-    int k;
-    tbx_exact_corners(&f, tri->v[0], tri->v[1], tri->v[2]);
-    for (k = 0; k < 3; k++) {
-        const int64_t half = (octant >> k & 1u) != 0 ? 2 : 0;
-        const double size = tri->size[k];
-        const int finite = tbx_is_finite(size);
-        tbx_coord at;
-        corner[k] = half != 0 ? p[k] + size : p[k];
-        at = tbx_at(corner[k], 0.0, 0);
-        f.x[TBX_LO][k] = tbx_at(p[k], size, half);
-        f.x[TBX_MID][k] = tbx_at(p[k], size, half + 1);
-        f.x[TBX_HI][k] = tbx_at(p[k], size, finite ? half + 2 : 8);
-        /* no corner is infinite: it is at most t_max */
-        is_double = is_double && tbx_compare(&at, &f.x[TBX_LO][k]) == 0;
-    }
-    return is_double ? tbx_tri_test(tri, corner) : tbx_exact_overlap(&f, tri->flags);
-}
-
-#if TRIBOX_SIMD
-/* The least of the three edge conditions across axis k, plus 1, at q_b = b, q_c = c. */
-TBX_FN tbx_f4 tbx_octant_edges(const tribox_tri *tri, int k, tbx_f4 b, tbx_f4 c)
-{
-    const tbx_f4 first = tbx_fma4(tbx_splat(tri->first_b[k]), b,
-                                  tbx_fma4(tbx_splat(tri->first_c[k]), c, tbx_splat(tri->first_d[k])));
-    const tbx_f4 second = tbx_fma4(tbx_splat(tri->second_b[k]), b,
-                                   tbx_fma4(tbx_splat(tri->second_c[k]), c, tbx_splat(tri->second_d[k])));
-    const tbx_f4 third = tbx_splat(tri->third_d[k]) - (first + second);
-    return tbx_min4(tbx_min4(first, second), third);
-}
-
-/* The conditions of the prepared test in float at the eight octants ref + q, q being lower or upper on each
- * axis: bits of those where all hold, and of those where that is unsure. Edges see two axes: in lanes at the
- * four pairs of their lower and upper, for both halves of the third. */
-TBX_FN unsigned tbx_octant_lanes(const tribox_tri *tri, tbx_f4 lower, tbx_f4 upper, unsigned *out_doubt)
-{
-    const tbx_f4 both = TBX_LANES(lower, upper, 0, 4, 1, 5);
-    const tbx_f4 both_z = TBX_LANES(lower, upper, 2, 6, 2, 6);
-    const tbx_f4 x = TBX_LANES(both, both, 0, 1, 0, 1);
-    const tbx_f4 y = TBX_LANES(both, both, 2, 2, 3, 3);
-    const tbx_f4 z = TBX_LANES(both_z, both_z, 0, 0, 1, 1);
-    const tbx_f4 yz = tbx_octant_edges(tri, 0, TBX_LANES(both, both, 2, 3, 2, 3), z);
-    const tbx_f4 zx = tbx_octant_edges(tri, 1, z, x);
-    const tbx_f4 xy = tbx_octant_edges(tri, 2, x, y);
-    const tbx_f4 n_z = tbx_splat(tri->first_z[3]);
-    const tbx_f4 plane = tbx_fma4(tbx_splat(tri->first_b[3]), x,
-                                  tbx_fma4(tbx_splat(tri->first_c[3]), y, tbx_splat(tri->first_d[3])));
-    const tbx_f4 below = tbx_fma4(n_z, TBX_LANES(lower, lower, 2, 2, 2, 2), plane);
-    const tbx_f4 above = tbx_fma4(n_z, TBX_LANES(upper, upper, 2, 2, 2, 2), plane);
-    const tbx_f4 sides = tbx_splat(tri->third_d[3] - tri->second_d[3]);
-    const tbx_f4 two = tbx_splat(2.0f);
-    const tbx_f4 least_below =
-        tbx_min4(tbx_min4(tbx_min4(xy, TBX_LANES(yz, yz, 0, 0, 1, 1)), TBX_LANES(zx, zx, 0, 1, 0, 1)),
-                 tbx_min4(below, sides - below));
-    const tbx_f4 least_above =
-        tbx_min4(tbx_min4(tbx_min4(xy, TBX_LANES(yz, yz, 2, 2, 3, 3)), TBX_LANES(zx, zx, 2, 3, 2, 3)),
-                 tbx_min4(above, sides - above));
-    /* by their sign bits, as tribox_tri_test */
-    const int miss = tbx_signs((tbx_i4)least_below) | tbx_signs((tbx_i4)least_above) << 4;
-    const int no_hit = tbx_signs((tbx_i4)(least_below - two)) | tbx_signs((tbx_i4)(least_above - two)) << 4;
-    *out_doubt = (unsigned)(no_hit & ~miss);
-    return (unsigned)~no_hit;
-}
-#endif
-
-/* The conditions of the prepared test at the eight octants ref + q, q_k being q_near[k] or q_far[k]: bits of
- * those where all hold, and of those where that is unsure. */
-TBX_FN unsigned tbx_octant_values(const tribox_tri *tri, const double q_near[3], const double q_far[3],
-                                  unsigned *out_doubt)
-{
-#if TRIBOX_SIMD
-    tbx_f4 lower = { (float)q_near[0], (float)q_near[1], (float)q_near[2], 0.0f };
-    tbx_f4 upper = { (float)q_far[0], (float)q_far[1], (float)q_far[2], 0.0f };
-    TBX_KEEP4(lower);
-    TBX_KEEP4(upper);
-    return tbx_octant_lanes(tri, lower, upper, out_doubt);
-#else
-    unsigned hits = 0;
-    unsigned doubt = 0;
-    unsigned o;
-    int i;
-    for (o = 0; o < 8; o++) {
-        const double x = (o & 1u) != 0 ? q_far[0] : q_near[0];
-        const double y = (o & 2u) != 0 ? q_far[1] : q_near[1];
-        const double z = (o & 4u) != 0 ? q_far[2] : q_near[2];
-        double least = 2.0;
-        for (i = 0; i < 12; i++) {
-            const double value =
-                tri->n_x_f64[i] * x + tri->n_y_f64[i] * y + tri->n_z_f64[i] * z + tri->d_f64[i];
-            least = value < least ? value : least;
-        }
-        hits |= (unsigned)(least >= 1.0) << o;
-        doubt |= (unsigned)(least >= -1.0) << o;
-    }
-    *out_doubt = doubt & ~hits;
-    return hits;
-#endif
-}
-
-/* The octants that the faces of axis k leave, the upper ones `shift` bits above the lower ones. */
-TBX_FN unsigned tbx_octant_axis(const tribox_tri *tri, int k, double p, unsigned lower, int shift)
-{
-    const unsigned faces = tbx_octant_faces(tri, k, p);
-    return lower * ((faces & 1u) | (faces >> 1) << shift);
-}
-
-/* Where p - ref may be too large for a float, and where sizes are infinite, each octant is asked by
- * itself. */
-TBX_FN unsigned tbx_octants(const tribox_tri *tri, const double p[3])
-{
-    unsigned asked;
-    unsigned hits = 0;
-    unsigned doubt;
-    double q_near[3];
-    double q_far[3];
-    unsigned o;
-    int k;
-    if (tri->empty) {
-        return 0;
-    }
-    asked = tbx_octant_axis(tri, 0, p[0], 0x55, 1);
-    asked &= tbx_octant_axis(tri, 1, p[1], 0x33, 2);
-    asked &= tbx_octant_axis(tri, 2, p[2], 0x0f, 4);
-    doubt = asked;
-    if (asked != 0 && !TBX_RARELY(tri->huge)) {
-        for (k = 0; k < 3; k++) {
-            q_near[k] = p[k] - (double)tri->ref[k];
-        }
-        TBX_KEEP(q_near);
-        for (k = 0; k < 3; k++) {
-            q_far[k] = q_near[k] + tri->size[k];
-        }
-        TBX_KEEP(q_far);
-        hits = asked & tbx_octant_values(tri, q_near, q_far, &doubt);
-        doubt &= asked;
-    }
-    for (o = 0; TBX_RARELY(doubt >> o != 0); o++) {
-        if ((doubt >> o & 1u) != 0) {
-            hits |= (unsigned)tbx_octant(tri, p, o) << o;
-        }
-    }
-    return hits;
-}
-
-TRIBOX_FN unsigned tribox_tri_octants_f64(const tribox_tri *tri, const double p[3])
-{
-    return tbx_finite3(p) ? tbx_octants(tri, p) : 0;
-}
-
-TBX_NOINLINE unsigned tbx_octants_widened(const tribox_tri *tri, const float p[3])
-{
-    double wide[3];
-    tbx_widen3(wide, p);
-    return tribox_tri_octants_f64(tri, wide);
-}
-
-#if TRIBOX_SIMD
-/* The octants in the lower, or the upper, halves of axes that bits 0..2 name. */
-TBX_FN unsigned tbx_lower_halves(unsigned axes)
-{
-    return (unsigned)(0x7f3f5f0f77335500u >> (axes << 3)) & 0xffu;
-}
-
-TBX_FN unsigned tbx_upper_halves(unsigned axes)
-{
-    return (unsigned)(0xfefcfaf0eeccaa00u >> (axes << 3)) & 0xffu;
-}
-#endif
-
-TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
-{
-#if TRIBOX_SIMD
-    const tbx_i4 in = tbx_load4i(tri->face_in);
-    const tbx_i4 out = tbx_load4i(tri->face_out);
-    const tbx_f4 middle = tbx_load4(tri->middle);
-    tbx_f4 lower = tbx_load_xyzz(p) - tbx_load4(tri->ref);
-    tbx_f4 upper;
-    TBX_KEEP4(lower);
-    upper = lower + tbx_load4(tri->step);
-    TBX_KEEP4(upper);
-    {
-        /* by sign bits of differences: faces that do not hold, and such as may or may not; in integers, to
-         * which NaN is far out */
-        const tbx_i4 from_lower = tbx_magnitude(lower - middle);
-        const tbx_i4 from_upper = tbx_magnitude(upper - middle);
-        const tbx_i4 lower_out = out - from_lower;
-        const tbx_i4 upper_out = out - from_upper;
-        const tbx_i4 unsure = ((in - from_lower) ^ lower_out) | ((in - from_upper) ^ upper_out);
-        const unsigned asked = ~(tbx_lower_halves((unsigned)tbx_signs(lower_out) & 7u) |
-                                 tbx_upper_halves((unsigned)tbx_signs(upper_out) & 7u)) &
-                               0xffu;
-        unsigned doubt;
-        const unsigned hits = tbx_octant_lanes(tri, lower, upper, &doubt);
-        if (TBX_RARELY(((doubt & asked) | (unsigned)tbx_signs(unsure)) != 0)) {
-            return tbx_octants_widened(tri, p);
-        }
-        return hits & asked;
-    }
-#else
-    return tbx_octants_widened(tri, p);
-#endif
-}
-#endif /* TRIBOX_NO_COMPANIONS */
-
-/* ---- 11. SIMD ------------------------------------------------------------------------------------------ */
-/* All that is faster, nothing that is needed: leave this section out and the answers are the same. */
+#endif /* TRIBOX_SIMD */
 
 /* ---- 12. Undefine private macros ----------------------------------------------------------------------- */
 
@@ -7884,6 +7947,7 @@ TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
 #undef TBX_KEEP4
 #undef TBX_KEEP_HERE
 #undef TBX_LIMBS
+#undef TBX_OCTANTS_UNSURE
 #undef TBX_NO_EXPONENT
 #undef TBX_ALL_AXES
 #undef TBX_ULPS
