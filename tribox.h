@@ -236,12 +236,22 @@ typedef struct tribox_grid {
 /* Receives voxels x0..x1, both included, of row y, z. */
 typedef void (*tribox_span_fn)(void *user, int x0, int x1, int y, int z);
 
+/* The same of a mesh's triangle, its number counted from 0. */
+typedef void (*tribox_mesh_span_fn)(void *user, size_t triangle, int x0, int x1, int y, int z);
+
 typedef struct tribox_mesh {
     const float    *positions;  /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
     size_t          stride;     /* bytes between vertices; 0 means 3*sizeof(float) */
     const uint32_t *indices;    /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
     size_t          triangles;
 } tribox_mesh;
+
+typedef struct tribox_mesh_f64 {
+    const double   *positions;  /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
+    size_t          stride;     /* bytes between vertices; 0 means 3*sizeof(double) */
+    const uint32_t *indices;    /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
+    size_t          triangles;
+} tribox_mesh_f64;
 
 /* The voxels of the grid's region that the triangle touches, as runs along x.
  *
