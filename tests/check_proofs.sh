@@ -26,10 +26,10 @@ TERMS=$(constant '.*bound = \([0-9.]*\) \* u \* terms + [0-9.]* \* TBX_U64 \* ma
 MADE=$(constant '.*bound = [0-9.]* \* u \* terms + \([0-9.]*\) \* TBX_U64 \* made.*')
 FACES=$(constant '.*bound = \([0-9.]*\) \* (double)TBX_U32 \* (bound > least.*')
 NORMAL=$(constant '.*abs(p) + tbx_abs(q)) \* (\([0-9.]*\) \* TBX_U64);.*')
-FRAME=$(constant '^ *(\([0-9.]*\) \* TBX_U64);$' 'w->slack\[k\] = (farthest')
+FRAME=$(constant '.*w->slack\[k\] = (farthest.*(\([0-9.]*\) \* TBX_U64);.*')
 REACH=$(constant '.*w->slack\[k\] += reach \* (\([0-9.]*\) \* TBX_U64);.*')
 LANES=$(constant '.*bound = c->bound \* scale + (double)(\([0-9.]*\)f \* TBX_U32);.*')
-GRID=$(constant '^ *(\([0-9.]*\) \* TBX_U64);$' 'abs(x) + tbx_abs(along)')
+GRID=$(constant '.*tbx_abs(along)) \* (\([0-9.]*\) \* TBX_U64);.*')
 # groups: delta's share of n u; the bounds in units of n delta and n^2 delta
 SHARE=$(constant '.*const float delta = \([0-9.]*\)f \* TBX_U32 \* (float)n + q->delta_low;.*')
 LINES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)n \* delta).*')
