@@ -80,9 +80,48 @@ static int every_function_grid(void)
     return wrong;
 }
 
+/* A triangle across x = 0.25 that holds the centres of rows (0,0) and (0,1), seen along x. */
+static int every_function_solid(void)
+{
+    static const float  t[3][3] = {{0.25f, 0, 0}, {0.25f, 4, 0}, {0.25f, 0, 4}};
+    static const double d[3][3] = {{0.25, 0, 0}, {0.25, 4, 0}, {0.25, 0, 4}};
+    static const double inside[3] = {0.5, 0.5, 0.5};
+    uint64_t            bits[2] = {0, 0};
+    tribox_grid         grid;
+    tribox_mesh         mesh;
+    tribox_mesh_f64     mesh_f64;
+    int                 wrong = 0;
+    int                 a;
+
+    for (a = 0; a < 3; a++) {
+        grid.origin[a] = 0;
+        grid.size[a] = 1;
+        grid.lo[a] = 0;
+        grid.hi[a] = a == 0 ? 2 : 1;
+    }
+    grid.hi[2] = 2;
+    grid.flags = 0;
+    mesh.positions = t[0];
+    mesh.stride = 0;
+    mesh.indices = 0;
+    mesh.triangles = 1;
+    mesh_f64.positions = d[0];
+    mesh_f64.stride = 0;
+    mesh_f64.indices = 0;
+    mesh_f64.triangles = 1;
+    tribox_grid_fill_solid(&grid, &mesh, bits);
+    wrong += bits[0] != 3 || bits[1] != 3;
+    tribox_grid_fill_solid_f64(&grid, &mesh_f64, bits);
+    wrong += bits[0] != 0 || bits[1] != 0;
+    wrong += tribox_mesh_contains(&mesh, inside) != 1;
+    wrong += tribox_mesh_contains_f64(&mesh_f64, inside) != 1;
+    wrong += tribox_ray_crosses(t[0], t[1], t[2], d[0]) != 1;
+    return wrong;
+}
+
 static int every_function(void)
 {
-    return every_function_one_box() + every_function_tri() + every_function_grid();
+    return every_function_one_box() + every_function_tri() + every_function_grid() + every_function_solid();
 }
 
 #endif /* EVERY_FUNCTION_H */
