@@ -735,13 +735,14 @@ static void sure_runs_equal_exact_runs(void)
             m.lo[k] = cut.face[0][k] = tbx_widen(a < b ? &a : &b);
             m.hi[k] = cut.face[1][k] = tbx_widen(a < b ? &b : &a);
         }
+        m.open = i & 1;
         tbx_closest(&fast, cut.v, q, w[0]);
         tbx_closest(&exact, cut.v, q, w[1]);
         CHECK(fast.unsure || same_vector(w[0], w[1]));
         unsure += fast.unsure;
-        hit = tbx_sweep(&m, 0, t[0], axis[0]);
+        hit = tbx_sweep(&m, TBX_AXES, 0, t[0], axis[0]);
         if (!m.calc.unsure) {
-            CHECK(hit == tbx_sweep(&m, 1, t[1], axis[1]));
+            CHECK(hit == tbx_sweep(&m, TBX_AXES, 1, t[1], axis[1]));
             CHECK(!hit || (same_float(t[0][0], t[1][0]) && same_float(t[0][1], t[1][1])));
             for (k = 0; k < 3; k++) {
                 float apart = hit ? axis[0][k] - axis[1][k] : 0;

@@ -11,6 +11,7 @@ TEST_UNITS    := tests/compile/two_units_a.c tests/compile/two_units_b.c
 TEST_SOURCES  := $(wildcard tests/test_*.c)
 
 TEST_PROGRAMS := $(B)/tests/scalar/suite $(B)/tests/default/suite \
+                 $(B)/tests/scalar/test_contact $(B)/tests/default/test_contact \
                  $(TEST_COMPANIONS:%=$(B)/tests/default/test_companions_%) \
                  $(B)/tests/test_oracle $(B)/tests/test_simd $(TEST_COMPILES:%=$(B)/tests/compile/%)
 TEST_LOGS     := $(TEST_PROGRAMS:%=%.log)
