@@ -7,6 +7,11 @@
 #include <stdio.h>
 
 #define GOLDEN_FN static
+#ifdef GOLDEN_PRINT
+#define GOLDEN_SAY(what, index, word)                                                                       \
+    printf("%s %lu %lx%08lx\n", what, (unsigned long)(index), (unsigned long)((uint64_t)(word) >> 32), \
+           (unsigned long)((word) & 0xffffffffu))
+#endif
 #include "golden_cases.h"
 
 #define TABLE 300
@@ -126,6 +131,12 @@ static uint64_t golden_ask_fill(const golden_grid *g, unsigned flags)
     const unsigned rule = rule_of(flags);
     uint64_t hash = GOLDEN_BASIS;
     int x, y, z;
+    for (x = 0; x < 3; ++x) { /* an invalid grid needs no words */
+        const double size = companion_number(g->size[x], 1);
+        if (!is_finite(companion_number(g->origin[x], 1)) || !is_finite(size) || sign_of_double(size) <= 0) {
+            return 0;
+        }
+    }
     for (z = 0; z < GOLDEN_EDGE; ++z) {
         for (y = 0; y < GOLDEN_EDGE; ++y) {
             uint64_t word = 0;
@@ -143,6 +154,13 @@ static uint64_t golden_ask_locate(const golden_grid *g)
     int at[3];
     mpz_t index;
     int k, inside = 1;
+    for (k = 0; k < 3; ++k) {
+        const double size = companion_number(g->size[k], 1);
+        if (!is_finite(companion_number(g->point[k], 1)) || !is_finite(companion_number(g->origin[k], 1)) ||
+            !is_finite(size) || sign_of_double(size) <= 0) {
+            return GOLDEN_BASIS;
+        }
+    }
     mpz_init(index);
     for (k = 0; k < 3; ++k) {
         inside &= exact_index(&judge, companion_number(g->point[k], 1), companion_number(g->origin[k], 1),
@@ -152,6 +170,28 @@ static uint64_t golden_ask_locate(const golden_grid *g)
     }
     mpz_clear(index);
     return inside ? golden_mix_span(GOLDEN_BASIS, at[0], at[1], at[2], 0) : GOLDEN_BASIS;
+}
+
+/* a mesh can be framed if its finite triangles, taken together, are more than a point */
+static uint64_t golden_ask_fit(const golden_grid *g)
+{
+    const uint64_t *first = NULL;
+    int i, k;
+    for (i = 0; i < 2; ++i) {
+        int finite = 1;
+        for (k = 0; k < 9; ++k) {
+            finite &= (g->v[9 * i + k] >> 23 & 0xff) != 0xff;
+        }
+        for (k = 0; k < 9 && finite; ++k) {
+            if (first == NULL) {
+                first = g->v + 9 * i;
+            }
+            if (g->v[9 * i + k] != first[k % 3] && (g->v[9 * i + k] | first[k % 3]) << 33 != 0) {
+                return 3; /* not the same number, nor both zero */
+            }
+        }
+    }
+    return 0;
 }
 
 static void golden_ask_companion(const companion *c, companion_answer *out)
@@ -184,13 +224,15 @@ int main(void)
         fprintf(stderr, "gen_golden: the judges disagree on %d answers\n", disagreements);
         return 1;
     }
+#ifndef GOLDEN_PRINT
     printf("/* Written by gen_golden.c (`make golden`): do not edit. The first golden inputs as bit\n"
            " * patterns (v0 v1 v2, box_min or p, box_max, size), the exact answers to them, and the hash"
            " of all\n"
            " * answers, to %d triangles and boxes, %d grids and %d questions to companions.\n"
            " * golden_answers.h says what the bits of an answer mean. */\n"
            "#ifndef GOLDEN_OVERLAP_H\n#define GOLDEN_OVERLAP_H\n\n",
-           GOLDEN_CHUNKS * GOLDEN_SINGLES, GOLDEN_CHUNKS, GOLDEN_CHUNKS * GOLDEN_COMPANIONS);
+           GOLDEN_CHUNKS * (GOLDEN_SINGLES + GOLDEN_HARD), 2 * GOLDEN_CHUNKS,
+           GOLDEN_CHUNKS * (GOLDEN_COMPANIONS + GOLDEN_HARD));
     printf("#define GOLDEN_HASH (((uint64_t)0x%08lxu << 32) | 0x%08lxu)\n", (unsigned long)(hash >> 32),
            (unsigned long)(hash & 0xffffffffu));
     printf("#define GOLDEN_TABLE %d\n\n", TABLE);
@@ -209,5 +251,6 @@ int main(void)
         printf("}},\n");
     }
     printf("};\n\n#endif\n");
+#endif
     return 0;
 }

@@ -1,9 +1,10 @@
 /* golden: the header's answers to the golden inputs, as one hash that must be the same everywhere.
  *
- *   golden [nearest | up | down | zero | flush]...
+ *   golden [nearest | up | down | zero | daz | ftz | flush | x87-24 | x87-53]...
  *
- * Each argument asks again under that rounding mode, or with subnormals flushed to zero on the way in and
- * out. The expected hash in golden_overlap.h was computed by exact judges (gen_golden.c), not by this header.
+ * Each argument asks again under that rounding mode, or with subnormals read as zero, or results flushed to
+ * zero, or both, or with x87 computing to so many bits. Modes add up. Compiled with GOLDEN_PRINT, every answer
+ * is printed: gen_golden.c prints the same lines, and `diff` shows what is wrong. The expected hash in golden_overlap.h was computed by exact judges (gen_golden.c), not by this header.
  * Also compiles as C++; with GOLDEN_FREESTANDING it needs no library and exports golden_hash(), for
  * WebAssembly.
  */
@@ -16,6 +17,11 @@
 #include <string.h>
 #endif
 
+#ifdef GOLDEN_PRINT
+#define GOLDEN_SAY(what, index, word)                                                                       \
+    printf("%s %lu %lx%08lx\n", what, (unsigned long)(index), (unsigned long)((uint64_t)(word) >> 32), \
+           (unsigned long)((word) & 0xffffffffu))
+#endif
 #include "golden_answers.h"
 #include "golden_overlap.h"
 
@@ -109,22 +115,57 @@ uint32_t golden_wrong(void)
 
 #else
 
-/* 1 if the processor now flushes subnormals, 0 if this program knows no way to make it */
-static int golden_flush(void)
+/* tests/compile/before.h says it too, before it hides the compiler from the header */
+#if defined(__GNUC__) && !defined(GOLDEN_ASM)
+#define GOLDEN_ASM
+#endif
+
+/* 1 if the processor now reads subnormals as zero (bit 0) or writes zeros for them (bit 1), 0 if this program
+ * knows no way to make it */
+static int golden_flush(unsigned what)
 {
-#if (defined(__x86_64__) || defined(__SSE2__)) && defined(__GNUC__)
+#if (defined(__x86_64__) || defined(__SSE2__)) && defined(GOLDEN_ASM)
     unsigned control = 0;
     __asm__ volatile("stmxcsr %0" : "=m"(control));
-    control |= 0x8040u;
+    control &= ~0x8040u;
+    control |= ((what & 1u) != 0 ? 0x40u : 0u) | ((what & 2u) != 0 ? 0x8000u : 0u);
     __asm__ volatile("ldmxcsr %0" : : "m"(control));
     return 1;
-#elif defined(__aarch64__) && defined(__GNUC__)
+#elif defined(__aarch64__) && defined(GOLDEN_ASM)
     uint64_t control;
+    if (what != 3) { /* one bit does both */
+        return 0;
+    }
     __asm__ volatile("mrs %0, fpcr" : "=r"(control));
     control |= (uint64_t)1 << 24;
     __asm__ volatile("msr fpcr, %0" : : "r"(control));
     return 1;
+#elif defined(__arm__) && defined(__ARM_FP) && defined(GOLDEN_ASM)
+    unsigned control;
+    if (what != 3) {
+        return 0;
+    }
+    __asm__ volatile("vmrs %0, fpscr" : "=r"(control));
+    control |= 1u << 24;
+    __asm__ volatile("vmsr fpscr, %0" : : "r"(control));
+    return 1;
 #else
+    (void)what;
+    return 0;
+#endif
+}
+
+/* x87's precision: 0 for 24 bits, 2 for 53, 3 for 64 */
+static int golden_precision(unsigned what)
+{
+#if (defined(__x86_64__) || defined(__i386__)) && defined(GOLDEN_ASM)
+    unsigned short control = 0;
+    __asm__ volatile("fnstcw %0" : "=m"(control));
+    control = (unsigned short)((control & ~0x300u) | what << 8);
+    __asm__ volatile("fldcw %0" : : "m"(control));
+    return 1;
+#else
+    (void)what;
     return 0;
 #endif
 }
@@ -132,8 +173,20 @@ static int golden_flush(void)
 /* sets the mode; 1 if it is known here */
 static int golden_mode(const char *name)
 {
+    if (strcmp(name, "daz") == 0) {
+        return golden_flush(1);
+    }
+    if (strcmp(name, "ftz") == 0) {
+        return golden_flush(2);
+    }
     if (strcmp(name, "flush") == 0) {
-        return golden_flush();
+        return golden_flush(3);
+    }
+    if (strcmp(name, "x87-24") == 0) {
+        return golden_precision(0);
+    }
+    if (strcmp(name, "x87-53") == 0) {
+        return golden_precision(2);
     }
     if (strcmp(name, "nearest") == 0) {
         return fesetround(FE_TONEAREST) == 0;

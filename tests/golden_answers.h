@@ -198,6 +198,11 @@ GOLDEN_FN int golden_fill_is_spans(uint64_t seed, unsigned flags)
         const double at = on_lattice ? (double)((part >> 12) % 17) / 16.0 : (double)part / 1048576.0;
         v[i] = (float)(grid.origin[i % 3] + grid.size[i % 3] * (first + extent * at));
     }
+    for (i = 0; i < 3; ++i) { /* and some that are none, or nearly: infinity, NaN, subnormals, the largest number */
+        const uint64_t dice = golden_mix(seed, (uint64_t)(1000 + i));
+        const uint64_t odd[5] = {0x7f800000u, 0xff800000u, 0x7fc00000u, 0x00000001u, 0x7f7fffffu};
+        golden_floats(v + (dice >> 40) % (9 * TRIANGLES), &odd[(dice >> 20) % 5], 1);
+    }
     for (i = 0; i < GOLDEN_EDGE * GOLDEN_EDGE; ++i) {
         filled[i] = spanned[i] = 0;
     }
@@ -253,6 +258,38 @@ GOLDEN_FN uint64_t golden_ask_locate(const golden_grid *g)
         return GOLDEN_BASIS;
     }
     return golden_mix_span(GOLDEN_BASIS, at[0], at[1], at[2], 0);
+}
+
+/* Does a framed mesh lie strictly inside the region? Bit 0: it was framed; bit 1: and each corner of a finite
+ * triangle lies in a voxel of the region, and not on its lower faces. What the frame is, is not golden. */
+GOLDEN_FN uint64_t golden_ask_fit(const golden_grid *g)
+{
+    tribox_grid grid;
+    tribox_mesh mesh;
+    float v[18];
+    double wide[18];
+    int inside = 1;
+    int i, k, finite;
+    golden_floats(v, g->v, 18);
+    golden_widened(wide, g->v, 18);
+    mesh.positions = v;
+    mesh.stride = 0;
+    mesh.indices = NULL;
+    mesh.triangles = 2;
+    if (!tribox_grid_fit(&grid, &mesh, 5 + (int)(g->v[0] & 63))) {
+        return tribox_grid_words(&grid) == 0 ? 0 : 4;
+    }
+    for (i = 0; i < 2; ++i) {
+        finite = 1;
+        for (k = 0; k < 9; ++k) {
+            finite &= (g->v[9 * i + k] >> 23 & 0xff) != 0xff;
+        }
+        for (k = 0; k < 3 && finite; ++k) {
+            int at[3];
+            inside &= tribox_grid_locate(&grid, wide + 9 * i + 3 * k, at);
+        }
+    }
+    return 1u | (unsigned)inside << 1;
 }
 
 GOLDEN_FN void golden_ask_companion(const companion *c, companion_answer *out)

@@ -5,7 +5,7 @@
  * exact judge of verify_exact.h. They define GOLDEN_FN (the linkage of functions) and, after the include, the
  * functions
  *
- *   golden_ask_single, golden_ask_grid, golden_ask_fill, golden_ask_locate, golden_ask_companion
+ *   golden_ask_single, golden_ask_grid, golden_ask_fill, golden_ask_locate, golden_ask_fit, golden_ask_companion
  *
  * C99 that is also C++98 and CUDA; calls no library. No expression draws twice: the order would be the
  * compiler's.
@@ -19,6 +19,12 @@
 #define GOLDEN_SINGLES 32  /* triangles and boxes in a chunk; beside them one grid and one point */
 #define GOLDEN_COMPANIONS 20 /* questions to companions in a chunk */
 #define GOLDEN_EDGE 8      /* the region of a golden grid is 8 x 8 x 8 */
+#define GOLDEN_HARD 16     /* of either in a chunk: with the numbers that compilers and modes mistake */
+
+/* Told every answer as it is hashed: golden.c and gen_golden.c print them, if compiled with GOLDEN_PRINT. */
+#ifndef GOLDEN_SAY
+#define GOLDEN_SAY(what, index, word) ((void)0)
+#endif
 
 /* A triangle and a box; bit patterns, those of floats in the low half of a word. */
 typedef struct golden_single {
@@ -43,6 +49,7 @@ GOLDEN_FN uint32_t golden_ask_single(const golden_single *c);
 GOLDEN_FN uint64_t golden_ask_grid(const golden_grid *g, unsigned flags);
 GOLDEN_FN uint64_t golden_ask_fill(const golden_grid *g, unsigned flags);
 GOLDEN_FN uint64_t golden_ask_locate(const golden_grid *g);
+GOLDEN_FN uint64_t golden_ask_fit(const golden_grid *g);
 GOLDEN_FN void golden_ask_companion(const companion *c, companion_answer *out);
 
 /* ---- hash: FNV-1a, 64 bits -------------------------------------------------------------------- */
@@ -526,18 +533,218 @@ GOLDEN_FN void golden_make_companion(uint64_t index, companion *c)
     }
 }
 
+/* ---- hard numbers: NaN, infinity, subnormals, zeros and huge ones for every function; a grid of tenths --- */
+
+/* Replaces one to three of the numbers by special ones, or by subnormals, or zeros, or numbers of 2^41 and
+ * 2^64, whose products do not fit a float. */
+GOLDEN_FN void golden_harden(uint64_t *state, uint64_t *numbers, int n, int f64)
+{
+    const int kind = golden_between(state, 0, 5);
+    int times = golden_between(state, 1, 3);
+    for (; times > 0; --times) {
+        const int i = golden_between(state, 0, n - 1);
+        const int64_t m = golden_between(state, -9, 9);
+        switch (kind) {
+        case 0: /* a subnormal among ordinary numbers */
+            numbers[i] = golden_encode(m * 1234567, f64 ? -1074 : -149, f64);
+            break;
+        case 1:
+            numbers[i] = golden_encode(0, 0, f64) | (m < 0 ? (uint64_t)1 << (f64 ? 63 : 31) : 0);
+            break;
+        case 2:
+            numbers[i] = golden_encode(m, golden_between(state, 0, 1) ? 41 : 64, f64);
+            break;
+        default:
+            numbers[i] = golden_special(state, f64);
+            break;
+        }
+    }
+}
+
+/* the number nearest to k tenths */
+GOLDEN_FN uint64_t golden_tenths(int k, int f64)
+{
+    const int64_t magnitude = k < 0 ? -(int64_t)k : k;
+    const int64_t scaled = (magnitude << 43) / 10 | (k % 10 != 0); /* what is cut off is no tie */
+    return golden_encode(k < 0 ? -scaled : scaled, -43, f64);
+}
+
+/* Numbers first..first+n-1 on a grid of tenths far from zero, a few steps around base, some one place off. */
+GOLDEN_FN void golden_on_tenths(uint64_t *state, uint64_t *numbers, int n, const int base[3], int reach, int f64)
+{
+    int i;
+    for (i = 0; i < n; ++i) {
+        numbers[i] = golden_tenths(base[i % 3] + golden_between(state, -reach, reach), f64);
+        if (golden_between(state, 0, 3) == 0) {
+            numbers[i] = golden_nudge(numbers[i], golden_between(state, -1, 1), f64);
+        }
+    }
+}
+
+GOLDEN_FN void golden_tenths_base(uint64_t *state, int base[3])
+{
+    int k;
+    for (k = 0; k < 3; ++k) {
+        const int far_out = golden_between(state, 0, 2) == 0 ? 100000 : 100;
+        base[k] = golden_between(state, -far_out, far_out);
+    }
+}
+
+GOLDEN_FN void golden_make_hard_single(uint64_t index, golden_single *c)
+{
+    uint64_t state = index * 1019 + 7;
+    const int tenths = golden_between(&state, 0, 3) == 0;
+    const int reach = golden_between(&state, 1, 3);
+    const int none[3] = {0, 0, 0};
+    int base[3];
+    uint64_t *numbers[4];
+    int group;
+    golden_make_single(index, c);
+    golden_tenths_base(&state, base);
+    if (tenths) {
+        golden_on_tenths(&state, c->v, 9, base, reach, c->f64);
+        golden_on_tenths(&state, c->lo, 3, base, reach, c->f64);
+        golden_on_tenths(&state, c->hi, 3, base, reach + 1, c->f64);
+        golden_on_tenths(&state, c->size, 3, none, 2, c->f64);
+        return;
+    }
+    numbers[0] = c->v;
+    numbers[1] = c->lo;
+    numbers[2] = c->hi;
+    numbers[3] = c->size;
+    group = golden_between(&state, 0, 3);
+    golden_harden(&state, numbers[group], group == 0 ? 9 : 3, c->f64);
+}
+
+GOLDEN_FN void golden_make_hard_companion(uint64_t index, companion *c)
+{
+    uint64_t state = index * 1021 + 9;
+    const int tenths = golden_between(&state, 0, 2) == 0;
+    const int reach = golden_between(&state, 1, 3);
+    const int none[3] = {0, 0, 0};
+    int base[3];
+    golden_make_companion(index, c);
+    golden_tenths_base(&state, base);
+    if (tenths && c->which != COMPANION_PLANE_BOX) {
+        golden_on_tenths(&state, c->x, COMPANION_W, base, reach, c->f64);
+        if (c->which == COMPANION_OCTANTS) { /* sizes: a twentieth, a tenth and the like, or nearly */
+            golden_on_tenths(&state, c->x + COMPANION_HI, 3, none, 1, c->f64);
+            golden_on_tenths(&state, c->x + COMPANION_W, 3, none, 3, c->f64);
+            c->x[COMPANION_HI] -= c->x[COMPANION_HI] != 0 ? (uint64_t)1 << (c->f64 ? 52 : 23) : 0;
+        } else {
+            golden_on_tenths(&state, c->x + COMPANION_W, 6, base, reach, c->f64);
+        }
+        return;
+    }
+    golden_harden(&state, c->x, COMPANION_NUMBERS, c->f64);
+}
+
+GOLDEN_FN void golden_make_hard_grid(uint64_t index, golden_grid *g)
+{
+    uint64_t state = index * 1031 + 11;
+    const int kind = golden_between(&state, 0, 5);
+    const int none[3] = {0, 0, 0};
+    int base[3];
+    int k;
+    golden_make_grid(index, g);
+    golden_tenths_base(&state, base);
+    if (kind == 0) { /* tenths, and an origin that is a tenth */
+        golden_on_tenths(&state, g->v, 18, base, 4, g->f64);
+        golden_on_tenths(&state, g->point, 3, base, 4, 1);
+        golden_on_tenths(&state, g->origin, 3, base, 4, 1);
+        for (k = 0; k < 3; ++k) {
+            g->size[k] = golden_nudge(golden_tenths(golden_between(&state, 1, 2), 1),
+                                      golden_between(&state, -1, 1), 1);
+            g->lo[k] = golden_between(&state, -4, 0);
+        }
+    } else if (kind == 1) { /* the least numbers */
+        const int e = (g->f64 ? -1074 : -149) + golden_between(&state, 0, 3);
+        for (k = 0; k < 3; ++k) {
+            g->origin[k] = golden_encode(golden_between(&state, -3, 3), e, 1);
+            g->size[k] = golden_encode(golden_between(&state, 1, 3), e, 1);
+            g->point[k] = golden_encode(golden_between(&state, -9, 30), e, 1);
+            g->lo[k] = golden_between(&state, -2, 0);
+        }
+        for (k = 0; k < 18; ++k) {
+            g->v[k] = golden_encode(golden_between(&state, -9, 20), e, g->f64);
+        }
+    } else if (kind == 2) {
+        golden_harden(&state, g->origin, 3, 1);
+        golden_harden(&state, g->point, 3, 1);
+    } else if (kind == 3) {
+        golden_harden(&state, g->size, 3, 1);
+    } else {
+        golden_harden(&state, g->v, golden_between(&state, 0, 1) ? 9 : 18, g->f64);
+        if (kind == 5) {
+            golden_on_tenths(&state, g->v + 9, 9, none, 30, g->f64);
+        }
+    }
+}
+
 /* ---- the hash --------------------------------------------------------------------------------- */
 
-GOLDEN_FN uint64_t golden_mix_companion(uint64_t hash, uint64_t index)
+GOLDEN_FN uint64_t golden_mix_companion(uint64_t hash, uint64_t index, int hard)
 {
     companion c;
     companion_answer answer;
     int i;
-    golden_make_companion(index, &c);
+    if (hard) {
+        golden_make_hard_companion(index, &c);
+    } else {
+        golden_make_companion(index, &c);
+    }
     golden_ask_companion(&c, &answer);
+    GOLDEN_SAY(hard ? "hard companion" : "companion", index, ((uint64_t)(uint32_t)answer.value << 8) | (uint32_t)answer.n);
     hash = golden_mix(hash, ((uint64_t)(uint32_t)answer.value << 32) | (uint32_t)answer.n);
     for (i = 0; i < answer.n; ++i) {
         hash = golden_mix(hash, answer.word[i]);
+        GOLDEN_SAY(hard ? "    wrote, hard" : "    wrote", index, answer.word[i]);
+    }
+    return hash;
+}
+
+GOLDEN_FN uint64_t golden_mix_single(uint64_t hash, uint64_t index, int hard)
+{
+    golden_single c;
+    uint32_t word;
+    if (hard) {
+        golden_make_hard_single(index, &c);
+    } else {
+        golden_make_single(index, &c);
+    }
+    word = golden_ask_single(&c);
+    GOLDEN_SAY(hard ? "hard single" : "single", index, word);
+    return golden_mix(hash, word);
+}
+
+GOLDEN_FN uint64_t golden_mix_grid(uint64_t hash, uint64_t index, int hard)
+{
+    golden_grid g;
+    unsigned rule;
+    uint64_t word;
+    if (hard) {
+        golden_make_hard_grid(index, &g);
+    } else {
+        golden_make_grid(index, &g);
+    }
+    for (rule = 0; rule < 4; ++rule) {
+        unsigned flags = (1u << rule) >> 1; /* closed, half-open, open, thin */
+        word = golden_ask_grid(&g, flags);
+        GOLDEN_SAY(hard ? "hard spans" : "spans", index, word);
+        hash = golden_mix(hash, word);
+        if (!g.f64) {
+            word = golden_ask_fill(&g, flags);
+            GOLDEN_SAY(hard ? "hard fill" : "fill", index, word);
+            hash = golden_mix(hash, word);
+        }
+    }
+    word = golden_ask_locate(&g);
+    GOLDEN_SAY(hard ? "hard locate" : "locate", index, word);
+    hash = golden_mix(hash, word);
+    if (!g.f64) {
+        word = golden_ask_fit(&g);
+        GOLDEN_SAY(hard ? "hard fit" : "fit", index, word);
+        hash = golden_mix(hash, word);
     }
     return hash;
 }
@@ -545,26 +752,19 @@ GOLDEN_FN uint64_t golden_mix_companion(uint64_t hash, uint64_t index)
 GOLDEN_FN uint64_t golden_chunk(uint32_t chunk)
 {
     uint64_t hash = GOLDEN_BASIS;
-    golden_single c;
-    golden_grid g;
-    unsigned rule;
     uint32_t i;
     for (i = 0; i < GOLDEN_SINGLES; ++i) {
-        golden_make_single((uint64_t)chunk * GOLDEN_SINGLES + i, &c);
-        hash = golden_mix(hash, golden_ask_single(&c));
+        hash = golden_mix_single(hash, (uint64_t)chunk * GOLDEN_SINGLES + i, 0);
     }
     for (i = 0; i < GOLDEN_COMPANIONS; ++i) {
-        hash = golden_mix_companion(hash, (uint64_t)chunk * GOLDEN_COMPANIONS + i);
+        hash = golden_mix_companion(hash, (uint64_t)chunk * GOLDEN_COMPANIONS + i, 0);
     }
-    golden_make_grid(chunk, &g);
-    for (rule = 0; rule < 4; ++rule) {
-        unsigned flags = (1u << rule) >> 1; /* closed, half-open, open, thin */
-        hash = golden_mix(hash, golden_ask_grid(&g, flags));
-        if (!g.f64) {
-            hash = golden_mix(hash, golden_ask_fill(&g, flags));
-        }
+    hash = golden_mix_grid(hash, chunk, 0);
+    for (i = 0; i < GOLDEN_HARD; ++i) {
+        hash = golden_mix_single(hash, (uint64_t)chunk * GOLDEN_HARD + i, 1);
+        hash = golden_mix_companion(hash, (uint64_t)chunk * GOLDEN_HARD + i, 1);
     }
-    return golden_mix(hash, golden_ask_locate(&g));
+    return golden_mix_grid(hash, chunk, 1);
 }
 
 #endif
