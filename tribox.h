@@ -4838,44 +4838,63 @@ TBX_FN int tbx_motion_corner(const tbx_motion *m, int axis, int want)
     return best;
 }
 
-/* Both conditions of one axis. An axis that is zero says nothing; one along a unit vector says what a face
- * says. */
+/* The axis and the signs of its components. Returns 0 for one that is zero, and says nothing, or along a unit
+ * vector, and says what a face says. */
+TBX_FN int tbx_motion_signs(tbx_motion *m, int axis, tbx_num l[3], int l_sign[3])
+{
+    int k;
+    tbx_motion_axis(m, axis, l);
+    for (k = 0; k < 3; k++) {
+        l_sign[k] = tbx_num_sign(&m->calc, &l[k]);
+        if (axis == TBX_AXIS_NORMAL) {
+            m->n_sign[k] = l_sign[k];
+        }
+    }
+    return axis < TBX_AXIS_NORMAL || (l_sign[0] != 0) + (l_sign[1] != 0) + (l_sign[2] != 0) > 1;
+}
+
+/* r = max over B of l'.b - min over T of l'.v, l' = side * l. Returns 0 where that is infinite. */
+TBX_FN int tbx_motion_gap(const tbx_motion *m, int axis, int side, const tbx_num l[3], const int l_sign[3],
+                          tbx_num *r)
+{
+    const tbx_calc *c = &m->calc;
+    const double *v = m->v[tbx_motion_corner(m, axis, side)];
+    tbx_num gap[3];
+    int k;
+    for (k = 0; k < 3; k++) {
+        const double q = l_sign[k] * side > 0 ? m->hi[k] : m->lo[k];
+        const int used = l_sign[k] != 0;
+        if (used && !(tbx_is_finite(q) && tbx_is_finite(v[k]))) {
+            return 0;
+        }
+        tbx_num_difference(c, &gap[k], used ? q : 0.0, used ? v[k] : 0.0);
+    }
+    tbx_num_dot(c, r, l, gap);
+    tbx_num_flip(c, r, side);
+    return 1;
+}
+
+/* Both conditions of one axis. */
 TBX_FN void tbx_motion_clip(tbx_motion *m, int axis)
 {
     tbx_calc *c = &m->calc;
     tbx_num l[3];
     tbx_num u[3];
+    tbx_num gap;
     int l_sign[3];
     int side;
     int k;
-    tbx_motion_axis(m, axis, l);
-    for (k = 0; k < 3; k++) {
-        l_sign[k] = tbx_num_sign(c, &l[k]);
-        if (axis == TBX_AXIS_NORMAL) {
-            m->n_sign[k] = l_sign[k];
-        }
-        tbx_num_set(c, &u[k], m->velocity[k]);
-    }
-    if (axis >= TBX_AXIS_NORMAL &&
-        l_sign[0] * l_sign[0] + l_sign[1] * l_sign[1] + l_sign[2] * l_sign[2] < 2) {
+    if (!tbx_motion_signs(m, axis, l, l_sign)) {
         return;
+    }
+    for (k = 0; k < 3; k++) {
+        tbx_num_set(c, &u[k], m->velocity[k]);
     }
     tbx_num_dot(c, &u[0], l, u);
     for (side = 1; side >= -1; side -= 2) {
-        const double *v = m->v[tbx_motion_corner(m, axis, side)];
-        tbx_num gap[3];
-        int infinite = 0;
-        for (k = 0; k < 3; k++) {
-            const double q = l_sign[k] * side > 0 ? m->hi[k] : m->lo[k];
-            const int used = l_sign[k] != 0;
-            infinite |= used && !(tbx_is_finite(q) && tbx_is_finite(v[k]));
-            tbx_num_difference(c, &gap[k], used && !infinite ? q : 0.0, used && !infinite ? v[k] : 0.0);
-        }
-        if (!infinite) {
-            tbx_num_dot(c, &gap[0], l, gap);
-            tbx_num_flip(c, &gap[0], side);
+        if (tbx_motion_gap(m, axis, side, l, l_sign, &gap)) {
             tbx_num_flip(c, &u[0], side);
-            tbx_motion_keep(m, &gap[0], &u[0], axis, -side);
+            tbx_motion_keep(m, &gap, &u[0], axis, -side);
             tbx_num_flip(c, &u[0], side);
         }
     }
@@ -5114,21 +5133,14 @@ TBX_FN void tbx_unit(const double x[3], int side, float out[3])
     }
 }
 
-/* In double, unsure unless the vector is known to 2^-30 of its length. Only contacts at the start have no
- * axis that opens there. */
-TBX_FN void tbx_motion_contact(tbx_motion *m, float out_axis[3])
+/* The axis as a unit vector, times side. In double, unsure unless it is known to 2^-30 of its length. */
+TBX_FN void tbx_motion_unit(tbx_motion *m, int axis, int side, float out_axis[3])
 {
-    const int axis = m->opens < 0 ? m->touches : m->opens;
-    const int side = m->opens < 0 ? m->touches_side : m->opens_side;
     tbx_num l[3];
     double x[3];
     double rad = 0.0;
     double longest = 0.0;
     int k;
-    if (axis < 0) {
-        out_axis[0] = out_axis[1] = out_axis[2] = 0.0f;
-        return;
-    }
     tbx_motion_axis(m, axis, l);
     for (k = 0; k < 3; k++) {
         x[k] = tbx_num_value(&m->calc, &l[k]);
@@ -5139,6 +5151,18 @@ TBX_FN void tbx_motion_contact(tbx_motion *m, float out_axis[3])
     }
     m->calc.unsure |= rad > longest * (1.0 / 4294967296.0);
     tbx_unit(x, side, out_axis);
+}
+
+/* Only contacts at the start have no axis that opens there. */
+TBX_FN void tbx_motion_contact(tbx_motion *m, float out_axis[3])
+{
+    if (m->opens >= 0) {
+        tbx_motion_unit(m, m->opens, m->opens_side, out_axis);
+    } else if (m->touches >= 0) {
+        tbx_motion_unit(m, m->touches, m->touches_side, out_axis);
+    } else {
+        out_axis[0] = out_axis[1] = out_axis[2] = 0.0f;
+    }
 }
 
 /* Everything about the sweep in one of the two runs. In double, nothing is to be trusted if unsure. */
