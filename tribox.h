@@ -92,6 +92,9 @@
 extern "C" {
 #endif
 
+/* Structs are laid out in the same way in every file, also where `#pragma pack(1)` is open. */
+#pragma pack(push, 16)
+
 /* ---- 2. API -------------------------------------------------------------------------------------------- */
 
 enum {                      /* flags; 0 = closed, conservative */
@@ -188,7 +191,7 @@ typedef struct tribox_tri {
     unsigned asked;         /* flags as given */
     unsigned flags;         /* as they apply: infinite boxes are never thin */
     int      empty;         /* 1: the triangle or every box is the empty set */
-    int      huge;          /* 1: a corner or size is 2^58 or more, and p - ref may not fit a float */
+    int      is_huge;       /* 1: a corner or size is 2^58 or more, and p - ref may not fit a float */
     int      unused;        /* a multiple of 16 bytes: in arrays, too, the vectors lie well */
 } tribox_tri;
 
@@ -256,8 +259,8 @@ typedef struct tribox_mesh_f64 {
 
 /* The voxels of the grid's region that the triangle touches, as runs along x.
  *
- *   grid   origin and size finite, size > 0, lo < hi on each axis; else nothing is emitted
- *   emit   called for each span with user; NULL only counts
+ *   grid     origin and size finite, size > 0, lo < hi on each axis; else nothing is emitted
+ *   on_span  called for each span with user; NULL only counts
  *
  * Returns     How many voxels; saturates at SIZE_MAX.
  * Guarantees  Exact. Spans are disjoint, maximal, ordered by z, then y; each voxel once. With TRIBOX_THIN
@@ -268,9 +271,9 @@ typedef struct tribox_mesh_f64 {
  * Source      The conditions of [SS10], each solved for x.
  */
 TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], const float v1[3],
-                                   const float v2[3], tribox_span_fn emit, void *user);
+                                   const float v2[3], tribox_span_fn on_span, void *user);
 TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
-                                       const double v2[3], tribox_span_fn emit, void *user);
+                                       const double v2[3], tribox_span_fn on_span, void *user);
 
 /* How many 64-bit words the region's bit array needs: nz*ny*row_words, row_words = (nx + 63)/64. Voxel
  * (x,y,z), counted from lo, is bit (x & 63) of word (z*ny + y)*row_words + (x >> 6).
@@ -561,23 +564,32 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
 
 /* ---- 3. Platform --------------------------------------------------------------------------------------- */
 
-/* The rare path: kept out of line, so that its stack and code stay out of the callers. */
-#if defined(__CUDACC__)
-#define TBX_COLD TBX_HD static __noinline__
-#define TBX_NOINLINE TBX_COLD
-#elif defined(__GNUC__)
-#define TBX_COLD static __attribute__((noinline, cold, unused))
-#define TBX_NOINLINE static __attribute__((noinline, unused))
-#elif defined(_MSC_VER)
-#define TBX_COLD static __declspec(noinline)
-#define TBX_NOINLINE TBX_COLD
+/* Compilers that know the attributes, builtins and inline assembly of gcc: gcc, clang (also as clang-cl, which
+ * is __clang__ without __GNUC__), icc, nvcc's host side. Others say __GNUC__ and know only some of it. */
+#if (defined(__GNUC__) || defined(__clang__)) && !defined(__TINYC__) && !defined(__PCC__) && \
+    !defined(__chibicc__)
+#define TBX_GNU 1
 #else
-#define TBX_COLD static inline
-#define TBX_NOINLINE TBX_COLD
+#define TBX_GNU 0
+#endif
+
+/* The rare path: kept out of line, so that its stack and code stay out of the callers. */
+#if defined(__CUDACC__) && !defined(__clang__)
+#define TBX_NOINLINE TBX_HD static __noinline__
+#define TBX_COLD TBX_NOINLINE
+#elif TBX_GNU
+#define TBX_NOINLINE TBX_HD static __attribute__((noinline, unused))
+#define TBX_COLD TBX_HD static __attribute__((noinline, cold, unused))
+#elif defined(_MSC_VER)
+#define TBX_NOINLINE static __declspec(noinline)
+#define TBX_COLD TBX_NOINLINE
+#else
+#define TBX_NOINLINE static inline
+#define TBX_COLD TBX_NOINLINE
 #endif
 
 /* The slow way of a test: rare, and kept to a single branch that the processor can foresee. */
-#if defined(__GNUC__)
+#if TBX_GNU
 #define TBX_RARELY(condition) __builtin_expect((condition), 0)
 #else
 #define TBX_RARELY(condition) (condition)
@@ -585,25 +597,29 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
 
 /* Asks for memory that will be written soon. The address is an integer: it may lie outside of any array,
  * where pointer arithmetic is undefined. */
-#if defined(__GNUC__) && !defined(__CUDA_ARCH__)
+#if TBX_GNU && !defined(__CUDA_ARCH__)
 #define TBX_PREFETCH(address) __builtin_prefetch((const void *)(address), 1) /* NOLINT(*-no-int-to-ptr) */
 #else
 #define TBX_PREFETCH(address) ((void)0)
 #endif
 
 /* Copies a few bytes of any alignment; compilers turn it into one move. */
-#if defined(__GNUC__)
+#if TBX_GNU
 #define TBX_COPY(dst, src, bytes) ((void)__builtin_memcpy((dst), (src), (bytes)))
 #else
 #define TBX_COPY(dst, src, bytes) tbx_copy((dst), (src), (bytes))
 #endif
 
-/* Vectors of four floats, by the vector extensions of gcc and clang: no header, and the same source on every
- * ISA. 0 leaves the scalar body alone. Both give the same answers. */
-#ifndef TRIBOX_SIMD
-#if (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 9)) && \
-    (defined(__SSE2__) || defined(__aarch64__)) && !defined(__CUDACC__) && !defined(__TINYC__) && \
+/* Vectors of four floats, by the vector extensions of gcc (9 and later) and clang: no header, and the same
+ * source on every processor. 0 leaves the scalar body alone. Both give the same answers. */
+#if TBX_GNU && (defined(__clang__) || __GNUC__ >= 9) && !defined(__CUDACC__) && !defined(__HIP__) && \
     !defined(__INTEL_COMPILER) && !defined(__NVCOMPILER)
+#define TBX_HAS_VECTORS 1
+#else
+#define TBX_HAS_VECTORS 0
+#endif
+#ifndef TRIBOX_SIMD
+#if TBX_HAS_VECTORS && (defined(__SSE2__) || defined(__aarch64__))
 #define TRIBOX_SIMD 1
 #else
 #define TRIBOX_SIMD 0
@@ -612,31 +628,86 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
 #if TRIBOX_SIMD != 0 && TRIBOX_SIMD != 1
 #error "TRIBOX_SIMD must be 0 (scalar) or 1 (vector extensions of gcc and clang)"
 #endif
+#if TRIBOX_SIMD && !TBX_HAS_VECTORS
+#error "TRIBOX_SIMD=1 needs the vector extensions of gcc (9 or later) or clang, and no device code"
+#endif
 
-/* -funsafe-math-optimizations lets a compiler turn w*(q - v) into w*q - w*v, and it defines no macro. After
- * this line it must take the memory or register named as it stands. */
-#if defined(__CUDA_ARCH__)
-#define TBX_KEEP(object) ((void)0) /* nvcc does not reassociate */
-#define TBX_KEEP4(vector) ((void)0)
-#elif defined(__GNUC__)
+/* -fpack-struct packs structs in spite of `#pragma pack`: those of vectors ask for their alignment themselves,
+ * and have vectors first. */
+#if TBX_GNU
+#define TBX_ALIGNED __attribute__((aligned(16)))
+#else
+#define TBX_ALIGNED
+#endif
+
+/* x87 and the 68881 compute in registers whose width the processor's control word sets: 24, 53 or 64 bits,
+ * whatever the type. Where that may be so, "double" arithmetic is only known to 24 bits: TBX_U64 below is that of
+ * a float, and nothing relies on a double sum or product being exact. */
+#if defined(__FLT_EVAL_METHOD__)
+#define TBX_EVAL_METHOD __FLT_EVAL_METHOD__
+#elif defined(FLT_EVAL_METHOD)
+#define TBX_EVAL_METHOD FLT_EVAL_METHOD
+#else
+#define TBX_EVAL_METHOD (-1)
+#endif
+#if TBX_EVAL_METHOD == 0 || TBX_EVAL_METHOD == 1 || TBX_EVAL_METHOD == 16
+#define TBX_DOUBLE_IS_53_BITS 1
+#elif TBX_EVAL_METHOD == 2
+#define TBX_DOUBLE_IS_53_BITS 0
+#elif defined(__clang__) && !defined(__mc68000__) && (!defined(__i386__) || defined(__SSE2_MATH__))
+#define TBX_DOUBLE_IS_53_BITS 1 /* -1: clang's -ffast-math */
+#elif !defined(__GNUC__) && (defined(_M_X64) || defined(_M_ARM) || defined(_M_ARM64) || defined(__x86_64__) || \
+                             defined(__aarch64__))
+#define TBX_DOUBLE_IS_53_BITS 1
+#elif defined(_M_IX86_FP) && !defined(__GNUC__)
+#define TBX_DOUBLE_IS_53_BITS (_M_IX86_FP >= 2)
+#else
+#define TBX_DOUBLE_IS_53_BITS 0
+#endif
+
+/* The door. Compilers reason about floating-point numbers: under -ffast-math they take a parameter for neither
+ * NaN nor infinite and fold whatever asks, clang turns tests of a number's bits into comparisons, in which a
+ * processor may read subnormals as zero, and -funsafe-math-optimizations (which defines no macro) turns
+ * w*(q - v) into w*q - w*v. So after
+ *     TBX_KEEP(object)        an object in memory: a number, an array, a struct,
+ *     TBX_KEEP_SCALAR(x)      a float or double, in a register where there is a way,
+ *     TBX_KEEP_VECTOR(v)      a vector of floats, doubles or integers, likewise,
+ * they know nothing of its value but take it as it stands; what is read from a number's bits by the functions
+ * below is unknown to them in the same way. */
+#if TBX_GNU && !defined(__CUDA_ARCH__) && !defined(__HIP_DEVICE_COMPILE__)
+#define TBX_HAS_ASM 1
 #define TBX_KEEP(object) __asm__("" : "+m"(object))
-#if defined(__aarch64__)
-#define TBX_KEEP4(vector) __asm__("" : "+w"(vector))
-#define TBX_KEEP_HERE(scalar) __asm__ volatile("" : "+w"(scalar))
+#if defined(__SSE2__)
+#define TBX_KEEP_VECTOR(v) __asm__("" : "+x"(v))
+#elif defined(__aarch64__) || (defined(__arm__) && defined(__ARM_NEON))
+#define TBX_KEEP_VECTOR(v) __asm__("" : "+w"(v))
+#elif defined(__VSX__)
+#define TBX_KEEP_VECTOR(v) __asm__("" : "+wa"(v))
+#elif defined(__wasm_simd128__)
+#define TBX_KEEP_VECTOR(v) __asm__("" : "+r"(v))
 #else
-#define TBX_KEEP4(vector) __asm__("" : "+x"(vector))
-#define TBX_KEEP_HERE(scalar) __asm__ volatile("" : "+x"(scalar))
+#define TBX_KEEP_VECTOR(v) __asm__("" : "+m"(v))
+#endif
+#if defined(__SSE2_MATH__)
+#define TBX_KEEP_SCALAR(x) __asm__("" : "+x"(x))
+#elif defined(__aarch64__)
+#define TBX_KEEP_SCALAR(x) __asm__("" : "+w"(x))
+#else
+#define TBX_KEEP_SCALAR(x) __asm__("" : "+m"(x))
 #endif
 #else
-#define TBX_KEEP(object) tbx_keep(&(object))
+#define TBX_HAS_ASM 0
+#define TBX_KEEP(object) tbx_keep(&(object), sizeof(object))
+#define TBX_KEEP_SCALAR(x) TBX_KEEP(x)
 #endif
 
-/* ---- 4. Bits of floating-point numbers -------------------------------------------------
+/* ---- 4. Bits of floating-point numbers ------------------------------------------------------------------
  *
  * Whatever decides is read from the bits, so that no compiler flag (-ffast-math folds x != x) and no
- * processor mode (flush-to-zero reads subnormals as zero) can change it. */
+ * processor mode (flush-to-zero reads subnormals as zero) can change it. A number that may be NaN or infinite is
+ * passed by address, never by value. */
 
-#if !defined(__GNUC__)
+#if !TBX_GNU
 TBX_FN void tbx_copy(void *dst, const void *src, size_t bytes)
 {
     size_t i;
@@ -646,12 +717,56 @@ TBX_FN void tbx_copy(void *dst, const void *src, size_t bytes)
 }
 #endif
 
-#if !defined(__GNUC__) && !defined(__CUDA_ARCH__)
-/* An object whose address was volatile may have changed: what was computed into it stays computed. */
-TBX_FN void tbx_keep(void *object)
+#if TBX_HAS_ASM
+TBX_FN uint32_t tbx_opaque32(uint32_t x)
 {
-    void *volatile seen = object;
-    (void)seen;
+    __asm__("" : "+r"(x));
+    return x;
+}
+
+TBX_FN uint64_t tbx_opaque64(uint64_t x)
+{
+#if UINTPTR_MAX > 0xffffffffu || defined(__wasm__)
+    __asm__("" : "+r"(x));
+#else
+    __asm__("" : "+m"(x)); /* takes two registers there */
+#endif
+    return x;
+}
+#else
+/* A volatile object may hold anything. */
+TBX_FN uint32_t tbx_opaque32(uint32_t x)
+{
+    volatile uint32_t seen = x;
+    return seen;
+}
+
+TBX_FN uint64_t tbx_opaque64(uint64_t x)
+{
+    volatile uint64_t seen = x;
+    return seen;
+}
+
+/* Where there is no assembly: every byte is read and written as volatile. Objects of whole words that are
+ * read by words in compilers that do not reason about types. */
+TBX_FN void tbx_keep(void *object, size_t bytes)
+{
+    size_t i;
+#if defined(_MSC_VER) && !defined(__clang__) && !defined(__GNUC__)
+    if (bytes % sizeof(uint64_t) == 0) {
+        volatile uint64_t *word = (volatile uint64_t *)object;
+        for (i = 0; i < bytes / sizeof(uint64_t); i++) {
+            word[i] = word[i];
+        }
+        return;
+    }
+#endif
+    {
+        volatile unsigned char *byte = (volatile unsigned char *)object;
+        for (i = 0; i < bytes; i++) {
+            byte[i] = byte[i];
+        }
+    }
 }
 #endif
 
@@ -659,16 +774,17 @@ TBX_FN uint32_t tbx_bits32(const float *x)
 {
     uint32_t bits;
     TBX_COPY(&bits, x, sizeof bits);
-    return bits;
+    return tbx_opaque32(bits);
 }
 
 TBX_FN uint64_t tbx_bits64(const double *x)
 {
     uint64_t bits;
     TBX_COPY(&bits, x, sizeof bits);
-    return bits;
+    return tbx_opaque64(bits);
 }
 
+/* The number with these bits, a finite one. */
 TBX_FN float tbx_from_bits32(uint32_t bits)
 {
     float x;
@@ -683,75 +799,93 @@ TBX_FN double tbx_from_bits64(uint64_t bits)
     return x;
 }
 
+/* 2^e as a double, -1022 <= e <= 1023: -fsingle-precision-constant takes written ones for floats. */
+#define TBX_POW2(e) tbx_from_bits64((uint64_t)(1023 + (e)) << 52)
+
 TBX_FN unsigned tbx_is_subnormal(const float *x)
 {
     return (tbx_bits32(x) & 0x7fffffffu) - 1u < 0x007fffffu;
 }
 
-/* A float subnormal is mantissa * 2^-149, a normal double. */
-TBX_COLD double tbx_widen_subnormal(const float *x)
+/* A float subnormal is mantissa * 2^-149, a normal double. NaN stays a quiet NaN, infinity infinity. */
+TBX_COLD void tbx_widen_unusual(double *out, uint32_t bits)
 {
-    const uint32_t bits = tbx_bits32(x);
-    const uint64_t sign = (uint64_t)(bits & 0x80000000u) << 32;
+    uint64_t wide = (uint64_t)(bits & 0x80000000u) << 32;
     uint64_t mantissa = bits & 0x007fffffu;
     uint64_t exponent = 1023 - 126;
-    while (mantissa < 0x00800000u) {
-        mantissa <<= 1;
-        exponent--;
+    if ((bits & 0x7f800000u) != 0) {
+        wide |= mantissa != 0 ? 0x7ff8000000000000u : 0x7ff0000000000000u;
+    } else {
+        while (mantissa < 0x00800000u) {
+            mantissa <<= 1;
+            exponent--;
+        }
+        wide |= (exponent << 52) | ((mantissa & 0x007fffffu) << 29);
     }
-    return tbx_from_bits64(sign | (exponent << 52) | ((mantissa & 0x007fffffu) << 29));
+    TBX_COPY(out, &wide, sizeof wide);
 }
 
 /* The float's value as a double, also where the processor would read a subnormal as zero. */
-TBX_FN double tbx_widen(const float *x)
+TBX_FN void tbx_widen(double *out, const float *x)
 {
-    return TBX_RARELY(tbx_is_subnormal(x) != 0) ? tbx_widen_subnormal(x) : (double)*x;
+    const uint32_t bits = tbx_bits32(x);
+    const uint32_t magnitude = bits & 0x7fffffffu;
+    if (TBX_RARELY((magnitude - 1u < 0x007fffffu) | (magnitude >= 0x7f800000u))) {
+        tbx_widen_unusual(out, bits);
+    } else {
+        *out = (double)*x;
+    }
 }
 
 TBX_FN void tbx_widen3(double out[3], const float x[3])
 {
-    out[0] = tbx_widen(x);
-    out[1] = tbx_widen(x + 1);
-    out[2] = tbx_widen(x + 2);
+    tbx_widen(out, x);
+    tbx_widen(out + 1, x + 1);
+    tbx_widen(out + 2, x + 2);
 }
 
-TBX_FN int tbx_is_nan(double x)
+TBX_FN int tbx_is_nan(const double *x)
 {
-    return (tbx_bits64(&x) & 0x7fffffffffffffffu) > 0x7ff0000000000000u;
+    return (tbx_bits64(x) & 0x7fffffffffffffffu) > 0x7ff0000000000000u;
 }
 
-TBX_FN int tbx_is_finite(double x)
+TBX_FN int tbx_is_finite(const double *x)
 {
-    return (tbx_bits64(&x) & 0x7fffffffffffffffu) < 0x7ff0000000000000u;
+    return (tbx_bits64(x) & 0x7fffffffffffffffu) < 0x7ff0000000000000u;
 }
 
 /* An integer that orders as the number does (NaN aside); both zeros give 0. */
-TBX_FN int64_t tbx_key64(double x)
+TBX_FN int64_t tbx_key_of_bits(uint64_t bits)
 {
-    const uint64_t bits = tbx_bits64(&x);
     const int64_t magnitude = (int64_t)(bits & 0x7fffffffffffffffu);
     return (bits >> 63) != 0 ? -magnitude : magnitude;
 }
 
-TBX_FN int tbx_less(double a, double b)
+TBX_FN int64_t tbx_key64(const double *x)
+{
+    return tbx_key_of_bits(tbx_bits64(x));
+}
+
+TBX_FN int tbx_less(const double *a, const double *b)
 {
     return tbx_key64(a) < tbx_key64(b);
 }
 
+TBX_FN int tbx_sign(const double *x)
+{
+    const int64_t key = tbx_key64(x);
+    return (key > 0) - (key < 0);
+}
+
+/* The lesser and the greater of two finite numbers. */
 TBX_FN double tbx_min(double a, double b)
 {
-    return tbx_less(b, a) ? b : a;
+    return tbx_less(&b, &a) ? b : a;
 }
 
 TBX_FN double tbx_max(double a, double b)
 {
-    return tbx_less(a, b) ? b : a;
-}
-
-TBX_FN int tbx_sign(double x)
-{
-    const int64_t key = tbx_key64(x);
-    return (key > 0) - (key < 0);
+    return tbx_less(&a, &b) ? b : a;
 }
 
 /* ---- 5. Exact integers ------------------------------------------------------------------------------------
@@ -766,8 +900,8 @@ TBX_FN int tbx_sign(double x)
 #define TBX_LIMBS 208
 
 typedef struct tbx_coord {
-    double base;
-    double step;
+    uint64_t base; /* bits of doubles */
+    uint64_t step;
     int64_t half;
 } tbx_coord;
 
@@ -780,10 +914,9 @@ typedef struct tbx_big {
 
 #define TBX_NO_EXPONENT 4096 /* above every exponent: of zero */
 
-/* x = mantissa * 2^exponent with an odd mantissa. Returns the exponent (NO_EXPONENT for 0). */
-TBX_FN int tbx_split(double x, int64_t *out_mantissa)
+/* The double with these bits is mantissa * 2^exponent with an odd mantissa. Returns the exponent (NO_EXPONENT for 0). */
+TBX_FN int tbx_split(uint64_t bits, int64_t *out_mantissa)
 {
-    const uint64_t bits = tbx_bits64(&x);
     uint64_t mantissa = bits & 0x000fffffffffffffu;
     int exponent = (int)((bits >> 52) & 0x7ffu);
     if (exponent != 0) {
@@ -883,11 +1016,11 @@ TBX_FN void tbx_big_add(tbx_big *r, const tbx_big *b, int sign)
     { /* opposite signs: the smaller magnitude from the larger */
         const int order = tbx_big_compare_magnitude(r, b);
         const tbx_big *large = order < 0 ? b : r;
-        const tbx_big *small = order < 0 ? r : b;
-        const int small_n = small->n;
+        const tbx_big *lesser = order < 0 ? r : b;
+        const int lesser_n = lesser->n;
         int n = large->n;
         for (i = 0; i < n; i++) {
-            const uint64_t take = (uint64_t)(i < small_n ? small->limb[i] : 0) + carry;
+            const uint64_t take = (uint64_t)(i < lesser_n ? lesser->limb[i] : 0) + carry;
             const uint64_t from = large->limb[i];
             r->limb[i] = (uint32_t)(from - take);
             carry = from < take;
@@ -993,12 +1126,21 @@ typedef struct tbx_exact {
     int is_short;
 } tbx_exact;
 
-TBX_FN tbx_coord tbx_at(double base, double step, int64_t half)
+TBX_FN tbx_coord tbx_at(const double *base, const double *step, int64_t half)
 {
     tbx_coord x;
-    x.base = base;
-    x.step = step;
+    x.base = tbx_bits64(base);
+    x.step = tbx_bits64(step);
     x.half = half;
+    return x;
+}
+
+TBX_FN tbx_coord tbx_at_number(const double *base)
+{
+    tbx_coord x;
+    x.base = tbx_bits64(base);
+    x.step = 0;
+    x.half = 0;
     return x;
 }
 
@@ -1145,8 +1287,8 @@ TBX_FN int tbx_orient3(const tbx_exact *f, const int q[3])
 /* The sign of component k of edge v[i+1] - v[i]. */
 TBX_FN int tbx_edge_sign(const tbx_exact *f, int i, int k)
 {
-    const int64_t from = tbx_key64(f->x[i][k].base);
-    const int64_t to = tbx_key64(f->x[(i + 1) % 3][k].base);
+    const int64_t from = tbx_key_of_bits(f->x[i][k].base);
+    const int64_t to = tbx_key_of_bits(f->x[(i + 1) % 3][k].base);
     return (to > from) - (to < from);
 }
 
@@ -1266,6 +1408,19 @@ TBX_FN int tbx_exact_thin_axes(const tbx_exact *f)
     return tbx_exact_thin_plane(f, n_sign, 1) && tbx_exact_thin_plane(f, n_sign, -1);
 }
 
+/* The least (side = -1) or greatest (1) corner on axis k. */
+TBX_FN tbx_coord tbx_exact_extreme(const tbx_exact *f, int k, int side)
+{
+    int best = 0;
+    int i;
+    for (i = 1; i < 3; i++) {
+        const int64_t key = tbx_key_of_bits(f->x[i][k].base);
+        const int64_t best_key = tbx_key_of_bits(f->x[best][k].base);
+        best = (side < 0 ? key < best_key : key > best_key) ? i : best;
+    }
+    return f->x[best][k];
+}
+
 /* The exact answer for the triangle f->x[0..2] and the box rows LO..HI (MID for thin), whose faces are known
  * to hold, every sign exact. Conservative: the box is clipped to the triangle's bounding box first, so
  * rows may be infinite (read as +-2^1024, beyond every corner). A face is replaced, and then closed, only
@@ -1282,11 +1437,8 @@ TBX_COLD int tbx_exact_overlap(tbx_exact *f, unsigned flags)
         return tbx_exact_thin_axes(f);
     }
     for (k = 0; k < 3; k++) {
-        const double t0 = f->x[0][k].base;
-        const double t1 = f->x[1][k].base;
-        const double t2 = f->x[2][k].base;
-        const tbx_coord t_min = tbx_at(tbx_min(tbx_min(t0, t1), t2), 0.0, 0);
-        const tbx_coord t_max = tbx_at(tbx_max(tbx_max(t0, t1), t2), 0.0, 0);
+        const tbx_coord t_min = tbx_exact_extreme(f, k, -1);
+        const tbx_coord t_max = tbx_exact_extreme(f, k, 1);
         tbx_coord *lo = &f->x[TBX_LO][k];
         tbx_coord *hi = &f->x[TBX_HI][k];
         if (tbx_compare(lo, &t_min) < 0) {
@@ -1309,9 +1461,9 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
 {
     int k;
     for (k = 0; k < 3; k++) {
-        f->x[0][k] = tbx_at(v0[k], 0.0, 0);
-        f->x[1][k] = tbx_at(v1[k], 0.0, 0);
-        f->x[2][k] = tbx_at(v2[k], 0.0, 0);
+        f->x[0][k] = tbx_at_number(&v0[k]);
+        f->x[1][k] = tbx_at_number(&v1[k]);
+        f->x[2][k] = tbx_at_number(&v2[k]);
     }
 }
 
@@ -1350,7 +1502,11 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
  * closed there under every rule. */
 #define TBX_ULPS 128
 #define TBX_U32 1.1920928955078125e-07f           /* 2^-23 */
+#if TBX_DOUBLE_IS_53_BITS
 #define TBX_U64 2.220446049250313080847263336e-16 /* 2^-52 */
+#else
+#define TBX_U64 1.1920928955078125e-07 /* 2^-23 */
+#endif
 
 enum { TBX_MISS = 0, TBX_HIT = 1, TBX_UNSURE = 2 };
 
@@ -1362,7 +1518,7 @@ TBX_FN unsigned tbx_rule(unsigned flags)
 
 TBX_FN int tbx_finite3(const double x[3])
 {
-    return tbx_is_finite(x[0]) & tbx_is_finite(x[1]) & tbx_is_finite(x[2]);
+    return tbx_is_finite(&x[0]) & tbx_is_finite(&x[1]) & tbx_is_finite(&x[2]);
 }
 
 /* The triangle is a set of points: no corner has a NaN or an infinity. */
@@ -1403,11 +1559,11 @@ TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3], 
     for (k = 0; k < 3; k++) {
         const double t_min = tbx_min(tbx_min(v0[k], v1[k]), v2[k]);
         const double t_max = tbx_max(tbx_max(v0[k], v1[k]), v2[k]);
-        const int64_t lo = tbx_key64(box_min[k]);
-        const int64_t hi = tbx_key64(box_max[k]);
-        const int64_t key_min = tbx_key64(t_min);
-        const int64_t key_max = tbx_key64(t_max);
-        if (tbx_is_nan(box_min[k]) || tbx_is_nan(box_max[k]) || lo + hi_is_open > hi ||
+        const int64_t lo = tbx_key64(&box_min[k]);
+        const int64_t hi = tbx_key64(&box_max[k]);
+        const int64_t key_min = tbx_key64(&t_min);
+        const int64_t key_max = tbx_key64(&t_max);
+        if (tbx_is_nan(&box_min[k]) || tbx_is_nan(&box_max[k]) || lo + hi_is_open > hi ||
             lo + lo_is_open > key_max || hi - hi_is_open < key_min) {
             return 0;
         }
@@ -1416,8 +1572,8 @@ TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3], 
         clip->open_lo |= (unsigned)(lo_is_open && lo >= key_min) << k;
         clip->open_hi |= (unsigned)(hi_is_open && hi <= key_max) << k;
         clip->extent[k] = t_max - t_min;
-        if (key_min != key_max && tbx_sign(clip->extent[k]) == 0) {
-            clip->extent[k] = DBL_MIN; /* flushed: out of the filter's range */
+        if (key_min != key_max && tbx_sign(&clip->extent[k]) == 0) {
+            clip->extent[k] = TBX_POW2(-1022); /* flushed: out of the filter's range */
         }
     }
     return 1;
@@ -1444,15 +1600,16 @@ TBX_FN double tbx_lattice_scale(double extent)
     return tbx_from_bits64((uint64_t)(2046 + 14 - exponent) << 52);
 }
 
-/* Is x a multiple of 1/scale, a power of two, and below 2^52 of them? Subnormals read as zero are not. */
+/* Is x a multiple of 1/scale, a power of two, and below 2^52 of them? Subnormals read as zero are not.
+ * Where doubles may have 24 bits, nothing is. */
 TBX_FN int tbx_on_lattice(double x, double scale)
 {
     const double limit = 4503599627370496.0; /* 2^52 */
     const double units = x * scale;
-    if (!(units < limit && units > -limit)) {
+    if (!TBX_DOUBLE_IS_53_BITS || !(units < limit && units > -limit)) {
         return 0;
     }
-    return (double)(int64_t)units == units && (tbx_sign(units) != 0 || tbx_sign(x) == 0);
+    return (double)(int64_t)units == units && (tbx_sign(&units) != 0 || tbx_sign(&x) == 0);
 }
 
 TBX_FN void tbx_filter(tbx_values *out, const double v0[3], const double v1[3], const double v2[3],
@@ -1526,9 +1683,9 @@ TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const dou
     int k;
     tbx_exact_corners(&f, v0, v1, v2);
     for (k = 0; k < 3; k++) {
-        f.x[TBX_LO][k] = tbx_at(clip->lo[k], 0.0, 0);
+        f.x[TBX_LO][k] = tbx_at_number(&clip->lo[k]);
         f.x[TBX_MID][k] = f.x[TBX_LO][k]; /* unused */
-        f.x[TBX_HI][k] = tbx_at(clip->hi[k], 0.0, 0);
+        f.x[TBX_HI][k] = tbx_at_number(&clip->hi[k]);
     }
     tbx_exact_finish(&f);
     return tbx_exact_axes(&f, unsure, clip->open_lo, clip->open_hi);
@@ -1558,7 +1715,7 @@ TBX_NOINLINE int tbx_may_flush64(const double v0[3], const double v1[3], const d
 /* Does this processor? */
 TBX_FN int tbx_flushes64(void)
 {
-    double tiny = 4.9406564584124654e-324; /* 2^-1074 */
+    double tiny = tbx_from_bits64(1); /* 2^-1074 */
     TBX_KEEP(tiny);
     tiny += tiny;
     TBX_KEEP(tiny);
@@ -1600,7 +1757,7 @@ TBX_FN int tbx_clip_quick(tbx_clip *clip, int *out_parted, const double v0[3], c
     TBX_KEEP(clip->extent);
     TBX_KEEP(span);
     for (k = 0; k < 3; k++) {
-        usable &= tbx_extent_in_range(clip->extent[k]) & !tbx_is_nan(span[k]);
+        usable &= tbx_extent_in_range(clip->extent[k]) & !tbx_is_nan(&span[k]);
     }
     *out_parted = parted;
     return usable && !(tbx_flushes64() && tbx_may_flush64(v0, v1, v2, box_min, box_max));
@@ -1699,11 +1856,11 @@ TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const
     double wide[5][3];
     int k;
     for (k = 0; k < 3; k++) {
-        wide[0][k] = tbx_widen(v0 + k);
-        wide[1][k] = tbx_widen(v1 + k);
-        wide[2][k] = tbx_widen(v2 + k);
-        wide[3][k] = tbx_widen(box_min + k);
-        wide[4][k] = tbx_widen(box_max + k);
+        tbx_widen(&wide[0][k], v0 + k);
+        tbx_widen(&wide[1][k], v1 + k);
+        tbx_widen(&wide[2][k], v2 + k);
+        tbx_widen(&wide[3][k], box_min + k);
+        tbx_widen(&wide[4][k], box_max + k);
     }
     return tbx_overlap(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
 }
@@ -1828,7 +1985,7 @@ TBX_FN int32_t tbx_key32(const float *x)
 TBX_FN int32_t tbx_key32_below(double x)
 {
     const uint64_t bits = tbx_bits64(&x) & 0x7fffffffffffffffu;
-    const int negative = tbx_sign(x) < 0;
+    const int negative = tbx_sign(&x) < 0;
     const int exponent = (int)(bits >> 52) - (1023 - 127); /* of the float, if normal */
     const uint64_t mantissa = (bits & 0x000fffffffffffffu) | 0x0010000000000000u;
     uint64_t magnitude = (uint64_t)TBX_KEY32_MAX;
@@ -1864,7 +2021,9 @@ TBX_FN float tbx_key32_float(int32_t key)
 TBX_FN double tbx_key32_value(int32_t key)
 {
     const float x = tbx_key32_float(key);
-    return tbx_widen(&x);
+    double value;
+    tbx_widen(&value, &x);
+    return value;
 }
 
 /* The sign of p + size - t, in real numbers; size >= 0, may be infinite. Rounding is monotone, in every mode:
@@ -1875,14 +2034,14 @@ TBX_FN int tbx_far_face(double p, double size, double t)
 {
     const double sum = (p - t) + size;
     const double terms = tbx_abs(p) + tbx_abs(t) + size;
-    if (!tbx_is_finite(size)) {
+    if (!tbx_is_finite(&size)) {
         return 1;
     }
-    if (tbx_is_finite(terms) && terms > 1e-290 && (sum > 0.0 || sum < 0.0)) {
+    if (TBX_DOUBLE_IS_53_BITS && tbx_is_finite(&terms) && terms > TBX_POW2(-960) && (sum > 0.0 || sum < 0.0)) {
         return sum > 0.0 ? 1 : -1;
     } else {
-        const tbx_coord face = tbx_at(p, size, 2);
-        const tbx_coord plane = tbx_at(t, 0.0, 0);
+        const tbx_coord face = tbx_at(&p, &size, 2);
+        const tbx_coord plane = tbx_at_number(&t);
         return tbx_compare(&face, &plane);
     }
 }
@@ -1921,13 +2080,15 @@ TBX_FN void tbx_tri_keys(tribox_tri *tri, int k, int lo_is_open, int hi_is_open)
     const double size = tri->size[k];
     int32_t least = -TBX_KEY32_MAX;
     int32_t most = tbx_key32_below(t_max);
-    if (lo_is_open && tbx_key64(tbx_key32_value(most)) == tbx_key64(t_max)) {
+    const double most_value = tbx_key32_value(most);
+    if (lo_is_open && tbx_key64(&most_value) == tbx_key64(&t_max)) {
         most--;
     }
-    if (tbx_is_finite(size)) {
+    if (tbx_is_finite(&size)) {
         /* the rounded difference is a float or two below the least p, or is it: rounding is monotone */
-        if (tbx_is_finite(t_min - size)) {
-            least = tbx_key32_below(t_min - size);
+        const double difference = t_min - size;
+        if (tbx_is_finite(&difference)) {
+            least = tbx_key32_below(difference);
             least = least < -TBX_KEY32_MAX ? -TBX_KEY32_MAX : least;
         }
         while (least <= TBX_KEY32_MAX && tbx_far_face(tbx_key32_value(least), size, t_min) < hi_is_open) {
@@ -1989,9 +2150,9 @@ TBX_FN void tbx_edges_init(tbx_edges *t, const double v0[3], const double v1[3],
 {
     int a;
     for (a = 0; a < 3; a++) {
-        const int64_t k0 = tbx_key64(v0[a]);
-        const int64_t k1 = tbx_key64(v1[a]);
-        const int64_t k2 = tbx_key64(v2[a]);
+        const int64_t k0 = tbx_key64(&v0[a]);
+        const int64_t k1 = tbx_key64(&v1[a]);
+        const int64_t k2 = tbx_key64(&v2[a]);
         t->e[0][a] = v1[a] - v0[a];
         t->e[1][a] = v2[a] - v1[a];
         t->e[2][a] = v0[a] - v2[a];
@@ -2009,7 +2170,7 @@ TBX_FN void tbx_edges_init(tbx_edges *t, const double v0[3], const double v1[3],
         if ((t->e_sign[0][b] == 0 || t->e_sign[1][c] == 0) &&
             (t->e_sign[0][c] == 0 || t->e_sign[1][b] == 0)) {
             t->n_sign[a] = 0;
-        } else if (error > 1e-280 && error < 1e280 && (p - q > error || p - q < -error)) {
+        } else if (error > TBX_POW2(-930) && error < TBX_POW2(930) && (p - q > error || p - q < -error)) {
             t->n_sign[a] = p - q > 0.0 ? 1 : -1;
         } else {
             t->n_sign[a] = tbx_normal_sign_exact(v0, v1, v2, b, c);
@@ -2080,7 +2241,7 @@ TBX_FN double tbx_condition_scale(const tbx_condition *sum, const tbx_setup *s, 
         made += sum->m[k] * reach;
     }
     bound = 20.0 * u * terms + 16.0 * TBX_U64 * made;
-    if (!(in_range && bound >= 2.409919865102884e-181)) { /* 2^-600 */
+    if (!(in_range && bound >= TBX_POW2(-600))) { /* 2^-600 */
         return 0.0;
     }
     return tbx_from_bits64((uint64_t)(2045 - (tbx_bits64(&bound) >> 52)) << 52);
@@ -2186,7 +2347,7 @@ TBX_FN void tbx_set_side(tbx_condition *plane, tribox_tri *tri, const tbx_setup 
 TBX_FN void tbx_store_plane(tribox_tri *tri, const tbx_setup *s, int k)
 {
     const double two_60 = 1152921504606846976.0;
-    const double two_300 = 2.037035976334486e+90;
+    const double two_300 = TBX_POW2(300);
     const tbx_condition none = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.0, 0.0, 1 };
     tbx_condition sum = none;
     tbx_condition c[3];
@@ -2231,7 +2392,7 @@ TBX_FN double tbx_tri_lattice(const tribox_tri *tri, const tbx_setup *s)
     int i;
     int k;
     longest = s->reach[2] > longest ? s->reach[2] : longest;
-    if (!(longest > 1e-40 && longest < 1e40)) { /* so that no condition was left zero by its range */
+    if (!(longest > TBX_POW2(-132) && longest < TBX_POW2(132))) { /* so that no condition was left zero by its range */
         return 0.0;
     }
     scale = tbx_lattice_scale(longest);
@@ -2250,6 +2411,7 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
                                    const double v2[3], const double size[3], unsigned flags)
 {
     const double limit = 288230376151711744.0; /* 2^58: no p - ref is beyond 2^60, or else ref is 0 */
+    const double minus_limit = -limit;
     const int finite = tbx_finite3(size);
     int float_range = 1;
     tbx_setup s;
@@ -2282,20 +2444,20 @@ TRIBOX_FN void tribox_tri_init_f64(tribox_tri *tri, const double v0[3], const do
         tri->size[k] = size[k];
         tri->t_min[k] = tbx_min(tbx_min(v0[k], v1[k]), v2[k]);
         tri->t_max[k] = tbx_max(tbx_max(v0[k], v1[k]), v2[k]);
-        tri->empty |= tbx_is_nan(size[k]) || tbx_sign(size[k]) < 0 ||
-                      (tbx_sign(size[k]) == 0 && (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
+        tri->empty |= tbx_is_nan(&size[k]) || tbx_sign(&size[k]) < 0 ||
+                      (tbx_sign(&size[k]) == 0 && (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
     }
     if (tri->empty) {
         return;
     }
     for (k = 0; k < 3; k++) {
         float_range &=
-            tbx_less(tri->t_max[k], limit) & tbx_less(-limit, tri->t_min[k]) & tbx_less(size[k], limit);
+            tbx_less(&tri->t_max[k], &limit) & tbx_less(&minus_limit, &tri->t_min[k]) & tbx_less(&size[k], &limit);
     }
-    tri->huge = !float_range;
+    tri->is_huge = !float_range;
     for (k = 0; k < 3; k++) {
         tbx_tri_keys(tri, k, (rule & TRIBOX_OPEN) != 0, (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0);
-        if (float_range && tbx_less(1e-30, tbx_abs(v0[k]))) { /* never subnormal */
+        if (float_range && (tbx_bits64(&v0[k]) & 0x7fffffffffffffffu) > (uint64_t)(1023 - 100) << 52) { /* never subnormal */
             tri->ref[k] = tbx_key32_float(tbx_key32_below(v0[k]));
         }
         tri->face_out[k] = 2147483647; /* unsure even of NaN */
@@ -2338,10 +2500,10 @@ TRIBOX_FN void tribox_tri_init(tribox_tri *tri, const float v0[3], const float v
     double wide[4][3];
     int k;
     for (k = 0; k < 3; k++) {
-        wide[0][k] = tbx_widen(v0 + k);
-        wide[1][k] = tbx_widen(v1 + k);
-        wide[2][k] = tbx_widen(v2 + k);
-        wide[3][k] = tbx_widen(size + k);
+        tbx_widen(&wide[0][k], v0 + k);
+        tbx_widen(&wide[1][k], v1 + k);
+        tbx_widen(&wide[2][k], v2 + k);
+        tbx_widen(&wide[3][k], size + k);
     }
     tribox_tri_init_f64(tri, wide[0], wide[1], wide[2], wide[3], flags);
 }
@@ -2352,10 +2514,10 @@ TBX_COLD int tbx_tri_exact(const tribox_tri *tri, const double p[3])
     int k;
     tbx_exact_corners(&f, tri->v[0], tri->v[1], tri->v[2]);
     for (k = 0; k < 3; k++) {
-        f.x[TBX_LO][k] = tbx_at(p[k], 0.0, 0);
-        f.x[TBX_MID][k] = tbx_at(p[k], tri->size[k], 1);
+        f.x[TBX_LO][k] = tbx_at_number(&p[k]);
+        f.x[TBX_MID][k] = tbx_at(&p[k], &tri->size[k], 1);
         /* an infinite step is read as 2^1024; four of them from any p lie beyond every corner */
-        f.x[TBX_HI][k] = tbx_at(p[k], tri->size[k], tbx_is_finite(tri->size[k]) ? 2 : 8);
+        f.x[TBX_HI][k] = tbx_at(&p[k], &tri->size[k], tbx_is_finite(&tri->size[k]) ? 2 : 8);
     }
     return tbx_exact_overlap(&f, tri->flags);
 }
@@ -2373,7 +2535,7 @@ TBX_NOINLINE int tbx_tri_test(const tribox_tri *tri, const double p[3])
         return 0;
     }
     for (k = 0; k < 3; k++) {
-        if (tbx_key64(p[k]) + lo_is_open > tbx_key64(tri->t_max[k]) ||
+        if (tbx_key64(&p[k]) + lo_is_open > tbx_key64(&tri->t_max[k]) ||
             tbx_far_face(p[k], tri->size[k], tri->t_min[k]) < hi_is_open) {
             return 0;
         }
@@ -2413,9 +2575,9 @@ TRIBOX_FN int tribox_tri_test_f64(const tribox_tri *tri, const double p[3])
 TBX_NOINLINE int tbx_tri_test_widened(const tribox_tri *tri, const float p[3])
 {
     double q[3];
-    q[0] = tbx_widen(p);
-    q[1] = tbx_widen(p + 1);
-    q[2] = tbx_widen(p + 2);
+    tbx_widen(&q[0], p);
+    tbx_widen(&q[1], p + 1);
+    tbx_widen(&q[2], p + 2);
     return tbx_tri_test(tri, q);
 }
 
@@ -2460,8 +2622,8 @@ TRIBOX_FN void tribox_tri_resize(tribox_tri *tri, const float size[3])
 /* The sign of p + count*size - t. */
 TBX_FN int tbx_face_sign(double p, double size, int count, double t)
 {
-    const tbx_coord face = tbx_at(p, size, 2 * count);
-    const tbx_coord plane = tbx_at(t, 0.0, 0);
+    const tbx_coord face = tbx_at(&p, &size, 2 * count);
+    const tbx_coord plane = tbx_at_number(&t);
     return tbx_compare(&face, &plane);
 }
 
@@ -2470,10 +2632,10 @@ TBX_COLD unsigned tbx_octant_faces_exact(const tribox_tri *tri, int k, double p)
     const int lo_is_open = (tri->flags & TRIBOX_OPEN) != 0;
     const int hi_is_open = (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
     const double size = tri->size[k];
-    const unsigned below = tbx_key64(p) + lo_is_open <= tbx_key64(tri->t_max[k]);
+    const unsigned below = tbx_key64(&p) + lo_is_open <= tbx_key64(&tri->t_max[k]);
     unsigned near_holds;
     unsigned far_holds;
-    if (!tbx_is_finite(size)) {
+    if (!tbx_is_finite(&size)) {
         return below;
     }
     near_holds = tbx_face_sign(p, size, 1, tri->t_min[k]) >= hi_is_open;
@@ -2515,13 +2677,13 @@ TBX_COLD int tbx_octant(const tribox_tri *tri, const double p[3], unsigned octan
     for (k = 0; k < 3; k++) {
         const int64_t half = (octant >> k & 1u) != 0 ? 2 : 0;
         const double size = tri->size[k];
-        const int finite = tbx_is_finite(size);
+        const int finite = tbx_is_finite(&size);
         tbx_coord at;
         corner[k] = half != 0 ? p[k] + size : p[k];
-        at = tbx_at(corner[k], 0.0, 0);
-        f.x[TBX_LO][k] = tbx_at(p[k], size, half);
-        f.x[TBX_MID][k] = tbx_at(p[k], size, half + 1);
-        f.x[TBX_HI][k] = tbx_at(p[k], size, finite ? half + 2 : 8);
+        at = tbx_at_number(&corner[k]);
+        f.x[TBX_LO][k] = tbx_at(&p[k], &size, half);
+        f.x[TBX_MID][k] = tbx_at(&p[k], &size, half + 1);
+        f.x[TBX_HI][k] = tbx_at(&p[k], &size, finite ? half + 2 : 8);
         /* no corner is infinite: it is at most t_max */
         is_double = is_double && tbx_compare(&at, &f.x[TBX_LO][k]) == 0;
     }
@@ -2579,7 +2741,7 @@ TBX_FN unsigned tbx_octants(const tribox_tri *tri, const double p[3])
     asked &= tbx_octant_axis(tri, 1, p[1], 0x33, 2);
     asked &= tbx_octant_axis(tri, 2, p[2], 0x0f, 4);
     doubt = asked;
-    if (asked != 0 && !TBX_RARELY(tri->huge)) {
+    if (asked != 0 && !TBX_RARELY(tri->is_huge)) {
         for (k = 0; k < 3; k++) {
             q_near[k] = p[k] - (double)tri->ref[k];
         }
@@ -2634,8 +2796,8 @@ TBX_FN int tbx_grid_valid(const tribox_grid *grid)
 {
     int k;
     for (k = 0; k < 3; k++) {
-        if (!tbx_is_finite(grid->origin[k]) || !tbx_is_finite(grid->size[k]) ||
-            tbx_sign(grid->size[k]) <= 0 || grid->lo[k] >= grid->hi[k]) {
+        if (!tbx_is_finite(&grid->origin[k]) || !tbx_is_finite(&grid->size[k]) ||
+            tbx_sign(&grid->size[k]) <= 0 || grid->lo[k] >= grid->hi[k]) {
             return 0;
         }
     }
@@ -2648,11 +2810,11 @@ TBX_FN int tbx_plane_compare(const tribox_grid *grid, int k, int64_t i, double x
     const double along = (double)i * grid->size[k];
     const double value = (grid->origin[k] - x) + along;
     const double error = (tbx_abs(grid->origin[k]) + tbx_abs(x) + tbx_abs(along)) * (8.0 * TBX_U64);
-    if (tbx_is_finite(error) && error > 1e-290 && (value > error || value < -error)) {
+    if (tbx_is_finite(&error) && error > TBX_POW2(-960) && (value > error || value < -error)) {
         return value > 0.0 ? 1 : -1;
     } else {
-        const tbx_coord plane = tbx_at(grid->origin[k], grid->size[k], 2 * i);
-        const tbx_coord point = tbx_at(x, 0.0, 0);
+        const tbx_coord plane = tbx_at(&grid->origin[k], &grid->size[k], 2 * i);
+        const tbx_coord point = tbx_at_number(&x);
         return tbx_compare(&plane, &point);
     }
 }
@@ -2746,9 +2908,9 @@ TBX_COLD int tbx_walk_exact(const tbx_walk *w, int id, const int64_t index[3])
     tbx_exact_corners(&f, w->corner[0], w->corner[1], w->corner[2]);
     for (k = 0; k < 3; k++) {
         const int64_t half = 2 * (w->base[k] + index[k]);
-        f.x[TBX_LO][k] = tbx_at(grid->origin[k], grid->size[k], half);
-        f.x[TBX_MID][k] = tbx_at(grid->origin[k], grid->size[k], half + 1);
-        f.x[TBX_HI][k] = tbx_at(grid->origin[k], grid->size[k], half + 2);
+        f.x[TBX_LO][k] = tbx_at(&grid->origin[k], &grid->size[k], half);
+        f.x[TBX_MID][k] = tbx_at(&grid->origin[k], &grid->size[k], half + 1);
+        f.x[TBX_HI][k] = tbx_at(&grid->origin[k], &grid->size[k], half + 2);
     }
     tbx_exact_finish(&f);
     if ((w->flags & TRIBOX_THIN) != 0) {
@@ -2843,7 +3005,7 @@ TBX_FN void tbx_walk_add(tbx_walk *w, int id, int axis, int sign, const double n
     c->id = id;
     c->axis = axis;
     c->sign = sign;
-    if (!(w->in_range && c->bound >= 2.409919865102884e-181)) { /* 2^-600 */
+    if (!(w->in_range && c->bound >= TBX_POW2(-600))) { /* 2^-600 */
         c->a[0] = c->a[1] = c->a[2] = c->d = 0.0;               /* exact signs alone */
         c->bound = 1.0;
         return;
@@ -2893,10 +3055,10 @@ TBX_FN void tbx_walk_frame(tbx_walk *w)
         }
         longest = reach > longest ? reach : longest;
         w->slack[k] += reach * (32.0 * TBX_U64);
-        w->in_range &= tbx_extent_in_range(reach) & (reach > 0.0) & tbx_is_finite(w->slack[k]);
+        w->in_range &= tbx_extent_in_range(reach) & (reach > 0.0) & tbx_is_finite(&w->slack[k]);
     }
     w->on_lattice = 0;
-    if (!(longest > 1e-80 && longest < 1e80)) {
+    if (!(longest > TBX_POW2(-265) && longest < TBX_POW2(265))) {
         return;
     }
     /* half units, for the centres of thin voxels: differences are below 2^15,
@@ -3046,7 +3208,7 @@ TBX_FN void tbx_set_run(const tbx_target *t, uint64_t *row, size_t from, size_t 
 /* Where spans go: into a bit array, or, counted, to a callback. */
 typedef struct tbx_sink {
     const tbx_target *target; /* NULL: the callback */
-    tribox_span_fn emit;
+    tribox_span_fn on_span;
     void *user;
     size_t count;
 } tbx_sink;
@@ -3063,8 +3225,8 @@ TBX_FN void tbx_walk_emit(const tbx_walk *w, int64_t lo, int64_t hi, int64_t y, 
         return;
     }
     sink->count = tbx_saturating_add(sink->count, (size_t)(hi - lo + 1));
-    if (sink->emit != NULL) {
-        sink->emit(sink->user, (int)(w->base[0] + lo), (int)(w->base[0] + hi), (int)(w->base[1] + y),
+    if (sink->on_span != NULL) {
+        sink->on_span(sink->user, (int)(w->base[0] + lo), (int)(w->base[0] + hi), (int)(w->base[1] + y),
                    (int)(w->base[2] + z));
     }
 }
@@ -3150,11 +3312,11 @@ TBX_FN void tbx_spans(const tribox_grid *grid, const double v0[3], const double 
 }
 
 TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
-                                       const double v2[3], tribox_span_fn emit, void *user)
+                                       const double v2[3], tribox_span_fn on_span, void *user)
 {
     tbx_sink sink;
     sink.target = NULL;
-    sink.emit = emit;
+    sink.on_span = on_span;
     sink.user = user;
     sink.count = 0;
     if (tbx_grid_valid(grid)) {
@@ -3164,16 +3326,16 @@ TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[
 }
 
 TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], const float v1[3],
-                                   const float v2[3], tribox_span_fn emit, void *user)
+                                   const float v2[3], tribox_span_fn on_span, void *user)
 {
     double v[3][3];
     int k;
     for (k = 0; k < 3; k++) {
-        v[0][k] = tbx_widen(v0 + k);
-        v[1][k] = tbx_widen(v1 + k);
-        v[2][k] = tbx_widen(v2 + k);
+        tbx_widen(&v[0][k], v0 + k);
+        tbx_widen(&v[1][k], v1 + k);
+        tbx_widen(&v[2][k], v2 + k);
     }
-    return tribox_grid_spans_f64(grid, v[0], v[1], v[2], emit, user);
+    return tribox_grid_spans_f64(grid, v[0], v[1], v[2], on_span, user);
 }
 
 TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid)
@@ -3209,7 +3371,7 @@ TBX_FN void tbx_mesh_corner(const tribox_mesh *mesh, size_t t, int c, double out
     int k;
     TBX_COPY(x, tbx_corner(mesh, t, c), sizeof x);
     for (k = 0; k < 3; k++) {
-        out_v[k] = tbx_widen(x + k);
+        tbx_widen(&out_v[k], x + k);
     }
 }
 
@@ -3499,7 +3661,7 @@ TBX_NOINLINE void tbx_fill_part(const tribox_grid *grid, const tbx_fine *fine, c
         cut.hi[k + 1] = (int)(grid->lo[k + 1] + part->last[k] + 1);
     }
     sink.target = target;
-    sink.emit = NULL;
+    sink.on_span = NULL;
     sink.user = NULL;
     sink.count = 0;
     tbx_spans(&cut, v[0], v[1], v[2], &sink);
@@ -3589,7 +3751,7 @@ TBX_COLD int tbx_crosses_exact(tbx_exact *f)
 /* Rows MID, LO and HI of axis k. */
 TBX_FN void tbx_exact_point(tbx_exact *f, int k, double base, double step, int64_t half)
 {
-    f->x[TBX_LO][k] = f->x[TBX_MID][k] = f->x[TBX_HI][k] = tbx_at(base, step, half);
+    f->x[TBX_LO][k] = f->x[TBX_MID][k] = f->x[TBX_HI][k] = tbx_at(&base, &step, half);
 }
 
 /* Filters of the solid bound sums of doubles by u = 2^-52. Where doubles may be rounded otherwise (x87, whose
@@ -3675,10 +3837,10 @@ TBX_FN int tbx_crosses(double v[3][3], const double p[3])
         return 0;
     }
     for (k = 0; k < 3; k++) { /* off the triangle's box */
-        const int64_t at = tbx_key64(p[k]);
-        const int64_t k0 = tbx_key64(v[0][k]);
-        const int64_t k1 = tbx_key64(v[1][k]);
-        const int64_t k2 = tbx_key64(v[2][k]);
+        const int64_t at = tbx_key64(&p[k]);
+        const int64_t k0 = tbx_key64(&v[0][k]);
+        const int64_t k1 = tbx_key64(&v[1][k]);
+        const int64_t k2 = tbx_key64(&v[2][k]);
         if ((at < k0 && at < k1 && at < k2) || (k > 0 && at > k0 && at > k1 && at > k2)) {
             return 0;
         }
@@ -3700,9 +3862,9 @@ TRIBOX_FN int tribox_ray_crosses(const float v0[3], const float v1[3], const flo
     double v[3][3];
     int k;
     for (k = 0; k < 3; k++) {
-        v[0][k] = tbx_widen(v0 + k);
-        v[1][k] = tbx_widen(v1 + k);
-        v[2][k] = tbx_widen(v2 + k);
+        tbx_widen(&v[0][k], v0 + k);
+        tbx_widen(&v[1][k], v1 + k);
+        tbx_widen(&v[2][k], v2 + k);
     }
     return tbx_finite3(point) && tbx_crosses(v, point);
 }
@@ -3859,7 +4021,7 @@ TBX_COLD int tbx_solid_sign(const tbx_solid_tri *t, const tbx_growing *g, const 
     }
     if (g->id > 3) {
         const double *face = g->id == 4 ? t->least : t->most;
-        const tbx_coord bound = tbx_at(face[g->axis], 0.0, 0);
+        const tbx_coord bound = tbx_at_number(&face[g->axis]);
         return tbx_compare(&f.x[TBX_MID][g->axis], &bound);
     }
     tbx_exact_finish(&f);
@@ -3965,7 +4127,7 @@ TBX_FN int tbx_solid_is_wall(const tbx_solid_tri *t)
     for (i = 0; i < 3; i++) {
         const double *a = t->v[i];
         const double *b = t->v[i < 2 ? i + 1 : 0];
-        wall |= tbx_key64(a[1]) == tbx_key64(b[1]) && tbx_key64(a[2]) == tbx_key64(b[2]);
+        wall |= tbx_key64(&a[1]) == tbx_key64(&b[1]) && tbx_key64(&a[2]) == tbx_key64(&b[2]);
     }
     return wall;
 }
@@ -4015,7 +4177,7 @@ TBX_FN int tbx_solid_tri_edges(tbx_solid_tri *t)
             t->edge_error[i] =
                 (tbx_abs(t->d[i][1]) * m[2] + tbx_abs(t->d[i][2]) * m[1]) * TBX_SOLID_EDGE_ERROR +
                 TBX_SOLID_TINY;
-            t->fits &= tbx_solid_divides(&t->d[i][2]) || tbx_sign(t->d[i][2]) == 0;
+            t->fits &= tbx_solid_divides(&t->d[i][2]) || tbx_sign(&t->d[i][2]) == 0;
         }
         t->fits &= tbx_solid_divides(&t->n[0]);
     }
@@ -4045,8 +4207,8 @@ TBX_FN void tbx_solid_rows(const tbx_solid_tri *t, int64_t z, int64_t rows[2])
     index[2] = z;
     for (i = 0; i < 3; i++) {
         const int j = i < 2 ? i + 1 : 0;
-        const int rises = tbx_less(t->v[i][2], t->v[j][2]);
-        const int falls = tbx_less(t->v[j][2], t->v[i][2]);
+        const int rises = tbx_less(&t->v[i][2], &t->v[j][2]);
+        const int falls = tbx_less(&t->v[j][2], &t->v[i][2]);
         tbx_growing g;
         if (rises == falls) {
             continue;
@@ -4174,8 +4336,8 @@ TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3],
     int inside = 1;
     int k;
     for (k = 0; k < 3; k++) {
-        if (!tbx_is_finite(grid->origin[k]) || !tbx_is_finite(grid->size[k]) ||
-            tbx_sign(grid->size[k]) <= 0 || !tbx_is_finite(point[k])) {
+        if (!tbx_is_finite(&grid->origin[k]) || !tbx_is_finite(&grid->size[k]) ||
+            tbx_sign(&grid->size[k]) <= 0 || !tbx_is_finite(&point[k])) {
             return 0;
         }
     }
@@ -4339,7 +4501,7 @@ TBX_FN void tbx_num_pack(tbx_num *r, const tbx_big *a, int exponent)
 TBX_COLD void tbx_num_set_exact(tbx_num *r, double x)
 {
     int64_t mantissa;
-    const int exponent = tbx_split(x, &mantissa);
+    const int exponent = tbx_split(tbx_bits64(&x), &mantissa);
     tbx_big a;
     tbx_big_set(&a, mantissa, 0);
     tbx_num_pack(r, &a, exponent);
@@ -4385,7 +4547,7 @@ TBX_COLD double tbx_num_value_exact(const tbx_num *a)
     return a->sign * value * tbx_from_bits64((uint64_t)(1023 + exponent) << 52);
 }
 
-#define TBX_NUM_U 4.44089209850062616169452667236328125e-16 /* 2^-51 */
+#define TBX_NUM_U (2.0 * TBX_U64)
 
 TBX_FN void tbx_num_set(const tbx_calc *c, tbx_num *r, double x)
 {
@@ -4411,14 +4573,15 @@ TBX_FN void tbx_num_copy(const tbx_calc *c, tbx_num *r, const tbx_num *a)
 /* Have both numbers at most 24 bits? */
 TBX_FN int tbx_both_short(double a, double b)
 {
-    return ((tbx_bits64(&a) | tbx_bits64(&b)) & 0x1fffffffu) == 0;
+    return TBX_DOUBLE_IS_53_BITS && ((tbx_bits64(&a) | tbx_bits64(&b)) & 0x1fffffffu) == 0;
 }
 
 TBX_FN int tbx_sum_is_exact(double a, double b)
 {
     const int64_t e = (int64_t)(tbx_bits64(&a) >> 52 & 0x7ffu);
     const int64_t f = (int64_t)(tbx_bits64(&b) >> 52 & 0x7ffu);
-    return e == 0 || f == 0 || (e - f <= 28 && f - e <= 28 && tbx_both_short(a, b));
+    return TBX_DOUBLE_IS_53_BITS &&
+           (e == 0 || f == 0 || (e - f <= 28 && f - e <= 28 && tbx_both_short(a, b)));
 }
 
 /* r = a + sign * b; r may be a or b, here and below */
@@ -4540,8 +4703,8 @@ typedef struct tbx_fraction {
 
 TBX_FN void tbx_fraction_set(const tbx_calc *c, tbx_fraction *r, double x)
 {
-    const int finite = tbx_is_finite(x);
-    tbx_num_set(c, &r->n, finite ? x : (double)tbx_sign(x));
+    const int finite = tbx_is_finite(&x);
+    tbx_num_set(c, &r->n, finite ? x : (double)tbx_sign(&x));
     tbx_num_set(c, &r->d, finite ? 1.0 : 0.0);
 }
 
@@ -4642,9 +4805,9 @@ TBX_FN int tbx_box_valid(const double lo[3], const double hi[3])
     int valid = 1;
     int k;
     for (k = 0; k < 3; k++) {
-        const int64_t key_lo = tbx_key64(lo[k]);
-        const int64_t key_hi = tbx_key64(hi[k]);
-        valid = valid && !tbx_is_nan(lo[k]) && !tbx_is_nan(hi[k]) && key_lo <= key_hi && key_lo < infinity &&
+        const int64_t key_lo = tbx_key64(&lo[k]);
+        const int64_t key_hi = tbx_key64(&hi[k]);
+        valid = valid && !tbx_is_nan(&lo[k]) && !tbx_is_nan(&hi[k]) && key_lo <= key_hi && key_lo < infinity &&
                 key_hi > -infinity;
     }
     return valid;
@@ -4666,7 +4829,7 @@ TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const f
         return 0;
     }
     for (k = 0; k < 3; k++) {
-        if (tbx_less(a_hi[k], b_lo[k]) || tbx_less(b_hi[k], a_lo[k])) {
+        if (tbx_less(&a_hi[k], &b_lo[k]) || tbx_less(&b_hi[k], &a_lo[k])) {
             return 0;
         }
     }
@@ -4683,14 +4846,14 @@ TBX_FN int tbx_plane_side(tbx_calc *c, const double n[3], double d, const double
     int k;
     tbx_num_set(c, &sum, d);
     for (k = 0; k < 3; k++) {
-        const int n_sign = tbx_sign(n[k]);
+        const int n_sign = tbx_sign(&n[k]);
         const double q = side * n_sign > 0 ? hi[k] : lo[k];
         tbx_num x;
         tbx_num y;
         if (n_sign == 0) {
             continue;
         }
-        if (!tbx_is_finite(q)) {
+        if (!tbx_is_finite(&q)) {
             return 1;
         }
         tbx_num_set(c, &x, n[k]);
@@ -4713,19 +4876,20 @@ TBX_NOINLINE int tbx_plane_box(tbx_calc *c, const double n[3], double d, const d
 TRIBOX_FN int tribox_plane_box(const float n[3], float d, const float box_min[3], const float box_max[3])
 {
     tbx_calc c = { 0, 0 };
-    const double d_wide = tbx_widen(&d);
+    double d_wide;
     double n_wide[3];
     double lo[3];
     double hi[3];
     int side;
+    tbx_widen(&d_wide, &d);
     tbx_widen3(n_wide, n);
     tbx_widen3(lo, box_min);
     tbx_widen3(hi, box_max);
-    if (!tbx_finite3(n_wide) || tbx_is_nan(d_wide) || !tbx_box_valid(lo, hi)) {
+    if (!tbx_finite3(n_wide) || tbx_is_nan(&d_wide) || !tbx_box_valid(lo, hi)) {
         return 2;
     }
-    if (!tbx_is_finite(d_wide)) {
-        return tbx_sign(d_wide);
+    if (!tbx_is_finite(&d_wide)) {
+        return tbx_sign(&d_wide);
     }
     side = tbx_plane_box(&c, n_wide, d_wide, lo, hi);
     if (c.unsure) {
@@ -4831,8 +4995,8 @@ TBX_FN int tbx_motion_corner(const tbx_motion *m, int axis, int want)
         return m->n_sign[(axis - 4) / 3] * want > 0 ? (i + 2) % 3 : i;
     }
     for (i = 1; i < 3 && axis < TBX_AXIS_NORMAL; i++) {
-        const int below = tbx_less(m->v[i][axis], m->v[best][axis]);
-        const int above = tbx_less(m->v[best][axis], m->v[i][axis]);
+        const int below = tbx_less(&m->v[i][axis], &m->v[best][axis]);
+        const int above = tbx_less(&m->v[best][axis], &m->v[i][axis]);
         best = (want > 0 ? below : above) ? i : best;
     }
     return best;
@@ -4864,7 +5028,7 @@ TBX_FN int tbx_motion_gap(const tbx_motion *m, int axis, int side, const tbx_num
     for (k = 0; k < 3; k++) {
         const double q = l_sign[k] * side > 0 ? m->hi[k] : m->lo[k];
         const int used = l_sign[k] != 0;
-        if (used && !(tbx_is_finite(q) && tbx_is_finite(v[k]))) {
+        if (used && !(tbx_is_finite(&q) && tbx_is_finite(&v[k]))) {
             return 0;
         }
         tbx_num_difference(c, &gap[k], used ? q : 0.0, used ? v[k] : 0.0);
@@ -4934,9 +5098,9 @@ TBX_FN void tbx_motion_round(tbx_motion *m, float *out_first, float *out_last)
 /* A ray as a question: origin and direction finite, some real t in [t_min, t_max]. */
 TBX_FN int tbx_ray_valid(const double origin[3], const double dir[3], double t_min, double t_max)
 {
-    return tbx_finite3(origin) && tbx_finite3(dir) && !tbx_is_nan(t_min) && !tbx_is_nan(t_max) &&
-           !tbx_less(t_max, t_min) && (tbx_is_finite(t_min) || tbx_sign(t_min) < 0) &&
-           (tbx_is_finite(t_max) || tbx_sign(t_max) > 0);
+    return tbx_finite3(origin) && tbx_finite3(dir) && !tbx_is_nan(&t_min) && !tbx_is_nan(&t_max) &&
+           !tbx_less(&t_max, &t_min) && (tbx_is_finite(&t_min) || tbx_sign(&t_min) < 0) &&
+           (tbx_is_finite(&t_max) || tbx_sign(&t_max) > 0);
 }
 
 /* What the filter leaves open: in double with bounds, then in integers. */
@@ -4946,11 +5110,13 @@ TBX_NOINLINE int tbx_ray_box(const float origin[3], const float dir[3], float t_
     tbx_motion m;
     double d[3];
     float t[2] = { 0.0f, 0.0f };
-    const double t0 = tbx_widen(&t_min);
-    const double t1 = tbx_widen(&t_max);
+    double t0;
+    double t1;
     int hit = 0;
     int exact;
     int k;
+    tbx_widen(&t0, &t_min);
+    tbx_widen(&t1, &t_max);
     /* cppcheck-suppress uninitvar ; it is written there */
     tbx_widen3(m.v[0], origin);
     tbx_widen3(d, dir);
@@ -5099,9 +5265,11 @@ TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], flo
 {
     tbx_motion m;
     tbx_calc c = { 0, 0 };
-    const double t0 = tbx_widen(&t_min);
-    const double t1 = tbx_widen(&t_max);
+    double t0;
+    double t1;
     int hit;
+    tbx_widen(&t0, &t_min);
+    tbx_widen(&t1, &t_max);
     /* cppcheck-suppress uninitvar ; it is written there */
     tbx_widen3(m.v[0], v0);
     tbx_widen3(m.v[1], v1);
@@ -5212,7 +5380,7 @@ TBX_FN int tbx_sweep_box_valid(tbx_motion *m, const float box_min[3], const floa
     tbx_widen3(m->hi, box_max);
     tbx_widen3(m->velocity, velocity);
     for (k = 0; k < 3; k++) {
-        flat |= tbx_key64(m->lo[k]) == tbx_key64(m->hi[k]);
+        flat |= tbx_key64(&m->lo[k]) == tbx_key64(&m->hi[k]);
     }
     return tbx_finite3(m->velocity) && tbx_box_valid(m->lo, m->hi) && !(m->open && flat);
 }
@@ -5541,7 +5709,7 @@ TBX_NOINLINE int tbx_cut_all(tbx_cut *t, int exact, float out_polygon[9][3])
     tbx_num_normal(&t->calc, t->n, t->v[0], t->v[1], t->v[2]);
     tbx_cut_start(t, &p);
     for (line = 3; line < 9 && !t->calc.unsure; line++) {
-        if (tbx_is_finite(tbx_line_face(t, line))) {
+        if (tbx_is_finite(&t->face[(line - 3) % 2][tbx_line_axis(line)])) {
             tbx_cut_by(t, &p, line);
         }
     }
@@ -5868,11 +6036,11 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
     tbx_f4 l = lower - p0;
     tbx_f4 h = upper - lower;
     tbx_f4 span = hi - lo;
-    TBX_KEEP4(a1);
-    TBX_KEEP4(a2);
-    TBX_KEEP4(l);
-    TBX_KEEP4(h);
-    TBX_KEEP4(span);
+    TBX_KEEP_VECTOR(a1);
+    TBX_KEEP_VECTOR(a2);
+    TBX_KEEP_VECTOR(l);
+    TBX_KEEP_VECTOR(h);
+    TBX_KEEP_VECTOR(span);
     {
         const tbx_f4 m = l * tbx_splat(2.0f) + h;
         const tbx_f4 e0 = tbx_abs4(a1);
@@ -6026,11 +6194,11 @@ TBX_FN void tbx_axes_set(tbx_axes *r, tbx_d2 p0, tbx_d2 p1, tbx_d2 p2, tbx_d2 lo
     tbx_d2 l = lower - p0;
     tbx_d2 h = upper - lower;
     tbx_d2 span = hi - lo;
-    TBX_KEEP4(a1);
-    TBX_KEEP4(a2);
-    TBX_KEEP4(l);
-    TBX_KEEP4(h);
-    TBX_KEEP4(span);
+    TBX_KEEP_VECTOR(a1);
+    TBX_KEEP_VECTOR(a2);
+    TBX_KEEP_VECTOR(l);
+    TBX_KEEP_VECTOR(h);
+    TBX_KEEP_VECTOR(span);
     {
         const tbx_d2 x = tbx_abs2(a1) + tbx_abs2(a2);
         const tbx_l2 bits = (tbx_l2)(x + tiny);
@@ -6085,7 +6253,7 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
                        const double box_max[3], int rule)
 {
     const tbx_d2 zero = { 0.0, 0.0 };
-    const tbx_d2 tiny = { 0.0, 4.9406564584124654e-324 };
+    const tbx_d2 tiny = { 0.0, tbx_from_bits64(1) };
     const double ulp = TBX_ULPS * TBX_U64;
     const tbx_d2 ulps = tbx_pair(ulp, ulp);
     tbx_axes xy;
@@ -6147,7 +6315,7 @@ TBX_FN tbx_f4 tbx_load_xyzz(const float p[3])
     x[0] = p[0];
     y[0] = p[1];
     z[0] = p[2];
-    TBX_KEEP4(x); /* of two shuffles gcc would make three: 1.04x */
+    TBX_KEEP_VECTOR(x); /* of two shuffles gcc would make three: 1.04x */
     return TBX_LANES(TBX_LANES(x, y, 0, 4, 1, 5), z, 0, 1, 4, 4);
 }
 
@@ -6157,9 +6325,9 @@ TBX_FN tbx_i4 tbx_faces_refuse(const tribox_tri *tri, tbx_f4 x)
 {
     const tbx_i4 moved = (tbx_i4)((tbx_u4)x + (tbx_u4)tbx_load4i(tri->face_shift));
     tbx_i4 faces = (tbx_i4)x > tbx_load4i(tri->face_most);
-    TBX_KEEP4(faces);
+    TBX_KEEP_VECTOR(faces);
     faces |= moved > tbx_load4i(tri->face_span);
-    TBX_KEEP4(faces);
+    TBX_KEEP_VECTOR(faces);
     return faces;
 }
 
@@ -6169,7 +6337,7 @@ TBX_FN int tbx_tri_test_simd(const tribox_tri *tri, const float p[3])
     const tbx_f4 x = tbx_load_xyzz(p);
     const tbx_i4 faces = tbx_faces_refuse(tri, x);
     tbx_f4 q = x - tbx_load4(tri->ref);
-    TBX_KEEP4(q);
+    TBX_KEEP_VECTOR(q);
     {
         const tbx_f4 q_b = TBX_LANES(q, q, 1, 2, 0, 0);
         const tbx_f4 q_c = TBX_LANES(q, q, 2, 0, 1, 1);
@@ -6243,8 +6411,8 @@ TBX_FN unsigned tbx_octant_values_simd(const tribox_tri *tri, const double q_nea
 {
     tbx_f4 lower = { (float)q_near[0], (float)q_near[1], (float)q_near[2], 0.0f };
     tbx_f4 upper = { (float)q_far[0], (float)q_far[1], (float)q_far[2], 0.0f };
-    TBX_KEEP4(lower);
-    TBX_KEEP4(upper);
+    TBX_KEEP_VECTOR(lower);
+    TBX_KEEP_VECTOR(upper);
     return tbx_octant_lanes(tri, lower, upper, out_doubt);
 }
 
@@ -6267,9 +6435,9 @@ TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
     const tbx_f4 middle = tbx_load4(tri->middle);
     tbx_f4 lower = tbx_load_xyzz(p) - tbx_load4(tri->ref);
     tbx_f4 upper;
-    TBX_KEEP4(lower);
+    TBX_KEEP_VECTOR(lower);
     upper = lower + tbx_load4(tri->step);
-    TBX_KEEP4(upper);
+    TBX_KEEP_VECTOR(upper);
     {
         /* by sign bits of differences: faces that do not hold, and such as may or may not; in integers, to
          * which NaN is far out */
@@ -6376,7 +6544,7 @@ TBX_NOINLINE void tbx_line_exact(const tbx_walk *w, int group, int64_t index[3],
 
 /* Bounds along `axis` of the tile of lines that starts at `start`, counted by line_axis,
  * by the edges of a group. */
-TBX_FN void tbx_tile_bounds(const tbx_walk *w, const tbx_lines *lines, int group, int axis, int line_axis,
+TBX_FN void tbx_tile_bounds(const tbx_walk *w, const tbx_lines *row_lines, int group, int axis, int line_axis,
                             int64_t start, tbx_bounds *out)
 {
     const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
@@ -6391,8 +6559,8 @@ TBX_FN void tbx_tile_bounds(const tbx_walk *w, const tbx_lines *lines, int group
         int doubts;
         int i;
         for (i = w->first[group]; i < w->first[group + 1]; i++) {
-            const float rest = (float)(w->limit[i].d * lines[i].scale);
-            doubt |= tbx_lines_narrow(&lines[i], line, rest, count, &lo, &hi);
+            const float rest = (float)(w->limit[i].d * row_lines[i].scale);
+            doubt |= tbx_lines_narrow(&row_lines[i], line, rest, count, &lo, &hi);
         }
         TBX_COPY(out->lo + j, &lo, sizeof lo);
         TBX_COPY(out->hi + j, &hi, sizeof hi);
@@ -6414,7 +6582,7 @@ TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink)
 {
     const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
     const tbx_f4 count = tbx_splat((float)w->count[0]);
-    tbx_lines lines[11];
+    tbx_lines row_lines[11];
     tbx_bounds x_of_y;
     tbx_bounds x_of_z;
     tbx_bounds y_of_z;
@@ -6424,7 +6592,7 @@ TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink)
     int64_t z;
     int i;
     for (i = 0; i < w->limits; i++) {
-        tbx_lines_init(&lines[i], w, &w->limit[i], i >= w->first[1] && i < w->first[3] ? 2 : 1);
+        tbx_lines_init(&row_lines[i], w, &w->limit[i], i >= w->first[1] && i < w->first[3] ? 2 : 1);
     }
     for (z = 0; z < w->count[2]; z++) {
         const int layer = (int)(z % TBX_TILE);
@@ -6433,14 +6601,14 @@ TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink)
         int64_t y;
         int64_t y_end;
         if (layer == 0) {
-            tbx_tile_bounds(w, lines, 1, 0, 2, z, &x_of_z);
-            tbx_tile_bounds(w, lines, 2, 1, 2, z, &y_of_z);
+            tbx_tile_bounds(w, row_lines, 1, 0, 2, z, &x_of_z);
+            tbx_tile_bounds(w, row_lines, 2, 1, 2, z, &y_of_z);
         }
         if (!(x_of_z.lo[layer] <= x_of_z.hi[layer])) {
             continue;
         }
         for (i = w->first[3]; i < w->first[4]; i++) {
-            rest[i - w->first[3]] = (float)((w->limit[i].a[2] * (double)z + w->limit[i].d) * lines[i].scale);
+            rest[i - w->first[3]] = (float)((w->limit[i].a[2] * (double)z + w->limit[i].d) * row_lines[i].scale);
         }
         y_end = (int64_t)y_of_z.hi[layer];
         for (y = (int64_t)y_of_z.lo[layer] & ~(int64_t)3; y <= y_end; y += 4) {
@@ -6460,14 +6628,14 @@ TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink)
             int rows;
             if (y - row != y_start) {
                 y_start = y - row;
-                tbx_tile_bounds(w, lines, 0, 0, 1, y_start, &x_of_y);
+                tbx_tile_bounds(w, row_lines, 0, 0, 1, y_start, &x_of_y);
             }
             lo_edges = tbx_max4(tbx_load4(x_of_y.lo + row), tbx_splat(x_of_z.lo[layer]));
             hi_edges = tbx_min4(tbx_load4(x_of_y.hi + row), tbx_splat(x_of_z.hi[layer]));
             lo = lo_edges;
             hi = hi_edges;
             for (i = w->first[3]; i < w->first[4]; i++) {
-                doubt |= tbx_lines_narrow(&lines[i], line, rest[i - w->first[3]], count, &lo, &hi);
+                doubt |= tbx_lines_narrow(&row_lines[i], line, rest[i - w->first[3]], count, &lo, &hi);
             }
             TBX_COPY(x_lo, &lo, sizeof lo);
             TBX_COPY(x_hi, &hi, sizeof hi);
@@ -6973,7 +7141,7 @@ TBX_FORCED tbx_fw tbx_lattice_place(const tbx_quick *q, int k, tbx_fw x, tbx_iw 
     const tbx_fw place = __builtin_convertvector(tbx_box_round(guess * parts + tbx_wide_all(0.5f)), tbx_fw);
     tbx_fw there = tbx_wide_all(q->base_high[k]) + (place - parts) * tbx_wide_all(q->step[k]);
     tbx_iw is_zero;
-    TBX_KEEP4(there);
+    TBX_KEEP_VECTOR(there);
     is_zero = (((tbx_iw)there | (tbx_iw)x) & tbx_wide_int(0x7fffffff)) == tbx_wide_int(0);
     *on &= ((tbx_iw)there == (tbx_iw)x) | is_zero;
     return place;
@@ -7062,7 +7230,7 @@ TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_points v[3], t
     const tbx_iw none = tbx_wide_int(0);
     tbx_iw off = tbx_boxes_off(q, box);
     tbx_iw other = none;
-    tbx_iw far = none;
+    tbx_iw beyond = none;
     tbx_iw last = tbx_wide_int(TBX_OFF);
     int k;
     if (tbx_wide_any(~off)) {
@@ -7072,12 +7240,12 @@ TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_points v[3], t
         }
         for (k = 0; k < 3; k++) {
             other |= box->last[k] - box->first[k];
-            far |= (box->first[k] - tbx_wide_int(1)) | (tbx_wide_int(q->end[k] + TBX_MARGIN) - box->last[k]);
+            beyond |= (box->first[k] - tbx_wide_int(1)) | (tbx_wide_int(q->end[k] + TBX_MARGIN) - box->last[k]);
         }
         other = box->unsure | (other & tbx_wide_int(~(TBX_ROWS - 1)));
         last = tbx_extents(box) | (box->lattice & tbx_wide_int(TBX_ON_LATTICE)) |
                ((box->cut < none) & tbx_wide_int(TBX_IS_CUT));
-        last = tbx_wide_select((far < none) | (other != none), tbx_wide_int(TBX_NOT_KNOWN), last);
+        last = tbx_wide_select((beyond < none) | (other != none), tbx_wide_int(TBX_NOT_KNOWN), last);
         last = tbx_wide_select(off, tbx_wide_int(TBX_OFF), last);
     }
     tbx_points_to(out, box->first[0], box->first[1], box->first[2], last);
@@ -7217,9 +7385,9 @@ TBX_FORCED tbx_fw tbx_group_edges(tbx_missed *m, tbx_fw b0, tbx_fw b1, tbx_fw b2
     tbx_fw e2 = b2 * c0 - c2 * b0;
     tbx_fw area;
     tbx_iw sign;
-    TBX_KEEP4(e0);
-    TBX_KEEP4(e1);
-    TBX_KEEP4(e2);
+    TBX_KEEP_VECTOR(e0);
+    TBX_KEEP_VECTOR(e1);
+    TBX_KEEP_VECTOR(e2);
     area = (e0 + e1) + e2;
     sign = tbx_wide_sign(area);
     m->least = tbx_wide_min(m->least, tbx_wide_abs(area) + touch);
@@ -7303,19 +7471,19 @@ TBX_FORCED void tbx_group_place(const tbx_quick *q, int k, tbx_iw first, tbx_fw 
     const tbx_fw size_high = tbx_wide_all(q->size_high[k]);
     const tbx_fw low = tbx_wide_all(q->base_low[k]) + at * size_low;
     tbx_fw high = tbx_wide_all(q->base_high[k]) + at * size_high;
-    TBX_KEEP4(high);
+    TBX_KEEP_VECTOR(high);
     *x0 -= high;
     *x1 -= high;
     *x2 -= high;
-    TBX_KEEP4(*x0);
-    TBX_KEEP4(*x1);
-    TBX_KEEP4(*x2);
+    TBX_KEEP_VECTOR(*x0);
+    TBX_KEEP_VECTOR(*x1);
+    TBX_KEEP_VECTOR(*x2);
     *x0 = (*x0 - low) * inverse;
     *x1 = (*x1 - low) * inverse;
     *x2 = (*x2 - low) * inverse;
-    TBX_KEEP4(*x0);
-    TBX_KEEP4(*x1);
-    TBX_KEEP4(*x2);
+    TBX_KEEP_VECTOR(*x0);
+    TBX_KEEP_VECTOR(*x1);
+    TBX_KEEP_VECTOR(*x2);
 }
 
 /* Corners of a group from the first inner grid point, and |E| (in the planes xy, yz, zx) and |D| up to which
@@ -8468,13 +8636,17 @@ TBX_FN int32_t tbx_slab_round(double t, int up)
  * away from f, as t is within an ulp of a / d, and f of t. */
 TBX_NOINLINE int32_t tbx_slab_exact(float origin, float dir, float face, double t, int up)
 {
-    const double d = tbx_widen(&dir);
-    const double from = tbx_widen(&origin);
-    const double to = tbx_widen(&face);
-    const double a = to - from;
+    double d;
+    double from;
+    double to;
+    double a;
     const float narrow = (float)t;
     int32_t key = tbx_key32(&narrow) + (up ? -2 : 2);
     int before = 1; /* is the key's float on the wrong side? */
+    tbx_widen(&d, &dir);
+    tbx_widen(&from, &origin);
+    tbx_widen(&to, &face);
+    a = to - from;
     if (!tbx_sum_is_exact(to, from)) {
         return 0;
     }
@@ -8500,9 +8672,9 @@ TBX_FN int32_t tbx_slab_end(float origin, float dir, float lo, float hi, int up)
     double a = (double)face - (double)origin;
     double t;
     int32_t key;
-    TBX_KEEP4(a);
+    TBX_KEEP_VECTOR(a);
     t = a / d;
-    TBX_KEEP4(t);
+    TBX_KEEP_VECTOR(t);
     if (!(tbx_abs(t * d - a) < tbx_abs(a) * (1.0 / 281474976710656.0) && /* 2^-48 */
           tbx_abs(t) > 1e-6)) {
         return 0;
@@ -8544,9 +8716,9 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], float t_min
     int32_t key1 = 0;
     int reached0;
     int reached1;
-    TBX_KEEP4(inverse);
-    TBX_KEEP4(a);
-    TBX_KEEP4(b);
+    TBX_KEEP_VECTOR(inverse);
+    TBX_KEEP_VECTOR(a);
+    TBX_KEEP_VECTOR(b);
     /* by their sign bits: too large, also from NaN and infinities; a reciprocal off by 2^-20; lo > hi */
     doubt = (most - tbx_magnitude(a)) | (most - tbx_magnitude(b)) |
             (tbx_splat_int(0x53800000) - tbx_magnitude(inverse)) |
@@ -8655,9 +8827,9 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
     tbx_f4 a = p1 - p0;
     tbx_f4 l = lower - p0;
     tbx_f4 u = upper - p0;
-    TBX_KEEP4(a);
-    TBX_KEEP4(l);
-    TBX_KEEP4(u);
+    TBX_KEEP_VECTOR(a);
+    TBX_KEEP_VECTOR(l);
+    TBX_KEEP_VECTOR(u);
     {
         const tbx_f4 x = tbx_abs4(a);
         const tbx_f4 m = (l + u) * half;
@@ -8693,8 +8865,15 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
 #undef TBX_PREFETCH
 #undef TBX_COPY
 #undef TBX_KEEP
-#undef TBX_KEEP4
-#undef TBX_KEEP_HERE
+#undef TBX_KEEP_SCALAR
+#undef TBX_KEEP_VECTOR
+#undef TBX_HAS_ASM
+#undef TBX_HAS_VECTORS
+#undef TBX_GNU
+#undef TBX_ALIGNED
+#undef TBX_EVAL_METHOD
+#undef TBX_DOUBLE_IS_53_BITS
+#undef TBX_POW2
 #undef TBX_LIMBS
 #undef TBX_OCTANTS_UNSURE
 #undef TBX_NO_EXPONENT
@@ -8739,6 +8918,8 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
 #undef TBX_NUM_LIMBS
 #undef TBX_NUM_U
 #undef TBX_KEY_INFINITY
+
+#pragma pack(pop)
 
 #ifdef __cplusplus
 }

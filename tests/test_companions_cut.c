@@ -728,12 +728,15 @@ static void sure_runs_equal_exact_runs(void)
             float  b = (float)(random_signed() * unit);
             for (j = 0; j < 3; j++) {
                 float x = (float)(random_signed() * unit);
-                m.v[j][k] = cut.v[j][k] = tbx_widen(&x);
+                tbx_widen(&m.v[j][k], &x);
+                cut.v[j][k] = m.v[j][k];
             }
-            q[k] = tbx_widen(&q32);
+            tbx_widen(&q[k], &q32);
             m.velocity[k] = q[k];
-            m.lo[k] = cut.face[0][k] = tbx_widen(a < b ? &a : &b);
-            m.hi[k] = cut.face[1][k] = tbx_widen(a < b ? &b : &a);
+            tbx_widen(&m.lo[k], a < b ? &a : &b);
+            cut.face[0][k] = m.lo[k];
+            tbx_widen(&m.hi[k], a < b ? &b : &a);
+            cut.face[1][k] = m.hi[k];
         }
         m.open = i & 1;
         tbx_closest(&fast, cut.v, q, w[0]);

@@ -257,7 +257,7 @@ static void faces_hold_for_floats_as_for_doubles(void)
                 if (((middle[k] + (uint32_t)n) & 0x7f800000u) == 0x7f800000u) {
                     CHECK(answer == 0);
                 } else {
-                    p[a] = tbx_widen(&f[a]);
+                    tbx_widen(&p[a], &f[a]);
                     CHECK(answer == tribox_tri_test_f64(&tri, p));
                 }
             }
