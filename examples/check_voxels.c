@@ -259,7 +259,7 @@ static nearest find_nearest(const tribox_mesh *m, const double lo[3], const doub
                 v[i][a] = (double)corner[i][a];
             }
         }
-        if (!mesh_is_finite(corner[0]) || !mesh_is_finite(corner[1]) || !mesh_is_finite(corner[2])
+        if (!mesh_is_finite(v[0]) || !mesh_is_finite(v[1]) || !mesh_is_finite(v[2])
             || !(bounds_distance2(v, lo, hi) <= best.distance * best.distance)) {
             continue;
         }

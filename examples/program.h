@@ -8,7 +8,7 @@
 #include <time.h>
 
 #define PROGRAM_MESHES \
-    "an OBJ, STL or PLY file, \"-\" for the standard input, or built in:\n" \
+    "an OBJ, STL, PLY, OFF or glTF file, \"-\" for the standard input, or built in:\n" \
     "                  teapot, teapot-closed"
 
 /* One whole number in [least, most]. Returns 1, or 0 if the text is something else. */
@@ -63,8 +63,28 @@ static inline const char *program_rule_name(unsigned flags) {
 
 static inline int program_mesh(mesh *out, const char *name, char *error) {
     int closed = strcmp(name, "teapot-closed") == 0;
-    return closed || strcmp(name, "teapot") == 0 ? teapot_make(out, 24, closed, error)
-                                                 : mesh_read(out, name, error);
+    int ok = closed || strcmp(name, "teapot") == 0 ? teapot_make(out, 24, closed, error) : mesh_read(out, name, error);
+    if (ok && out->warnings > 0) {
+        fprintf(stderr, "warning: %s\n", out->warning);
+    }
+    if (ok && out->warnings > 1) {
+        fprintf(stderr, "warning: %lu more of that kind or another\n", (unsigned long)(out->warnings - 1));
+    }
+    return ok;
+}
+
+/* The fewest digits, from six, that give the number back: as a float, or as a double. */
+static inline const char *program_shortest(double x, int is_double, char out[32]) {
+    int digits;
+    for (digits = 6; digits < 17; digits++) {
+        snprintf(out, 32, "%.*g", digits, x);
+        if (is_double ? !(strtod(out, NULL) < x || strtod(out, NULL) > x)
+                      : !((double)strtof(out, NULL) < x || (double)strtof(out, NULL) > x)) {
+            return out;
+        }
+    }
+    snprintf(out, 32, "%.17g", x);
+    return out;
 }
 
 static inline int program_fails(const char *program, const char *error) {

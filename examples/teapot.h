@@ -101,7 +101,11 @@ static inline int teapot_add_quad(mesh_reader *r, float corner[4][3]) {
     uint32_t i;
     int ok = 1;
     for (i = 0; i < 4; i++) {
-        ok = ok && mesh_add_vertex(r, corner[i]);
+        double position[3];
+        position[0] = (double)corner[i][0];
+        position[1] = (double)corner[i][1];
+        position[2] = (double)corner[i][2];
+        ok = ok && mesh_add_vertex(r, position);
     }
     for (i = 1; i < 3; i++) {
         const float *b = corner[i];
@@ -171,6 +175,7 @@ static inline int teapot_make(mesh *out, int n, int closed, char *error) {
             ok = teapot_add_cap(&r, patch, part % 2, patch, part % 2, n);
         }
     }
+    ok = ok && mesh_round(&r);
     if (!ok) {
         mesh_free(out);
     }

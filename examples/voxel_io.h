@@ -213,7 +213,6 @@ static inline int binvox_write(const char *path, const voxels *v, char *error) {
 
 static inline int binvox_read_header(mesh_reader *r, size_t dim[3], double translate[3], double *scale) {
     mesh_word word;
-    float ignored;
     int seen = 0;
     int a;
     if (!mesh_next_word(r, &word) || !mesh_word_is(word, "#binvox")) {
@@ -240,7 +239,7 @@ static inline int binvox_read_header(mesh_reader *r, size_t dim[3], double trans
             int is_scale = mesh_word_is(word, "scale");
             for (a = 0; a < (is_scale ? 1 : 3); a++) {
                 mesh_next_word(r, &word);
-                if (!mesh_word_number(r, word, &ignored, is_scale ? scale : &translate[a])) {
+                if (!mesh_word_double(r, word, is_scale ? scale : &translate[a])) {
                     return 0;
                 }
             }

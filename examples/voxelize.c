@@ -187,8 +187,9 @@ static int write_output(const char *path, const voxels *v, char up, char *error)
     return mesh_name_ends(path, ".png") ? render_write(path, v, up, error) : faces_write(path, v, error);
 }
 
-static void print_mesh(const mesh *m, const tribox_mesh *view, const mesh_stats *stats, const options *o) {
+static void print_mesh(const mesh *m, const mesh_stats *stats, const options *o) {
     size_t open_edges;
+    int a;
     printf("mesh      %s: %s, %lu triangles\n", o->mesh, m->format, (unsigned long)m->triangles);
     if (stats->nonfinite) {
         printf("          %lu triangles with a NaN or infinite corner are no set of points and set nothing\n",
@@ -201,9 +202,15 @@ static void print_mesh(const mesh *m, const tribox_mesh *view, const mesh_stats 
     if (m->skipped) {
         printf("          %lu faces with fewer than three corners skipped\n", (unsigned long)m->skipped);
     }
-    printf("          x %g to %g, y %g to %g, z %g to %g\n", stats->min[0], stats->max[0], stats->min[1],
-           stats->max[1], stats->min[2], stats->max[2]);
-    if ((o->solid || m->triangles < 200000) && mesh_open_edges(view, &open_edges)) {
+    for (a = 0; a < 3; a++) {
+        char least[32];
+        char most[32];
+        printf("%s%c %s to %s", a == 0 ? "          " : ", ", 'x' + a,
+               program_shortest(stats->min[a], m->exact != NULL, least),
+               program_shortest(stats->max[a], m->exact != NULL, most));
+    }
+    printf("\n");
+    if ((o->solid || m->triangles < 200000) && mesh_open_edges(m, &open_edges)) {
         if (open_edges) {
             printf("          not closed: %lu edges belong to an odd number of triangles\n",
                    (unsigned long)open_edges);
@@ -275,8 +282,8 @@ int main(int argc, char **argv) {
         return program_fails("voxelize", error);
     }
     view = mesh_view(&m);
-    stats = mesh_measure(&view);
-    print_mesh(&m, &view, &stats, &o);
+    stats = mesh_measure(&m);
+    print_mesh(&m, &stats, &o);
     if (stats.nonfinite == m.triangles) {
         snprintf(error, MESH_ERROR, "%.200s: no triangle is finite", o.mesh);
     } else if (!o.has_size && !tribox_grid_fit(&grid, &view, o.resolution)) {

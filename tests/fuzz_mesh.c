@@ -11,10 +11,9 @@
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    static const char *const names[4] = {"a.obj", "a.stl", "a.ply", "a"};
+    static const char *const names[6] = {"a.obj", "a.stl", "a.ply", "a", "a.off", "a.gltf"};
     char error[MESH_ERROR] = "";
     unsigned char *bytes;
-    tribox_mesh view;
     mesh m;
     size_t edges;
     if (size == 0) {
@@ -26,10 +25,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         return 0;
     }
     memcpy(bytes, data + 1, size - 1);
-    if (mesh_read_memory(&m, names[data[0] % 4], bytes, size - 1, error)) {
-        view = mesh_view(&m);
-        mesh_measure(&view);
-        if (m.triangles == 0 || !mesh_open_edges(&view, &edges)) {
+    if (mesh_read_memory(&m, names[data[0] % 6], bytes, size - 1, error)) {
+        mesh_measure(&m);
+        if (m.triangles == 0 || !mesh_open_edges(&m, &edges)) {
             abort();
         }
         mesh_free(&m);

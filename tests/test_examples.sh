@@ -158,7 +158,7 @@ text() {
 }
 text number.obj 'v 0 0 0\nv 1,5 0 0\n'
 bad "$tmp/number.obj" "line 2: number expected, found '1,5'"
-text short.obj 'v 0 0 0\nv 1 \\\n 0\nf 1 1 1\n'
+text short.obj 'v 0 0 0\nv \\\n 0\nf 1 1 1\n'
 bad "$tmp/short.obj" 'line 3: number expected, found the end of the line'
 text zero.obj 'v 0 0 0\nf 0 1 1\n'
 bad "$tmp/zero.obj" "line 2: vertex index from 1 expected, found '0'"
@@ -173,7 +173,7 @@ bad "$tmp/word.obj" "line 2: vertex index expected, found '1x'"
 text points.obj 'v 0 0 0\nv 1 0 0\n'
 bad "$tmp/points.obj" 'no triangles'
 text prose.txt 'Dear reader,\nthis is no mesh.\n'
-bad "$tmp/prose.txt" 'not an OBJ, STL or PLY file'
+bad "$tmp/prose.txt" 'not an OBJ, STL, PLY, OFF or glTF file'
 text empty.stl ''
 bad "$tmp/empty.stl" 'the file is empty'
 text one.obj 'v 1 2 3\nf 1 1 1\n'
@@ -229,6 +229,10 @@ for file in plain.obj other.obj ascii.stl binary.stl ascii.ply little.ply big.pl
         at=$((at + 23))
     done
 done
+
+# ---- Dialects: every kind of file that some program writes ------------------------------------------
+
+. tests/test_dialects.sh
 
 # ---- Options ---------------------------------------------------------------------------------------
 
