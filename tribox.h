@@ -275,6 +275,22 @@ TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], c
 TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
                                        const double v2[3], tribox_span_fn on_span, void *user);
 
+/* The spans of a whole mesh, each with the number of its triangle.
+ *
+ *   grid     as for tribox_grid_spans
+ *   mesh     its triangles; indices must be within positions
+ *   on_span  called for each span with user and the triangle's number, counted from 0; NULL only counts
+ *
+ * Returns     The sum of all triangles' voxels: one counts once for each triangle that touches it. Saturates at
+ *             SIZE_MAX. 0 for an invalid grid.
+ * Guarantees  The spans of one triangle are those of tribox_grid_spans, come together and in its order;
+ *             triangles come in any order, each at most once. No allocation, less than 16 KiB of stack.
+ */
+TRIBOX_FN size_t tribox_mesh_spans(const tribox_grid *grid, const tribox_mesh *mesh,
+                                   tribox_mesh_span_fn on_span, void *user);
+TRIBOX_FN size_t tribox_mesh_spans_f64(const tribox_grid *grid, const tribox_mesh_f64 *mesh,
+                                       tribox_mesh_span_fn on_span, void *user);
+
 /* How many 64-bit words the region's bit array needs: nz*ny*row_words, row_words = (nx + 63)/64. Voxel
  * (x,y,z), counted from lo, is bit (x & 63) of word (z*ny + y)*row_words + (x >> 6).
  *
@@ -297,6 +313,7 @@ TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid);
  *             (gcc 12 -O2, a Xeon). Without vectors three to five times that. Less than 16 KiB of stack.
  */
 TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits);
+TRIBOX_FN void tribox_grid_fill_f64(const tribox_grid *grid, const tribox_mesh_f64 *mesh, uint64_t *bits);
 
 /* Flips the bits of the region's voxels whose centre lies inside a mesh: the solid, from bits that are zero.
  *
@@ -357,6 +374,7 @@ TRIBOX_FN int tribox_grid_get(const tribox_grid *grid, const uint64_t *bits, int
  * Cost        One pass over the mesh.
  */
 TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n);
+TRIBOX_FN int tribox_grid_fit_f64(tribox_grid *grid, const tribox_mesh_f64 *mesh, int n);
 
 /* Finds the voxel whose half-open box [min, max) holds the point.
  *
@@ -2804,41 +2822,80 @@ TBX_FN int tbx_grid_valid(const tribox_grid *grid)
     return 1;
 }
 
-/* The sign of grid plane i of axis k against x, |i| < 2^33. */
+TBX_FN size_t tbx_saturating_add(size_t a, size_t b)
+{
+    return a + b < a ? (size_t)-1 : a + b;
+}
+
+/* Is the number 0, or is its magnitude within 2^-e..2^e? Sums, products and quotients of a few such numbers
+ * neither overflow nor come near to subnormals. */
+TBX_FN int tbx_is_ordinary(const double *x, unsigned e)
+{
+    const uint64_t magnitude = tbx_bits64(x) & 0x7fffffffffffffffu;
+    return magnitude == 0 || (unsigned)(magnitude >> 52) - (1023u - e) < 2u * e;
+}
+
+/* Whatever is 2^-ORDINARY..2^ORDINARY, or 0: all floats are. Differences of two such doubles are 0 or at least
+ * 2^-(ORDINARY + 52); divided by a size, 2^-(2 ORDINARY + 52); three of those multiplied, 2^-1056. */
+#define TBX_ORDINARY 150
+
+/* ---- Grid planes */
+
+/* The sign of grid plane i of axis k against x, |i| < 2^33: in double where that is certain.
+ *
+ * Error: i*size, origin - x and their sum are rounded once each, by u of themselves: three u of the sum of
+ * magnitudes, and that sum's own rounding; tests/proofs/walk.gappa. */
+#define TBX_PLANE_ERROR (8.0 * TBX_U64)
+
 TBX_FN int tbx_plane_compare(const tribox_grid *grid, int k, int64_t i, double x)
 {
-    const double along = (double)i * grid->size[k];
-    const double value = (grid->origin[k] - x) + along;
-    const double error = (tbx_abs(grid->origin[k]) + tbx_abs(x) + tbx_abs(along)) * (8.0 * TBX_U64);
-    if (tbx_is_finite(&error) && error > TBX_POW2(-960) && (value > error || value < -error)) {
-        return value > 0.0 ? 1 : -1;
-    } else {
-        const tbx_coord plane = tbx_at(&grid->origin[k], &grid->size[k], 2 * i);
+    const double *origin = &grid->origin[k];
+    const double *size = &grid->size[k];
+    if (tbx_is_ordinary(origin, 900) & tbx_is_ordinary(size, 900) & tbx_is_ordinary(&x, 900)) {
+        const double along = (double)i * *size;
+        double offset = *origin - x;
+        double value;
+        double error;
+        TBX_KEEP_SCALAR(offset);
+        value = offset + along;
+        error = (tbx_abs(*origin) + tbx_abs(x) + tbx_abs(along)) * TBX_PLANE_ERROR;
+        if (value > error || value < -error) {
+            return value > 0.0 ? 1 : -1;
+        }
+    }
+    {
+        const tbx_coord plane = tbx_at(origin, size, 2 * i);
         const tbx_coord point = tbx_at_number(&x);
         return tbx_compare(&plane, &point);
     }
 }
 
-/* The integer at or below x, moved into [lo, hi]. Only ever a guess: any x, from any division, will do. */
+/* The integer at or below x, moved into [lo, hi]. Only ever a guess: any finite x will do. The conversion
+ * takes what a barrier has let through, so that no compiler converts before the comparisons. */
 TBX_FN int64_t tbx_guess(double x, int64_t lo, int64_t hi)
 {
-    int64_t i = lo;
-    if (x >= (double)hi) {
-        return hi;
-    }
-    if (x > (double)lo) {
-        i = (int64_t)x;
-        i -= (double)i > x;
-    }
+    const double least = (double)lo;
+    const double most = (double)hi;
+    double at = x > least ? x : least;
+    int64_t i;
+    at = at < most ? at : most;
+    TBX_KEEP_SCALAR(at);
+    i = (int64_t)at;
+    i -= (double)i > at;
     return i < lo ? lo : i > hi ? hi : i;
 }
 
 /* The least plane i in [lo, hi] with plane(i) > x (strict) or >= x; hi if none below hi. */
 TBX_FN int64_t tbx_plane_search(const tribox_grid *grid, int k, int64_t lo, int64_t hi, double x, int strict)
 {
-    const double size = grid->size[k]; /* a subnormal may be read as 0 */
-    int64_t i = tbx_guess(size > 0.0 ? (x - grid->origin[k]) / size + 1.0 : 0.0, lo, hi);
+    int64_t i = lo;
     int steps;
+    if (tbx_is_ordinary(&grid->origin[k], 300) & tbx_is_ordinary(&grid->size[k], 300) &
+        tbx_is_ordinary(&x, 300)) {
+        double size = grid->size[k];
+        TBX_KEEP_SCALAR(size);
+        i = tbx_guess((x - grid->origin[k]) / size + 1.0, lo, hi);
+    }
     for (steps = 0; steps < 3; steps++) {
         if (i < hi && tbx_plane_compare(grid, k, i, x) < strict) {
             lo = ++i;
@@ -2859,61 +2916,240 @@ TBX_FN int64_t tbx_plane_search(const tribox_grid *grid, int k, int64_t lo, int6
     return lo;
 }
 
-TBX_FN size_t tbx_saturating_add(size_t a, size_t b)
+/* ---- Meshes of floats and of doubles */
+
+typedef struct tbx_source {
+    const char *positions;
+    size_t stride;
+    const uint32_t *indices;
+    size_t triangles;
+    int is_double;
+} tbx_source;
+
+TBX_FN void tbx_source_float(tbx_source *s, const tribox_mesh *mesh)
 {
-    return a + b < a ? (size_t)-1 : a + b;
+    s->positions = (const char *)mesh->positions;
+    s->stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
+    s->indices = mesh->indices;
+    s->triangles = mesh->triangles;
+    s->is_double = 0;
 }
 
-/* One condition on voxels, A.index + D >= 0, or > 0 if strict; index counts from the walk's base. Edge
- * conditions have no term in their plane's axis. Beyond +-bound the value's sign is certain. */
-typedef struct tbx_limit {
-    double a[3];
-    double d;
-    double bound;
-    double quantum; /* if bound = 0, on the lattice: all of the above are multiples of half of it */
-    int axis;       /* the index it limits */
-    int sign;       /* of a[axis], exact: -1 or 1 */
-    int id;         /* 3*plane + edge; 9, 10: the two sides of the triangle's plane */
-} tbx_limit;
+TBX_FN void tbx_source_double(tbx_source *s, const tribox_mesh_f64 *mesh)
+{
+    s->positions = (const char *)mesh->positions;
+    s->stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(double);
+    s->indices = mesh->indices;
+    s->triangles = mesh->triangles;
+    s->is_double = 1;
+}
 
-/* A triangle over a region of a grid, cut to the triangle's index box. */
-typedef struct tbx_walk {
+/* What a triangle's numbers allow. */
+enum { TBX_NO_POINTS = 0, TBX_ANY_FINITE = 1, TBX_ALL_ORDINARY = 2 };
+
+TBX_FN int tbx_corners_kind(double v[3][3])
+{
+    int ordinary = 1;
+    int i;
+    for (i = 0; i < 3; i++) {
+        ordinary &= tbx_is_ordinary(&v[i][0], TBX_ORDINARY) & tbx_is_ordinary(&v[i][1], TBX_ORDINARY) &
+                    tbx_is_ordinary(&v[i][2], TBX_ORDINARY);
+    }
+    if (ordinary) {
+        return TBX_ALL_ORDINARY;
+    }
+    return tbx_corners_finite(v[0], v[1], v[2]) ? TBX_ANY_FINITE : TBX_NO_POINTS;
+}
+
+/* Three floats as doubles. Returns 0 where one is NaN or infinite. */
+TBX_FN int tbx_read_floats(double out[3], const void *from)
+{
+    uint32_t bits[3];
+    float x[3];
+    unsigned odd;
+    TBX_COPY(x, from, sizeof x);
+    bits[0] = tbx_bits32(&x[0]);
+    bits[1] = tbx_bits32(&x[1]);
+    bits[2] = tbx_bits32(&x[2]);
+    odd = ((bits[0] & 0x7f800000u) - 0x00800000u >= 0x7f000000u) |
+          ((bits[1] & 0x7f800000u) - 0x00800000u >= 0x7f000000u) |
+          ((bits[2] & 0x7f800000u) - 0x00800000u >= 0x7f000000u);
+    if (TBX_RARELY(odd)) { /* zero, subnormal, infinite or NaN */
+        tbx_widen3(out, x);
+        return tbx_finite3(out);
+    }
+    out[0] = (double)x[0];
+    out[1] = (double)x[1];
+    out[2] = (double)x[2];
+    return 1;
+}
+
+TBX_FN const char *tbx_source_at(const tbx_source *s, size_t t, size_t c)
+{
+    const size_t at = 3 * t + c;
+    return s->positions + (s->indices != NULL ? (size_t)s->indices[at] : at) * s->stride;
+}
+
+/* The corners of triangle t. Returns their kind. */
+TBX_FN int tbx_source_triangle(const tbx_source *s, size_t t, double v[3][3])
+{
+    const char *p0 = tbx_source_at(s, t, 0);
+    const char *p1 = tbx_source_at(s, t, 1);
+    const char *p2 = tbx_source_at(s, t, 2);
+    if (s->is_double) {
+        TBX_COPY(v[0], p0, sizeof v[0]);
+        TBX_COPY(v[1], p1, sizeof v[1]);
+        TBX_COPY(v[2], p2, sizeof v[2]);
+        return tbx_corners_kind(v);
+    }
+    return tbx_read_floats(v[0], p0) & tbx_read_floats(v[1], p1) & tbx_read_floats(v[2], p2)
+               ? TBX_ALL_ORDINARY
+               : TBX_NO_POINTS;
+}
+
+/* ---- The walk: one triangle over a region, row by row
+ *
+ * For a fixed row (y, z) every condition of [SS10] is a bound on x, so the voxels of a row are one span. The
+ * edges in the plane xy bound x per y, those in xz bound x per z, those in yz bound y per z; only the
+ * triangle's plane couples all three, and it is a slab: x within half of a middle that is linear in y and z.
+ * These are four groups of lines: in row r, a line lets voxels begin, or end, at floor(at + slope*r).
+ *
+ * Lines are evaluated in double with a bound of their error. Where the floors of value - error and value +
+ * error agree, the bound is certain. Where they do not, first the lattice is tried: if all corners lie on
+ * places of which 2^12 make a voxel, values lie on a lattice, too, and moving a line by half its quantum, up or
+ * down as touching counts or not, decides all ties at once. What is left is asked in integers: only the few
+ * voxels between the floors, by the conditions of that group. Numbers out of range are the same case, with
+ * all voxels of the row between the floors. So each bound is exact, and each span is.
+ *
+ * Coordinates are voxels from the region's minimum corner, y = (v - origin) * inverse - lo.
+ *   Error of a coordinate: u for v - origin, 4 u for the inverse (fast-math divides by approximation), u for
+ *   the product, all of |y + lo|; u for the last difference, of |y|: less than 8 u (|y| + |lo|). With reach
+ *   the largest |y|, |lo| or |hi| there is,
+ *       delta = COORDINATE_ERROR * reach.
+ *   Error of a line, slope s, in row r: the coordinates' (1 + |s|) delta; s is off by 8 u of itself (its edges 6 u,
+ *   as differences of inputs are rounded once, and each division 4 u: 16 u), times at most 2 reach; the sum's
+ *   roundings, three of at most (1 + 3 |s|) 2 u reach: all less than
+ *       LINE_ERROR * delta * (1 + |s|).
+ *   Error of the plane's line: the same with 1 + |s_y| + |s_z|; and normals: n = p - q is off by NORMAL_ERROR
+ *   times |p| + |q|, which moves the plane, at most m voxels from its corner on each axis, by
+ *       2 NORMAL_ERROR m (|p_y| + |q_y| + |p_z| + |q_z| + (|s_y| + |s_z|) (|p_x| + |q_x|)) / |n_x|.
+ * tests/proofs/walk.gappa proves them, tests/errors.c looks for the largest errors there are. */
+#define TBX_COORDINATE_ERROR (8.0 * TBX_U64)
+#define TBX_LINE_ERROR 10.0
+#define TBX_NORMAL_ERROR (16.0 * TBX_U64)
+#define TBX_MOST_ERROR 0.0625       /* of what is evaluated in double at all */
+#define TBX_MOST_SLOPE 1073741824.0 /* 2^30 */
+
+/* A grid's numbers, in double. */
+typedef struct tbx_frame {
     const tribox_grid *grid;
+    double origin[3];
+    double inverse[3]; /* 1 / size */
+    double lo[3];      /* of the region, */
+    double n[3];       /* and its voxels */
+    double reach;
+    int on; /* 0: its numbers are out of range */
+    int thin;
+    int lo_is_open;
+    int hi_is_open;
+} tbx_frame;
+
+TBX_FN void tbx_frame_init(tbx_frame *f, const tribox_grid *grid)
+{
+    int k;
+    f->grid = grid;
+    f->on = 1;
+    f->thin = (grid->flags & TRIBOX_THIN) != 0;
+    f->lo_is_open = !f->thin && (grid->flags & TRIBOX_OPEN) != 0;
+    f->hi_is_open = !f->thin && (grid->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    f->reach = 2.0;
+    for (k = 0; k < 3; k++) {
+        const int on =
+            tbx_is_ordinary(&grid->origin[k], TBX_ORDINARY) & tbx_is_ordinary(&grid->size[k], TBX_ORDINARY);
+        const double lo = (double)grid->lo[k];
+        const double hi = (double)grid->hi[k];
+        const double farthest = tbx_abs(lo) > tbx_abs(hi) ? tbx_abs(lo) : tbx_abs(hi);
+        double size = on ? grid->size[k] : 1.0;
+        TBX_KEEP_SCALAR(size);
+        f->on &= on;
+        f->origin[k] = on ? grid->origin[k] : 0.0;
+        f->inverse[k] = 1.0 / size;
+        f->lo[k] = lo;
+        f->n[k] = hi - lo;
+        f->reach = farthest > f->reach ? farthest : f->reach;
+    }
+}
+
+/* Rows y and layers z of a region, first to last. */
+typedef struct tbx_part {
+    int64_t first[2];
+    int64_t last[2];
+} tbx_part;
+
+/* Up to three lines. The first of them, `lowers`, begin the voxels of a row, the last, `uppers`, end them, at
+ * floor(at + slope*row), counted from 1, so that truncation is floor. */
+typedef struct tbx_lines {
+    double at[3];
+    double slope[3];
+    double error; /* more than MOST_ERROR: nothing is certain */
+    int lowers;
+    int uppers;
+} tbx_lines;
+
+enum { TBX_XY = 0, TBX_XZ = 1, TBX_YZ = 2, TBX_PLANE = 3 };
+
+#define TBX_CACHED 64 /* rows whose bounds by the xy edges are kept */
+
+typedef struct tbx_row {
+    int64_t y;
+    int64_t first;
+    int64_t last;
+} tbx_row;
+
+typedef struct tbx_walk {
+    const tbx_frame *frame;
     const double *corner[3];
-    unsigned flags;
-    int64_t base[3];  /* the box's first voxel */
-    int64_t count[3]; /* voxels per axis */
-    int n_sign[3];
-    int on_lattice; /* all values are exact, and shifted off zero: see tbx_walk_add */
-    double size[3];
-    double v[3][3];  /* corners from the base's minimum corner */
-    double slack[3]; /* bound of error of a coordinate difference, also of the few u of its
-                                     * arithmetic */
-    int in_range;    /* the bounds hold */
-    double quantum;  /* on the lattice: its unit */
-    int limits;
-    int first[5]; /* limits first[g]..first[g+1]-1: edges of xy, zx, yz;
-                                     * the plane's sides */
-    tbx_limit limit[11];
+    double x[3][3];    /* corners, and */
+    double e[3][3];    /* edges, in voxels */
+    double n[3];       /* normal, and */
+    double n_terms[3]; /* the magnitudes that its components are made of */
+    double extent;     /* the longest, and 2 */
+    double delta;
+    int64_t first[3]; /* the triangle's index box within the region, from the region's first voxel */
+    int64_t last[3];
+    int n_sign[3]; /* of the groups in use */
+    int light;     /* 0: nothing is certain in double */
+    int thick[3];  /* the whole index box has more than one voxel on this axis */
+    int snapped;   /* the lattice has been tried */
+    int uses[4];   /* groups whose conditions the index box does not imply */
+    tbx_lines lines[4];
+    double plane_at[2]; /* of layer 0 */
+    double plane_slope_z;
+    int64_t y; /* the next row */
+    int64_t y_last;
+    int64_t z;
+    int64_t layer_first; /* bounds of x by the xz edges */
+    int64_t layer_last;
+    tbx_row row[TBX_CACHED];
 } tbx_walk;
 
-/* The exact sign behind a limit. */
+/* The sign behind a condition, at a voxel of the region: 3*axis + edge; 9 and 10, the two sides of the plane. */
 TBX_COLD int tbx_walk_exact(const tbx_walk *w, int id, const int64_t index[3])
 {
-    const tribox_grid *grid = w->grid;
-    const unsigned open_lo = (w->flags & TRIBOX_OPEN) != 0 ? 7u : 0u;
-    const unsigned open_hi = (w->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0 ? 7u : 0u;
+    const tribox_grid *grid = w->frame->grid;
+    const unsigned open_lo = w->frame->lo_is_open ? 7u : 0u;
+    const unsigned open_hi = w->frame->hi_is_open ? 7u : 0u;
     tbx_exact f;
     int k;
     tbx_exact_corners(&f, w->corner[0], w->corner[1], w->corner[2]);
     for (k = 0; k < 3; k++) {
-        const int64_t half = 2 * (w->base[k] + index[k]);
+        const int64_t half = 2 * (grid->lo[k] + index[k]);
         f.x[TBX_LO][k] = tbx_at(&grid->origin[k], &grid->size[k], half);
         f.x[TBX_MID][k] = tbx_at(&grid->origin[k], &grid->size[k], half + 1);
         f.x[TBX_HI][k] = tbx_at(&grid->origin[k], &grid->size[k], half + 2);
     }
     tbx_exact_finish(&f);
-    if ((w->flags & TRIBOX_THIN) != 0) {
+    if (w->frame->thin) {
         return id < 9 ? tbx_exact_thin_edge(&f, id / 3, id % 3, w->n_sign[id / 3])
                       : tbx_exact_thin_plane(&f, w->n_sign, id == 9 ? 1 : -1);
     }
@@ -2921,266 +3157,777 @@ TBX_COLD int tbx_walk_exact(const tbx_walk *w, int id, const int64_t index[3])
                   : tbx_exact_plane(&f, w->n_sign, id == 9 ? 1 : -1, open_lo, open_hi);
 }
 
-/* Does the limit hold at this voxel? */
-TBX_FN int tbx_limit_holds(const tbx_walk *w, const tbx_limit *c, const int64_t index[3])
+/* The sign with which index `axis` enters a condition; 0 where the condition follows from the faces or other edges. */
+TBX_FN int tbx_walk_sign(const tbx_walk *w, int id, int axis)
 {
-    const double value =
-        c->a[0] * (double)index[0] + c->a[1] * (double)index[1] + c->a[2] * (double)index[2] + c->d;
-    if (value > c->bound) {
+    if (id >= 9) {
+        return w->n_sign[0] != 0 && w->n_sign[1] != 0 && w->n_sign[2] != 0
+                   ? (id == 9 ? w->n_sign[axis] : -w->n_sign[axis])
+                   : 0;
+    } else {
+        const int a = id / 3;
+        const int i = id % 3;
+        const int j = i < 2 ? i + 1 : 0;
+        const int b = a < 2 ? a + 1 : 0;
+        const int c = a > 0 ? a - 1 : 2;
+        const int w_sign = w->n_sign[a] >= 0 ? 1 : -1;
+        const int along_b =
+            tbx_less(&w->corner[i][b], &w->corner[j][b]) - tbx_less(&w->corner[j][b], &w->corner[i][b]);
+        const int along_c =
+            tbx_less(&w->corner[i][c], &w->corner[j][c]) - tbx_less(&w->corner[j][c], &w->corner[i][c]);
+        return along_b == 0 || along_c == 0 ? 0 : axis == b ? -w_sign * along_c : w_sign * along_b;
+    }
+}
+
+/* A bound that lies in least..most. */
+typedef struct tbx_bracket {
+    int64_t least;
+    int64_t most;
+} tbx_bracket;
+
+/* Brings the bounds of a group in row (y, z) to single voxels, by exact signs. */
+TBX_COLD void tbx_walk_bisect(const tbx_walk *w, int group, int64_t y, int64_t z, tbx_bracket *first,
+                              tbx_bracket *last)
+{
+    const int axis = group == TBX_YZ ? 1 : 0;
+    const int begin = group == TBX_PLANE ? 9 : 3 * (2 - group);
+    const int end = group == TBX_PLANE ? 11 : begin + 3;
+    int64_t index[3];
+    int id;
+    index[0] = 0;
+    index[1] = y;
+    index[2] = z;
+    for (id = begin; id < end; id++) {
+        const int sign = tbx_walk_sign(w, id, axis);
+        int64_t least = sign > 0 ? first->least : last->least;
+        int64_t most = sign > 0 ? first->most : last->most;
+        while (sign != 0 && least < most) {
+            /* first: the least voxel at which it holds, `most` if none before; last: the greatest */
+            const int64_t mid = least + (most - least + (sign < 0)) / 2;
+            index[axis] = mid;
+            if (tbx_walk_exact(w, id, index)) {
+                most = sign > 0 ? mid : most;
+                least = sign > 0 ? least : mid;
+            } else {
+                most = sign > 0 ? most : mid - 1;
+                least = sign > 0 ? mid + 1 : least;
+            }
+        }
+        if (sign > 0) {
+            first->least = least;
+        } else if (sign < 0) {
+            last->most = most;
+        }
+    }
+}
+
+/* Lines of group b over r, across axis a. quantum: of the lattice on these axes, or 0. */
+TBX_FN void tbx_lines_set(tbx_walk *w, int group, int b, int r, double quantum)
+{
+    tbx_lines *l = &w->lines[group];
+    const tbx_frame *f = w->frame;
+    const int area_is_negative = (group == TBX_XZ ? -w->n_sign[1] : w->n_sign[group == TBX_XY ? 2 : 0]) < 0;
+    double steepest = 0.0;
+    int usable = w->light;
+    int upper = 3;
+    int i;
+    l->lowers = 0;
+    for (i = 0; i < 3; i++) {
+        const double e_b = w->e[i][b];
+        double e_r = w->e[i][r];
+        if (e_b != 0.0 && e_r != 0.0) { /* else the faces say it */
+            const int is_lower = area_is_negative != (e_r < 0.0);
+            const double width = tbx_abs(e_r);
+            const int divides = width * TBX_MOST_SLOPE > tbx_abs(e_b) && width > 1.0 / TBX_MOST_SLOPE;
+            double slope;
+            double steep;
+            double spread;
+            double at;
+            e_r = divides ? e_r : 1.0;
+            TBX_KEEP_SCALAR(e_r);
+            slope = e_b / e_r;
+            steep = tbx_abs(slope);
+            steepest = steep > steepest ? steep : steepest;
+            usable &= divides;
+            spread = 0.5 * (!f->thin ? steep : steep > 1.0 ? steep - 1.0 : 0.0);
+            at = (w->x[i][b] + 1.0) + slope * (0.5 - w->x[i][r]);
+            if (is_lower) {
+                at -= spread;
+            } else {
+                at += spread;
+            }
+            if (quantum > 0.0) {
+                double touch = 0.5 * quantum / e_r;
+                const int strict = is_lower ? f->hi_is_open : f->lo_is_open | (f->hi_is_open & (slope > 0.0));
+                touch = tbx_abs(touch);
+                at = strict == is_lower ? at + touch : at - touch;
+            }
+            upper -= !is_lower;
+            l->at[is_lower ? l->lowers : upper] = at;
+            l->slope[is_lower ? l->lowers : upper] = slope;
+            l->lowers += is_lower;
+        }
+    }
+    l->uppers = 3 - upper;
+    l->error = usable ? TBX_LINE_ERROR * w->delta * (1.0 + steepest) : 1.0;
+}
+
+/* The two sides of the triangle's plane, in layer 0. */
+TBX_FN void tbx_walk_plane(tbx_walk *w, double quantum)
+{
+    tbx_lines *l = &w->lines[TBX_PLANE];
+    const tbx_frame *f = w->frame;
+    const double most = TBX_MOST_SLOPE;
+    const double n_y = w->n[1];
+    const double n_z = w->n[2];
+    const double width = tbx_abs(w->n[0]);
+    const int divides =
+        width * most > tbx_abs(n_y) && width * most > tbx_abs(n_z) && width > 1.0 / (most * most);
+    double n_x = divides ? w->n[0] : 1.0;
+    double inverse;
+    double slope_y;
+    double slope_z;
+    double steep_y;
+    double steep_z;
+    double spread;
+    double lower;
+    double upper;
+    TBX_KEEP_SCALAR(n_x);
+    inverse = 1.0 / n_x;
+    slope_y = -n_y * inverse;
+    slope_z = -n_z * inverse;
+    steep_y = tbx_abs(slope_y);
+    steep_z = tbx_abs(slope_z);
+    if (!f->thin) {
+        spread = 0.5 * (steep_y + steep_z);
+    } else {
+        spread = steep_y > steep_z ? steep_y : steep_z;
+        spread = spread > 1.0 ? 0.5 * (spread - 1.0) : 0.0;
+    }
+    lower = (w->x[0][0] + 1.0) + slope_y * (0.5 - w->x[0][1]) + slope_z * (0.5 - w->x[0][2]);
+    upper = lower + spread;
+    lower = lower - spread;
+    if (quantum > 0.0) {
+        const double touch = 0.5 * quantum * tbx_abs(inverse);
+        const int uphill = (slope_y > 0.0) | (slope_z > 0.0);
+        lower = f->hi_is_open ? lower + touch : lower - touch;
+        upper = (f->lo_is_open | (f->hi_is_open & uphill)) != 0 ? upper - touch : upper + touch;
+    }
+    w->plane_at[0] = lower;
+    w->plane_at[1] = upper;
+    w->plane_slope_z = slope_z;
+    l->slope[0] = l->slope[2] = slope_y;
+    l->lowers = l->uppers = 1;
+    l->error = 1.0;
+    if (w->light && divides) {
+        l->error = TBX_LINE_ERROR * w->delta * (1.0 + steep_y + steep_z) +
+                   2.0 * TBX_NORMAL_ERROR * w->extent * tbx_abs(inverse) *
+                       (w->n_terms[1] + w->n_terms[2] + (steep_y + steep_z) * w->n_terms[0]);
+    }
+}
+
+/* Moves the plane's lines to the walk's layer. */
+TBX_FN void tbx_walk_plane_to_layer(tbx_walk *w)
+{
+    const double along = w->plane_slope_z * (double)w->z;
+    w->lines[TBX_PLANE].at[0] = w->plane_at[0] + along;
+    w->lines[TBX_PLANE].at[2] = w->plane_at[1] + along;
+}
+
+TBX_FN void tbx_walk_set_lines(tbx_walk *w, const double quantum[3])
+{
+    if (w->uses[TBX_XY]) {
+        tbx_lines_set(w, TBX_XY, 0, 1, quantum[0] * quantum[1]);
+    }
+    if (w->uses[TBX_XZ]) {
+        tbx_lines_set(w, TBX_XZ, 0, 2, quantum[0] * quantum[2]);
+    }
+    if (w->uses[TBX_YZ]) {
+        tbx_lines_set(w, TBX_YZ, 1, 2, quantum[1] * quantum[2]);
+    }
+    if (w->uses[TBX_PLANE]) {
+        tbx_walk_plane(w, quantum[0] * quantum[1] * quantum[2]);
+    }
+}
+
+/* ---- The lattice: places of which PLACES make a voxel */
+#define TBX_PLACES_LOG2 12
+#define TBX_PLACES ((int64_t)1 << TBX_PLACES_LOG2)
+
+/* x = units * 2^exponent, |units| < 2^61. Returns 0 where it is not that. */
+TBX_FN int tbx_units(const double *x, int exponent, int64_t *out_units)
+{
+    int64_t mantissa;
+    const int shift = tbx_split(tbx_bits64(x), &mantissa) - exponent;
+    *out_units = 0;
+    if (mantissa == 0) {
         return 1;
     }
-    if (value < -c->bound) {
+    if (shift < 0 || shift > 60 || (mantissa < 0 ? -mantissa : mantissa) >> (61 - shift) != 0) {
         return 0;
     }
-    return tbx_walk_exact(w, c->id, index);
+    *out_units = mantissa * ((int64_t)1 << shift);
+    return 1;
 }
 
-/* Narrows [*lo, *hi] to the indices along c->axis that the limit allows, the other two being index[]. The
- * quotient is a guess; what counts is that the value is certain on both sides of it. */
-TBX_FN void tbx_limit_narrow(const tbx_walk *w, const tbx_limit *c, int64_t index[3], int64_t *lo,
-                             int64_t *hi)
+/* The place of x on axis k, from plane 0. Returns 0 where x is on none, or the numbers span too many bits. */
+TBX_FN int tbx_place(const tribox_grid *grid, int k, const double *x, int64_t *out_place)
 {
-    const double a = c->a[c->axis];
-    int64_t least = *lo;
-    int64_t end = *hi + 1;
-    double rest;
-    double value;
-    int64_t i;
-    index[c->axis] = 0;
-    rest = c->a[0] * (double)index[0] + c->a[1] * (double)index[1] + c->a[2] * (double)index[2] + c->d;
-    i = tbx_guess(a != 0.0 ? 1.0 - rest / a : 0.0, least, end);
-    /* i should be the first index at which the limit's truth is (sign > 0),
-     * the last but one being the other */
-    value = rest + a * (double)i;
-    if (c->sign > 0) {
-        if ((i == end || value > c->bound) && (i == least || value - a < -c->bound)) {
-            *lo = i;
+    int64_t size;
+    int64_t origin;
+    int64_t at;
+    const int exponent = tbx_split(tbx_bits64(&grid->size[k]), &size) - TBX_PLACES_LOG2;
+    if (!tbx_units(&grid->origin[k], exponent, &origin) || !tbx_units(x, exponent, &at) ||
+        (at - origin) % size != 0) {
+        return 0;
+    }
+    *out_place = (at - origin) / size;
+    return 1;
+}
+
+/* Puts the lines of groups whose axes are on the lattice half a quantum off what touches: with q the quanta of
+ * two axes, 1/2 voxel or a power of two below, a line's value is a multiple of q_b q_r / e_r, the plane's one of
+ * q_x q_y q_z / n_x. Returns 0 the second time. */
+TBX_COLD int tbx_walk_snap(tbx_walk *w)
+{
+    const tbx_frame *f = w->frame;
+    double quantum[3];
+    int k;
+    if (w->snapped || !w->light) {
+        return 0;
+    }
+    w->snapped = 1;
+    for (k = 0; k < 3; k++) {
+        const int64_t lo = f->grid->lo[k] * TBX_PLACES;
+        int64_t place[3];
+        int64_t bits;
+        int i;
+        quantum[k] = 0.0;
+        if (!tbx_place(f->grid, k, &w->corner[0][k], &place[0]) ||
+            !tbx_place(f->grid, k, &w->corner[1][k], &place[1]) ||
+            !tbx_place(f->grid, k, &w->corner[2][k], &place[2])) {
+            continue;
+        }
+        bits = place[0] | place[1] | place[2] | TBX_PLACES / 2;
+        quantum[k] = (double)(bits & -bits) / (double)TBX_PLACES;
+        for (i = 0; i < 3; i++) {
+            w->x[i][k] = (double)(place[i] - lo) / (double)TBX_PLACES;
+            w->e[i][k] = (double)(place[i < 2 ? i + 1 : 0] - place[i]) / (double)TBX_PLACES;
+        }
+    }
+    tbx_walk_set_lines(w, quantum);
+    tbx_walk_plane_to_layer(w);
+    return 1;
+}
+
+/* Narrows first..last of row (y, z) by a group; r is the row in its lines. */
+TBX_FN void tbx_walk_narrow(tbx_walk *w, int group, int64_t r, int64_t y, int64_t z, int64_t *first,
+                            int64_t *last)
+{
+    const tbx_lines *l = &w->lines[group];
+    const double begin = (double)*first + 1.5;
+    const double end = (double)*last + 1.5;
+    const double row = (double)r;
+    tbx_bracket at_first;
+    tbx_bracket at_last;
+    do {
+        double lower = begin;
+        double upper = end;
+        int i;
+        at_first.least = *first;
+        at_first.most = *last + 1;
+        at_last.least = *first - 1;
+        at_last.most = *last;
+        if (l->error > TBX_MOST_ERROR) {
+            continue;
+        }
+        for (i = 0; i < l->lowers; i++) {
+            const double at = l->at[i] + l->slope[i] * row;
+            lower = at > lower ? at : lower;
+        }
+        for (i = 3 - l->uppers; i < 3; i++) {
+            const double at = l->at[i] + l->slope[i] * row;
+            upper = at < upper ? at : upper;
+        }
+        lower = lower < end + 1.0 ? lower : end + 1.0;
+        upper = upper > begin - 1.0 ? upper : begin - 1.0;
+        TBX_KEEP_SCALAR(lower);
+        TBX_KEEP_SCALAR(upper);
+        at_first.least = (int64_t)(lower - l->error) - 1;
+        at_first.most = (int64_t)(lower + l->error) - 1;
+        at_last.least = (int64_t)(upper - l->error) - 1;
+        at_last.most = (int64_t)(upper + l->error) - 1;
+        if ((at_first.least == at_first.most && at_last.least == at_last.most) ||
+            at_first.least > at_last.most) {
+            *first = at_first.least;
+            *last = at_last.most;
             return;
         }
-    } else if ((i == end || value < -c->bound) && (i == least || value - a > c->bound)) {
-        *hi = i - 1;
-        return;
+    } while (tbx_walk_snap(w));
+    tbx_walk_bisect(w, group, y, z, &at_first, &at_last);
+    *first = at_first.least;
+    *last = at_last.most;
+}
+
+/* The triangle's index box on axis k where rounding leaves it open: exact. first, last: the greater voxel of
+ * those in question; open_first, open_last: whether there is a question. */
+TBX_COLD void tbx_walk_box_exact(const tbx_walk *w, int k, int open_first, int open_last, int64_t *first,
+                                 int64_t *last)
+{
+    const tbx_frame *f = w->frame;
+    const tribox_grid *grid = f->grid;
+    const double least = tbx_min(tbx_min(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
+    const double most = tbx_max(tbx_max(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
+    if (open_first && tbx_plane_compare(grid, k, grid->lo[k] + *first, least) >= f->hi_is_open) {
+        --*first;
     }
-    while (least < end) {
-        index[c->axis] = least + (end - least) / 2;
-        if (tbx_limit_holds(w, c, index) == (c->sign > 0)) {
-            end = index[c->axis];
-        } else {
-            least = index[c->axis] + 1;
-        }
-    }
-    if (c->sign > 0) {
-        *lo = least;
-    } else {
-        *hi = least - 1;
+    if (open_last && tbx_plane_compare(grid, k, grid->lo[k] + *last, most) > -f->lo_is_open) {
+        --*last;
     }
 }
 
-/* Completes a limit whose a holds n in units per length and d the value at the base's minimum corner: adds
- * the voxel's support, goes over to indices, and bounds the error (m: magnitudes that a was made of).
- *
- * Bound: sum m_k slack_k, see tbx_walk_frame. On the lattice all this is exact; half a quantum up
- * (or down, where zero does not satisfy the limit) and no value is zero. */
-TBX_FN void tbx_walk_add(tbx_walk *w, int id, int axis, int sign, const double n[3], const double m[3],
-                         double d)
+/* The same where numbers are out of range, within the region and the voxels round it. */
+TBX_COLD void tbx_walk_box_search(tbx_walk *w)
 {
-    tbx_limit *c = &w->limit[w->limits++];
-    double sum = 0.0;
-    double largest = 0.0;
-    int up = 0;
+    const tbx_frame *f = w->frame;
     int k;
-    c->bound = 0.0;
+    w->light = 0;
     for (k = 0; k < 3; k++) {
-        const double along = n[k] * w->size[k];
-        const double half = tbx_abs(along) * 0.5;
-        c->a[k] = along;
-        d += along * 0.5;
-        sum += half;
-        largest = half > largest ? half : largest;
-        c->bound += m[k] * w->slack[k];
-        up |= along > 0.0;
-    }
-    c->d = d + ((w->flags & TRIBOX_THIN) != 0 ? largest : sum);
-    c->quantum = 0.0;
-    c->id = id;
-    c->axis = axis;
-    c->sign = sign;
-    if (!(w->in_range && c->bound >= TBX_POW2(-600))) { /* 2^-600 */
-        c->a[0] = c->a[1] = c->a[2] = c->d = 0.0;               /* exact signs alone */
-        c->bound = 1.0;
-        return;
-    }
-    if (w->on_lattice) {
-        const int strict = (w->flags & TRIBOX_OPEN) != 0 || ((w->flags & TRIBOX_HALF_OPEN) != 0 && up);
-        c->quantum = w->quantum * w->quantum * (id < 9 ? 1.0 : w->quantum);
-        c->d += strict ? -0.5 * c->quantum : 0.5 * c->quantum;
-        c->bound = 0.0;
+        const double least = tbx_min(tbx_min(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
+        const double most = tbx_max(tbx_max(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
+        const int64_t lo = f->grid->lo[k];
+        const int64_t hi = f->grid->hi[k];
+        w->first[k] = tbx_plane_search(f->grid, k, lo + 1, hi + 1, least, f->hi_is_open) - 1 - lo;
+        w->last[k] = tbx_plane_search(f->grid, k, lo, hi, most, !f->lo_is_open) - 1 - lo;
+        w->thick[k] = 1;
     }
 }
 
-/* Puts corners and voxels into one frame; finds out whether that frame is exact.
- *
- * Bound. A corner in this frame is within 2 u (|x| + |origin| + |base|) of its place. A limit's value is a
- * sum of twelve terms n_k times a length, n_k being within 4 u m_k, and so each within 16 u of its magnitude;
- * on one axis they add up to at most 2 m_k reach_k. So the value is within sum m_k (4 u (|x| + |origin| +
- * |base|) + 32 u reach_k), which leaves room for the bound's own rounding.
- *
- * In range, reaches are in [2^-300, 2^301), and slack is finite, so that m_k = 0 adds 0. Where m_k is not 0,
- * the corners differ on axis k, by at most 2^303, so |x| is below 2^357, or the one corner would be lost in
- * the other's spacing; |base| is below 2^333, |origin| below 2^358: no bound reaches 2^920. */
-TBX_FN void tbx_walk_frame(tbx_walk *w)
+/* The least and greatest of three. */
+TBX_FN double tbx_min3(double a, double b, double c)
 {
-    const tribox_grid *grid = w->grid;
-    double longest = 0.0;
-    double scale;
-    int i;
-    int k;
-    for (k = 0; k < 3; k++) {
-        const double base = (double)w->base[k] * grid->size[k];
-        double farthest = 0.0;
-        w->size[k] = grid->size[k];
-        for (i = 0; i < 3; i++) {
-            const double x = w->corner[i][k];
-            w->v[i][k] = (x - grid->origin[k]) - base;
-            farthest = tbx_abs(x) > farthest ? tbx_abs(x) : farthest;
-        }
-        w->slack[k] = (farthest + tbx_abs(grid->origin[k]) + tbx_abs(base)) * (4.0 * TBX_U64);
-    }
-    TBX_KEEP(w->v);
-    w->in_range = 1;
-    for (k = 0; k < 3; k++) {
-        double reach = (double)(w->count[k] + 1) * w->size[k];
-        for (i = 0; i < 3; i++) {
-            reach = tbx_abs(w->v[i][k]) > reach ? tbx_abs(w->v[i][k]) : reach;
-        }
-        longest = reach > longest ? reach : longest;
-        w->slack[k] += reach * (32.0 * TBX_U64);
-        w->in_range &= tbx_extent_in_range(reach) & (reach > 0.0) & tbx_is_finite(&w->slack[k]);
-    }
-    w->on_lattice = 0;
-    if (!(longest > TBX_POW2(-265) && longest < TBX_POW2(265))) {
-        return;
-    }
-    /* half units, for the centres of thin voxels: differences are below 2^15,
-     * degree-3 values below 2^51 of them */
-    scale = tbx_lattice_scale(longest);
-    w->quantum = 1.0 / scale;
-    w->on_lattice = 1;
-    for (k = 0; k < 3 && w->on_lattice; k++) {
-        /* so base*size is whole too: below 2^15 * 2^32 units, rounded nowhere */
-        w->on_lattice = tbx_on_lattice(grid->origin[k], scale) && tbx_on_lattice(grid->size[k], scale * 0.5);
-        for (i = 0; i < 3; i++) {
-            w->on_lattice &= tbx_on_lattice(w->corner[i][k], scale);
-        }
-    }
+    const double ab = b < a ? b : a;
+    return c < ab ? c : ab;
 }
 
-/* All limits but those that the index box implies: edges parallel to an axis; and those that edges imply:
- * a plane along an axis, see tbx_store_plane. In the order in which the walk asks them: per row y,
- * per layer z (first x, then y), per row and layer. */
-TBX_FN void tbx_walk_limits(tbx_walk *w, const tbx_edges *t)
+TBX_FN double tbx_max3(double a, double b, double c)
 {
-    int *first = w->first;
-    int group;
-    int i;
-    int k;
-    w->limits = 0;
-    for (group = 0; group < 3; group++) {
-        const int a = 2 - group; /* planes xy, zx, yz */
-        const int b = (a + 1) % 3;
-        const int c = (a + 2) % 3;
-        const double inward = t->n_sign[a] >= 0 ? 1.0 : -1.0;
-        const int axis = a == 0 ? 1 : 0; /* xy and zx limit x, yz limits y */
-        first[group] = w->limits;
-        for (i = 0; i < 3; i++) {
-            double n[3];
-            double m[3];
-            if (t->e_sign[i][b] == 0 || t->e_sign[i][c] == 0) {
-                continue;
-            }
-            n[a] = 0.0;
-            n[b] = -inward * t->e[i][c];
-            n[c] = inward * t->e[i][b];
-            for (k = 0; k < 3; k++) {
-                m[k] = tbx_abs(n[k]);
-            }
-            tbx_walk_add(w, 3 * a + i, axis,
-                         (t->n_sign[a] >= 0 ? 1 : -1) * (axis == b ? -t->e_sign[i][c] : t->e_sign[i][b]), n,
-                         m, -(n[b] * w->v[i][b] + n[c] * w->v[i][c]));
-        }
-    }
-    first[3] = w->limits;
-    if (t->n_sign[0] != 0 && t->n_sign[1] != 0 && t->n_sign[2] != 0) {
-        int side;
-        for (side = 1; side >= -1; side -= 2) {
-            double n[3];
-            double m[3];
-            double d = 0.0;
-            for (k = 0; k < 3; k++) {
-                const int b = (k + 1) % 3;
-                const int c = (k + 2) % 3;
-                const double p = t->e[0][b] * t->e[1][c];
-                const double q = t->e[0][c] * t->e[1][b];
-                n[k] = side * (p - q);
-                m[k] = tbx_abs(p) + tbx_abs(q);
-                d -= n[k] * w->v[0][k];
-            }
-            tbx_walk_add(w, side > 0 ? 9 : 10, 0, side * t->n_sign[0], n, m, d);
-        }
-    }
-    first[4] = w->limits;
+    const double ab = b > a ? b : a;
+    return c > ab ? c : ab;
 }
 
-/* Cuts the region to the voxels whose faces hold. Returns 0 if none is left. */
-TBX_FN int tbx_walk_box(tbx_walk *w)
+/* The index box on axis k, from the least and greatest coordinate; -2 and n + 1 stand for all voxels beyond. */
+TBX_FN void tbx_walk_box_axis(tbx_walk *w, int k, double least, double most)
 {
-    const int lo_is_open = (w->flags & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (w->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
-    int k;
-    for (k = 0; k < 3; k++) {
-        const double x0 = w->corner[0][k];
-        const double x1 = w->corner[1][k];
-        const double x2 = w->corner[2][k];
-        const int64_t lo = w->grid->lo[k];
-        const int64_t hi = w->grid->hi[k];
-        w->base[k] =
-            tbx_plane_search(w->grid, k, lo + 1, hi + 1, tbx_min(tbx_min(x0, x1), x2), hi_is_open) - 1;
-        w->count[k] =
-            tbx_plane_search(w->grid, k, lo, hi, tbx_max(tbx_max(x0, x1), x2), !lo_is_open) - w->base[k];
-        if (w->count[k] <= 0) {
-            return 0;
-        }
+    const double margin = 3.0;
+    const double end = w->frame->n[k] + 4.5;
+    double first_down = least - w->delta + margin;
+    double first_up = least + w->delta + margin;
+    double last_down = most - w->delta + margin;
+    double last_up = most + w->delta + margin;
+    int64_t first[2];
+    int64_t last[2];
+    first_down = first_down > 1.0 ? first_down : 1.0;
+    first_up = first_up > 1.0 ? first_up : 1.0;
+    last_down = last_down > 1.0 ? last_down : 1.0;
+    last_up = last_up > 1.0 ? last_up : 1.0;
+    first_down = first_down < end ? first_down : end;
+    first_up = first_up < end ? first_up : end;
+    last_down = last_down < end ? last_down : end;
+    last_up = last_up < end ? last_up : end;
+    TBX_KEEP_SCALAR(first_down);
+    TBX_KEEP_SCALAR(first_up);
+    TBX_KEEP_SCALAR(last_down);
+    TBX_KEEP_SCALAR(last_up);
+    first[0] = (int64_t)first_down - 3;
+    first[1] = (int64_t)first_up - 3;
+    last[0] = (int64_t)last_down - 3;
+    last[1] = (int64_t)last_up - 3;
+    if (TBX_RARELY((first[0] != first[1]) | (last[0] != last[1]))) {
+        tbx_walk_box_exact(w, k, first[0] != first[1], last[0] != last[1], &first[1], &last[1]);
     }
-    return 1;
+    w->first[k] = first[1];
+    w->last[k] = last[1];
+    w->thick[k] = last[1] > first[1];
 }
 
-/* Sets out over a valid grid. Returns 0 if no voxel's faces hold. */
-TBX_NOINLINE int tbx_walk_start(tbx_walk *w, const tribox_grid *grid, const double v0[3], const double v1[3],
-                                const double v2[3])
+/* Corners and index box. Returns 0 if the triangle has no points, or no voxel of the region's part lies in its index box.
+ * v must live as long as the walk. */
+TBX_FN int tbx_walk_box(tbx_walk *w, const tbx_frame *f, double v[3][3], int kind, const tbx_part *part)
 {
-    tbx_edges t;
+    double least[3];
+    double most[3];
+    double reach = f->reach;
     int k;
-    w->grid = grid;
-    w->flags = (grid->flags & TRIBOX_THIN) != 0 ? (unsigned)TRIBOX_THIN : grid->flags;
-    w->corner[0] = v0;
-    w->corner[1] = v1;
-    w->corner[2] = v2;
-    if (!tbx_corners_finite(v0, v1, v2) || !tbx_walk_box(w)) {
+    w->frame = f;
+    w->corner[0] = v[0];
+    w->corner[1] = v[1];
+    w->corner[2] = v[2];
+    w->snapped = 0;
+    w->light = f->on & (kind == TBX_ALL_ORDINARY);
+    if (kind == TBX_NO_POINTS) {
         return 0;
     }
-    tbx_edges_init(&t, v0, v1, v2);
-    for (k = 0; k < 3; k++) {
-        w->n_sign[k] = t.n_sign[k];
+    if (w->light) {
+        w->extent = 2.0;
+        for (k = 0; k < 3; k++) {
+            double x0 = v[0][k] - f->origin[k];
+            double x1 = v[1][k] - f->origin[k];
+            double x2 = v[2][k] - f->origin[k];
+            TBX_KEEP_SCALAR(x0);
+            TBX_KEEP_SCALAR(x1);
+            TBX_KEEP_SCALAR(x2);
+            x0 = x0 * f->inverse[k] - f->lo[k];
+            x1 = x1 * f->inverse[k] - f->lo[k];
+            x2 = x2 * f->inverse[k] - f->lo[k];
+            w->x[0][k] = x0;
+            w->x[1][k] = x1;
+            w->x[2][k] = x2;
+            least[k] = tbx_min3(x0, x1, x2);
+            most[k] = tbx_max3(x0, x1, x2);
+            reach = -least[k] > reach ? -least[k] : reach;
+            reach = most[k] > reach ? most[k] : reach;
+        }
+        w->delta = TBX_COORDINATE_ERROR * reach;
+        w->light = w->delta <= TBX_MOST_ERROR;
     }
-    tbx_walk_frame(w);
-    tbx_walk_limits(w, &t);
+    if (TBX_RARELY(!w->light)) {
+        tbx_walk_box_search(w);
+    } else {
+        tbx_walk_box_axis(w, 0, least[0], most[0]);
+        tbx_walk_box_axis(w, 1, least[1], most[1]);
+        tbx_walk_box_axis(w, 2, least[2], most[2]);
+        w->extent = 2.0 + tbx_max3(most[0] - least[0], most[1] - least[1], most[2] - least[2]);
+    }
+    for (k = 0; k < 3; k++) {
+        const int64_t first = k > 0 ? part->first[k - 1] : 0;
+        const int64_t last = k > 0 ? part->last[k - 1] : (int64_t)f->grid->hi[0] - 1 - f->grid->lo[0];
+        w->first[k] = w->first[k] > first ? w->first[k] : first;
+        w->last[k] = w->last[k] < last ? w->last[k] : last;
+    }
+    return (w->first[0] <= w->last[0]) & (w->first[1] <= w->last[1]) & (w->first[2] <= w->last[2]);
+}
+
+/* The sign of the normal's component a, where double leaves it open. */
+TBX_COLD int tbx_walk_normal_exact(const tbx_walk *w, int a)
+{
+    tbx_exact f;
+    int row;
+    int k;
+    tbx_exact_corners(&f, w->corner[0], w->corner[1], w->corner[2]);
+    for (row = TBX_LO; row < TBX_ROWS; row++) { /* unused */
+        for (k = 0; k < 3; k++) {
+            f.x[row][k] = f.x[0][k];
+        }
+    }
+    tbx_exact_finish(&f);
+    return tbx_orient2(&f, a < 2 ? a + 1 : 0, a > 0 ? a - 1 : 2, 0, 1, 2, 2);
+}
+
+TBX_FN void tbx_walk_normal(tbx_walk *w, int a, int b, int c)
+{
+    if (w->light) {
+        const double p = w->e[0][b] * w->e[1][c];
+        const double q = w->e[0][c] * w->e[1][b];
+        const double n = p - q;
+        const double terms = tbx_abs(p) + tbx_abs(q);
+        w->n[a] = n;
+        w->n_terms[a] = terms;
+        w->n_sign[a] = (n > 0.0) - (n < 0.0);
+        if (tbx_abs(n) > TBX_NORMAL_ERROR * terms || terms == 0.0 ||
+            (w->e[2][b] == 0.0 && w->e[2][c] == 0.0)) {
+            if (w->e[2][b] == 0.0 && w->e[2][c] == 0.0) {
+                w->n_sign[a] = 0;
+            }
+            return;
+        }
+    }
+    w->n_sign[a] = tbx_walk_normal_exact(w, a);
+}
+
+/* Edges, normals and lines: whatever the index box does not imply. A triangle one voxel thick on two axes touches all of its
+ * index box; one that is so on one axis is decided by the edges across that axis. Neither holds for thin. */
+TBX_FN void tbx_walk_groups(tbx_walk *w)
+{
+    const tbx_frame *f = w->frame;
+    const double none[3] = { 0.0, 0.0, 0.0 };
+    const int x = w->thick[0] | f->thin;
+    const int y = w->thick[1] | f->thin;
+    const int z = w->thick[2] | f->thin;
+    int i;
+    int k;
+    w->uses[TBX_XY] = x & y;
+    w->uses[TBX_XZ] = x & z;
+    w->uses[TBX_YZ] = y & z;
+    w->uses[TBX_PLANE] = x & y & z;
+    if (!((x & y) | (x & z) | (y & z))) {
+        return;
+    }
+    if (w->light) {
+        for (k = 0; k < 3; k++) {
+            double e0 = w->corner[1][k] - w->corner[0][k];
+            double e1 = w->corner[2][k] - w->corner[1][k];
+            double e2 = w->corner[0][k] - w->corner[2][k];
+            TBX_KEEP_SCALAR(e0);
+            TBX_KEEP_SCALAR(e1);
+            TBX_KEEP_SCALAR(e2);
+            w->e[0][k] = e0 * f->inverse[k];
+            w->e[1][k] = e1 * f->inverse[k];
+            w->e[2][k] = e2 * f->inverse[k];
+        }
+    }
+    if (y & z) {
+        tbx_walk_normal(w, 0, 1, 2);
+    }
+    if (x & z) {
+        tbx_walk_normal(w, 1, 2, 0);
+    }
+    if (x & y) {
+        tbx_walk_normal(w, 2, 0, 1);
+    }
+    w->uses[TBX_PLANE] = x & y & z && w->n_sign[0] != 0 && w->n_sign[1] != 0 && w->n_sign[2] != 0;
+    for (i = 0; i < 4; i++) {
+        w->lines[i].error = 1.0;
+    }
+    if (w->light) {
+        tbx_walk_set_lines(w, none);
+    }
+}
+
+/* Goes to the next layer. */
+TBX_FN void tbx_walk_layer(tbx_walk *w)
+{
+    const int64_t z = ++w->z;
+    w->y = w->first[1];
+    w->y_last = w->last[1];
+    w->layer_first = w->first[0];
+    w->layer_last = w->last[0];
+    if (w->uses[TBX_XZ]) {
+        tbx_walk_narrow(w, TBX_XZ, z, 0, z, &w->layer_first, &w->layer_last);
+        if (w->layer_first > w->layer_last) {
+            w->y_last = w->y - 1;
+            return;
+        }
+    }
+    if (w->uses[TBX_YZ]) {
+        tbx_walk_narrow(w, TBX_YZ, z, 0, z, &w->y, &w->y_last);
+    }
+    if (w->uses[TBX_PLANE]) {
+        tbx_walk_plane_to_layer(w);
+    }
+}
+
+/* Makes ready for the first row. */
+TBX_NOINLINE void tbx_walk_set_out(tbx_walk *w)
+{
+    int i;
+    tbx_walk_groups(w);
+    for (i = 0; i < TBX_CACHED && i <= w->last[1] - w->first[1]; i++) {
+        w->row[(w->first[1] + i) % TBX_CACHED].y = -1;
+    }
+    w->z = w->first[2] - 1;
+    w->y = 0;
+    w->y_last = -1;
+}
+
+/* Both. Returns 0 if there is no span. */
+TBX_NOINLINE int tbx_walk_start(tbx_walk *w, const tbx_frame *f, double v[3][3], int kind,
+                                const tbx_part *part)
+{
+    if (!tbx_walk_box(w, f, v, kind, part)) {
+        return 0;
+    }
+    tbx_walk_set_out(w);
     return 1;
 }
+
+/* A run of voxels, from the region's first. */
+typedef struct tbx_span {
+    int64_t first;
+    int64_t last;
+    int64_t y;
+    int64_t z;
+} tbx_span;
+
+#define TBX_SPANS 32 /* at once */
+
+/* The next spans, up to SPANS. Fewer: these were the last. */
+TBX_NOINLINE int tbx_walk_next(tbx_walk *w, tbx_span *out)
+{
+    const int64_t z_last = w->last[2];
+    int n = 0;
+    for (;;) {
+        int64_t first;
+        int64_t last;
+        int64_t y;
+        while (w->y > w->y_last) {
+            if (w->z >= z_last) {
+                return n;
+            }
+            tbx_walk_layer(w);
+        }
+        if (n == TBX_SPANS) {
+            return n;
+        }
+        y = w->y++;
+        first = w->layer_first;
+        last = w->layer_last;
+        if (w->uses[TBX_XY]) {
+            tbx_row *row = &w->row[y % TBX_CACHED];
+            if (row->y != y) {
+                row->y = y;
+                row->first = w->first[0];
+                row->last = w->last[0];
+                tbx_walk_narrow(w, TBX_XY, y, y, 0, &row->first, &row->last);
+            }
+            first = row->first > first ? row->first : first;
+            last = row->last < last ? row->last : last;
+        }
+        if (w->uses[TBX_PLANE] && first <= last) {
+            tbx_walk_narrow(w, TBX_PLANE, y, y, w->z, &first, &last);
+        }
+        if (first <= last) {
+            out[n].first = first;
+            out[n].last = last;
+            out[n].y = y;
+            out[n].z = w->z;
+            n++;
+        }
+    }
+}
+
+TBX_FN void tbx_part_all(tbx_part *part, const tribox_grid *grid)
+{
+    part->first[0] = part->first[1] = 0;
+    part->last[0] = (int64_t)grid->hi[1] - 1 - grid->lo[1];
+    part->last[1] = (int64_t)grid->hi[2] - 1 - grid->lo[2];
+}
+
+/* The spans of one triangle, its corners' kind given. */
+TBX_FN size_t tbx_spans(const tribox_grid *grid, double v[3][3], int kind, tribox_span_fn on_span, void *user)
+{
+    tbx_frame f;
+    tbx_part all;
+    tbx_walk w;
+    tbx_span span[TBX_SPANS];
+    size_t count = 0;
+    int n;
+    if (!tbx_grid_valid(grid)) {
+        return 0;
+    }
+    tbx_frame_init(&f, grid);
+    tbx_part_all(&all, grid);
+    if (!tbx_walk_start(&w, &f, v, kind, &all)) {
+        return 0;
+    }
+    do {
+        int i;
+        n = tbx_walk_next(&w, span);
+        for (i = 0; i < n; i++) {
+            count = tbx_saturating_add(count, (size_t)(span[i].last - span[i].first + 1));
+            if (on_span != NULL) {
+                on_span(user, (int)(grid->lo[0] + span[i].first), (int)(grid->lo[0] + span[i].last),
+                        (int)(grid->lo[1] + span[i].y), (int)(grid->lo[2] + span[i].z));
+            }
+        }
+    } while (n == TBX_SPANS);
+    return count;
+}
+
+TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
+                                       const double v2[3], tribox_span_fn on_span, void *user)
+{
+    double v[3][3];
+    int k;
+    for (k = 0; k < 3; k++) {
+        v[0][k] = v0[k];
+        v[1][k] = v1[k];
+        v[2][k] = v2[k];
+    }
+    return tbx_spans(grid, v, tbx_corners_kind(v), on_span, user);
+}
+
+TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], const float v1[3],
+                                   const float v2[3], tribox_span_fn on_span, void *user)
+{
+    double v[3][3];
+    const int finite = tbx_read_floats(v[0], v0) & tbx_read_floats(v[1], v1) & tbx_read_floats(v[2], v2);
+    return tbx_spans(grid, v, finite ? TBX_ALL_ORDINARY : TBX_NO_POINTS, on_span, user);
+}
+
+/* The spans of all triangles, one after the other. */
+TBX_FN size_t tbx_mesh_spans(const tribox_grid *grid, const tbx_source *source, tribox_mesh_span_fn on_span,
+                             void *user)
+{
+    tbx_frame f;
+    tbx_part all;
+    tbx_walk w;
+    tbx_span span[TBX_SPANS];
+    size_t count = 0;
+    size_t t;
+    if (!tbx_grid_valid(grid)) {
+        return 0;
+    }
+    tbx_frame_init(&f, grid);
+    tbx_part_all(&all, grid);
+    for (t = 0; t < source->triangles; t++) {
+        double v[3][3];
+        int n = tbx_walk_start(&w, &f, v, tbx_source_triangle(source, t, v), &all) ? TBX_SPANS : 0;
+        while (n == TBX_SPANS) {
+            int i;
+            n = tbx_walk_next(&w, span);
+            for (i = 0; i < n; i++) {
+                count = tbx_saturating_add(count, (size_t)(span[i].last - span[i].first + 1));
+                if (on_span != NULL) {
+                    on_span(user, t, (int)(grid->lo[0] + span[i].first), (int)(grid->lo[0] + span[i].last),
+                            (int)(grid->lo[1] + span[i].y), (int)(grid->lo[2] + span[i].z));
+                }
+            }
+        }
+    }
+    return count;
+}
+
+TRIBOX_FN size_t tribox_mesh_spans(const tribox_grid *grid, const tribox_mesh *mesh,
+                                   tribox_mesh_span_fn on_span, void *user)
+{
+    tbx_source source;
+    tbx_source_float(&source, mesh);
+    return tbx_mesh_spans(grid, &source, on_span, user);
+}
+
+TRIBOX_FN size_t tribox_mesh_spans_f64(const tribox_grid *grid, const tribox_mesh_f64 *mesh,
+                                       tribox_mesh_span_fn on_span, void *user)
+{
+    tbx_source source;
+    tbx_source_double(&source, mesh);
+    return tbx_mesh_spans(grid, &source, on_span, user);
+}
+
+TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid)
+{
+    const size_t most = (size_t)-1 / sizeof(uint64_t);
+    size_t words;
+    int k;
+    if (!tbx_grid_valid(grid)) {
+        return 0;
+    }
+    words = (size_t)(((uint64_t)((int64_t)grid->hi[0] - grid->lo[0]) + 63) / 64);
+    for (k = 1; k < 3; k++) {
+        const uint64_t n = (uint64_t)((int64_t)grid->hi[k] - grid->lo[k]);
+        if (n > most / words) {
+            return 0;
+        }
+        words *= (size_t)n;
+    }
+    return words;
+}
+
+/* ---- Fill */
 
 /* The bit array of a fill. */
 typedef struct tbx_target {
     uint64_t *bits;
-    int lo[3]; /* the region's first voxel */
     size_t row_words;
     size_t ny;
 } tbx_target;
@@ -3205,192 +3952,70 @@ TBX_FN void tbx_set_run(const tbx_target *t, uint64_t *row, size_t from, size_t 
     row[last] |= tail;
 }
 
-/* Where spans go: into a bit array, or, counted, to a callback. */
-typedef struct tbx_sink {
-    const tbx_target *target; /* NULL: the callback */
-    tribox_span_fn on_span;
-    void *user;
-    size_t count;
-} tbx_sink;
-
-TBX_FN void tbx_walk_emit(const tbx_walk *w, int64_t lo, int64_t hi, int64_t y, int64_t z, tbx_sink *sink)
+/* Are all voxels of a box of up to 2^3 set? 0 for larger boxes. */
+TBX_FN int tbx_is_set(const tbx_walk *w, const tbx_target *t)
 {
-    const tbx_target *t = sink->target;
-    if (t != NULL) {
-        uint64_t *row =
-            t->bits + ((size_t)(w->base[2] + z - t->lo[2]) * t->ny + (size_t)(w->base[1] + y - t->lo[1])) *
-                          t->row_words;
-        const int64_t start = w->base[0] - t->lo[0];
-        tbx_set_run(t, row, (size_t)(start + lo), (size_t)(start + hi));
-        return;
-    }
-    sink->count = tbx_saturating_add(sink->count, (size_t)(hi - lo + 1));
-    if (sink->on_span != NULL) {
-        sink->on_span(sink->user, (int)(w->base[0] + lo), (int)(w->base[0] + hi), (int)(w->base[1] + y),
-                   (int)(w->base[2] + z));
+    const int64_t x = w->last[0] - w->first[0];
+    const int64_t y = w->last[1] - w->first[1];
+    const int64_t z = w->last[2] - w->first[2];
+    const unsigned at = (unsigned)w->first[0] & 63u;
+    if (((x | y | z) & ~(int64_t)1) != 0 || at + (unsigned)x > 63u) {
+        return 0;
+    } else {
+        const uint64_t run = (uint64_t)(1 + 2 * x) << at;
+        const size_t next_y = y != 0 ? t->row_words : 0;
+        const size_t next_z = z != 0 ? t->row_words * t->ny : 0;
+        const uint64_t *row = t->bits + ((size_t)w->first[2] * t->ny + (size_t)w->first[1]) * t->row_words +
+                              ((size_t)w->first[0] >> 6);
+        return (row[0] & row[next_y] & row[next_z] & row[next_y + next_z] & run) == run;
     }
 }
 
-#define TBX_TILE 64 /* rows y, and layers z, whose bounds are kept at once */
-
-/* The row walk: for a fixed row (y, z) every limit is a bound on x, so the voxels of a row are one
- * span. The xy edges bound x per y, the zx edges x per z, the yz edges y per z; only the plane's
- * two sides depend on both. */
-TBX_FN void tbx_walk_rows(const tbx_walk *w, tbx_sink *sink)
-{
-    int64_t tile_lo[TBX_TILE];
-    int64_t tile_hi[TBX_TILE];
-    int64_t tile = -1; /* the rows that these are of */
-    int64_t index[3];
-    int64_t y;
-    int64_t z;
-    int i;
-    for (z = 0; z < w->count[2]; z++) {
-        int64_t y_lo = 0;
-        int64_t y_hi = w->count[1] - 1;
-        int64_t z_lo = 0;
-        int64_t z_hi = w->count[0] - 1;
-        index[0] = 0;
-        index[1] = 0;
-        index[2] = z;
-        for (i = w->first[1]; i < w->first[2]; i++) {
-            tbx_limit_narrow(w, &w->limit[i], index, &z_lo, &z_hi);
-        }
-        for (i = w->first[2]; i < w->first[3]; i++) {
-            tbx_limit_narrow(w, &w->limit[i], index, &y_lo, &y_hi);
-        }
-        for (y = y_lo; y <= y_hi && z_lo <= z_hi; y++) {
-            const int row = (int)(y % TBX_TILE);
-            int64_t lo;
-            int64_t hi;
-            if (y / TBX_TILE != tile) {
-                int64_t tile_y = y - row;
-                int r;
-                tile = y / TBX_TILE;
-                for (r = 0; r < TBX_TILE && tile_y < w->count[1]; r++, tile_y++) {
-                    tile_lo[r] = 0;
-                    tile_hi[r] = w->count[0] - 1;
-                    index[0] = 0;
-                    index[1] = tile_y;
-                    for (i = w->first[0]; i < w->first[1]; i++) {
-                        tbx_limit_narrow(w, &w->limit[i], index, &tile_lo[r], &tile_hi[r]);
-                    }
-                }
-            }
-            lo = tile_lo[row] > z_lo ? tile_lo[row] : z_lo;
-            hi = tile_hi[row] < z_hi ? tile_hi[row] : z_hi;
-            index[1] = y;
-            for (i = w->first[3]; i < w->first[4] && lo <= hi; i++) {
-                tbx_limit_narrow(w, &w->limit[i], index, &lo, &hi);
-            }
-            if (lo <= hi) {
-                tbx_walk_emit(w, lo, hi, y, z, sink);
-            }
-        }
-    }
-}
-
-#if TRIBOX_SIMD /* section 11.3 */
-TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink);
-#endif
-
-/* All spans of a triangle over a valid grid. */
-TBX_FN void tbx_spans(const tribox_grid *grid, const double v0[3], const double v1[3], const double v2[3],
-                      tbx_sink *sink)
+/* A part of one triangle. */
+TBX_NOINLINE void tbx_fill_triangle(const tbx_frame *f, const tbx_source *source, size_t triangle,
+                                    const tbx_part *part, const tbx_target *target)
 {
     tbx_walk w;
-    if (!tbx_walk_start(&w, grid, v0, v1, v2)) {
-        return;
-    }
-#if TRIBOX_SIMD
-    if (w.count[0] < 1048576 && w.count[1] < 1048576 && w.count[2] < 1048576) {
-        tbx_walk_lanes(&w, sink);
-        return;
-    }
-#endif
-    tbx_walk_rows(&w, sink);
-}
-
-TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
-                                       const double v2[3], tribox_span_fn on_span, void *user)
-{
-    tbx_sink sink;
-    sink.target = NULL;
-    sink.on_span = on_span;
-    sink.user = user;
-    sink.count = 0;
-    if (tbx_grid_valid(grid)) {
-        tbx_spans(grid, v0, v1, v2, &sink);
-    }
-    return sink.count;
-}
-
-TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], const float v1[3],
-                                   const float v2[3], tribox_span_fn on_span, void *user)
-{
+    tbx_span span[TBX_SPANS];
     double v[3][3];
-    int k;
-    for (k = 0; k < 3; k++) {
-        tbx_widen(&v[0][k], v0 + k);
-        tbx_widen(&v[1][k], v1 + k);
-        tbx_widen(&v[2][k], v2 + k);
+    int n;
+    if (!tbx_walk_box(&w, f, v, tbx_source_triangle(source, triangle, v), part) || tbx_is_set(&w, target)) {
+        return;
     }
-    return tribox_grid_spans_f64(grid, v[0], v[1], v[2], on_span, user);
-}
-
-TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid)
-{
-    const size_t most = (size_t)-1 / sizeof(uint64_t);
-    size_t words;
-    int k;
-    if (!tbx_grid_valid(grid)) {
-        return 0;
-    }
-    words = (size_t)(((uint64_t)((int64_t)grid->hi[0] - grid->lo[0]) + 63) / 64);
-    for (k = 1; k < 3; k++) {
-        const uint64_t n = (uint64_t)((int64_t)grid->hi[k] - grid->lo[k]);
-        if (n > most / words) {
-            return 0;
+    tbx_walk_set_out(&w);
+    do {
+        int i;
+        n = tbx_walk_next(&w, span);
+        for (i = 0; i < n; i++) {
+            tbx_set_run(target,
+                        target->bits +
+                            ((size_t)span[i].z * target->ny + (size_t)span[i].y) * target->row_words,
+                        (size_t)span[i].first, (size_t)span[i].last);
         }
-        words *= (size_t)n;
-    }
-    return words;
+    } while (n == TBX_SPANS);
 }
 
-/* Corner c of the mesh's triangle t. */
-TBX_FN const void *tbx_corner(const tribox_mesh *mesh, size_t t, int c)
+/* The power of two at or below x, x positive and normal. */
+TBX_FN double tbx_floor_pow2(double x)
 {
-    const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
-    const size_t at = 3 * t + (size_t)c;
-    return (const char *)mesh->positions + (mesh->indices != NULL ? (size_t)mesh->indices[at] : at) * stride;
+    return tbx_from_bits64(tbx_bits64(&x) & 0x7ff0000000000000u);
 }
 
-TBX_FN void tbx_mesh_corner(const tribox_mesh *mesh, size_t t, int c, double out_v[3])
+/* The multiple of q, a power of two, at or below x; x itself where its own spacing is no finer. */
+TBX_FN double tbx_floor_to(double x, double q)
 {
-    float x[3];
-    int k;
-    TBX_COPY(x, tbx_corner(mesh, t, c), sizeof x);
-    for (k = 0; k < 3; k++) {
-        tbx_widen(&out_v[k], x + k);
+    double units;
+    double whole;
+    if ((tbx_bits64(&x) >> 52 & 0x7ffu) >= (tbx_bits64(&q) >> 52) + 52) {
+        return x;
     }
+    units = x / q;
+    TBX_KEEP_SCALAR(units);
+    whole = (double)(int64_t)units;
+    return (whole > units ? whole - 1.0 : whole) * q;
 }
 
-/* ---- One triangle of few voxels, in double
- *
- * For triangles whose index box has up to FINE voxels on each axis: by rows, as the row walk, but bounds in
- * double decide or nothing does. They are those of "Rows" below, and so are the names; u = 2^-52.
- *
- * Error. Corners, in voxels from the region's minimum corner, are off by D = 8 u (|origin| / size + n + 64),
- * origin being the grid's plus that of the region: a triangle in the region has none more than FINE off it.
- * Edges are off by 3 u of themselves, as differences are exact or rounded once, the slope g by 16 u, 9 of
- * them left for the division, which a distance of m <= FINE + 1 multiplies; M and the sums by 4 u of the
- * region: in all less than 8 D (1 + |g|). An edge along b bounds nothing that the faces do not. Normals are
- * off by 16 u m^2, and sure above four times that; the plane's slopes add (1 + |g_y| + |g_z|) 64 u m^3 /
- * |n_x|. A triangle is a segment in a plane if all its corners are level on an axis, or an edge is a point
- * there. Its edges run to and fro then, and whatever sign the area has, bound it from both sides; the plane
- * says what they say. */
-#define TBX_FINE 64
-
+#if TRIBOX_SIMD /* section 11.4 */
 /* A region, in double. */
 typedef struct tbx_fine {
     double origin[3];
@@ -3422,301 +4047,81 @@ TBX_FN void tbx_fine_init(tbx_fine *f, const tribox_grid *grid)
     }
 }
 
-/* What bounds the voxels of row r: M = at + slope * r, floor(M - half) and floor(M + half). */
-typedef struct tbx_fine_line {
-    double at;
-    double slope;
-    double half;
-    double error;
-    int bounds_lo;
-    int bounds_hi;
-} tbx_fine_line;
-
-TBX_FN void tbx_fine_line_set(tbx_fine_line *l, const tbx_fine *f, double v_b, double v_r, double e_b,
-                              double e_r, double area)
-{
-    const int has = e_r != 0.0;
-    const double slope = has ? e_b / e_r : 0.0;
-    const double steep = tbx_abs(slope);
-    const int below = (area < 0.0) != (e_r < 0.0);
-    l->at = v_b + slope * (0.5 - v_r);
-    l->slope = slope;
-    l->half = 0.5 * (!f->thin ? steep : steep > 1.0 ? steep - 1.0 : 0.0);
-    l->error = 8.0 * f->delta * (1.0 + steep);
-    l->bounds_lo = has && below;
-    l->bounds_hi = has && !below;
-}
-
-TBX_FN int tbx_fine_floor(double x)
-{
-    const double most = 536870912.0; /* 2^29: differences fit, too */
-    const double clamped = x < -most ? -most : x > most ? most : x;
-    const int i = (int)clamped;
-    return (double)i > clamped ? i - 1 : i;
-}
-
-/* Cuts voxels first..last of row r to what is within bounds. Returns 0 if unsure. */
-TBX_FN int tbx_fine_narrow(const tbx_fine_line *l, int r, int *first, int *last)
-{
-    const double middle = l->at + l->slope * (double)r;
-    if (l->bounds_lo) {
-        const int least = tbx_fine_floor(middle - l->half - l->error);
-        const int most = tbx_fine_floor(middle - l->half + l->error);
-        if (least != most && most > *first && least <= *last) {
-            return 0;
-        }
-        *first = most > *first ? most : *first;
-    }
-    if (l->bounds_hi) {
-        const int least = tbx_fine_floor(middle + l->half - l->error);
-        const int most = tbx_fine_floor(middle + l->half + l->error);
-        if (least != most && least < *last && most >= *first) {
-            return 0;
-        }
-        *last = least < *last ? least : *last;
-    }
-    return 1;
-}
-
-/* The lines of a triangle: xy, xz, yz, three edges each, and the plane, whose line is that of layer 0. */
-typedef struct tbx_fine_tri {
-    tbx_fine_line edge[3][3];
-    tbx_fine_line plane;
-    double slope_z;
-} tbx_fine_tri;
-
-/* x: corners in voxels from the region, e: edges, m: the longest. Returns 0 if unsure. */
-TBX_FN int tbx_fine_tri_set(tbx_fine_tri *t, const tbx_fine *f, double x[3][3], double e[3][3], double m)
-{
-    double n[3];
-    int is_flat = 0;
-    int i;
-    int k;
-    for (k = 0; k < 3; k++) {
-        const int b = k < 2 ? k + 1 : 0;
-        const int c = k > 0 ? k - 1 : 2;
-        int flat = (e[0][b] == 0.0 && e[1][b] == 0.0) || (e[0][c] == 0.0 && e[1][c] == 0.0);
-        for (i = 0; i < 3; i++) {
-            flat |= e[i][b] == 0.0 && e[i][c] == 0.0;
-        }
-        n[k] = e[0][b] * e[1][c] - e[0][c] * e[1][b];
-        if (!flat && !(tbx_abs(n[k]) > 64.0 * TBX_U64 * m * m)) {
-            return 0;
-        }
-        is_flat |= flat;
-    }
-    for (i = 0; i < 3; i++) {
-        tbx_fine_line_set(&t->edge[0][i], f, x[i][0], x[i][1], e[i][0], e[i][1], n[2]);
-        tbx_fine_line_set(&t->edge[1][i], f, x[i][0], x[i][2], e[i][0], e[i][2], -n[1]);
-        tbx_fine_line_set(&t->edge[2][i], f, x[i][1], x[i][2], e[i][1], e[i][2], n[0]);
-    }
-    t->plane.bounds_lo = t->plane.bounds_hi = !is_flat;
-    t->plane.at = t->plane.slope = t->plane.half = t->plane.error = t->slope_z = 0.0;
-    if (!is_flat) {
-        const double slope_y = -n[1] / n[0];
-        const double slope_z = -n[2] / n[0];
-        const double steep_y = tbx_abs(slope_y);
-        const double steep_z = tbx_abs(slope_z);
-        const double most = steep_y > steep_z ? steep_y : steep_z;
-        t->plane.at = x[0][0] + slope_y * (0.5 - x[0][1]) + slope_z * (0.5 - x[0][2]);
-        t->plane.slope = slope_y;
-        t->slope_z = slope_z;
-        t->plane.half = 0.5 * (!f->thin ? steep_y + steep_z : most > 1.0 ? most - 1.0 : 0.0);
-        t->plane.error =
-            (1.0 + steep_y + steep_z) * (8.0 * f->delta + 64.0 * TBX_U64 * m * m * m / tbx_abs(n[0]));
-    }
-    return 1;
-}
-
-/* Sets voxels first..last of a row, none if first > last. */
-TBX_FN void tbx_fine_run(const tbx_target *target, int first, int last, int y, int z)
-{
-    if (first <= last) {
-        tbx_set_run(target, target->bits + ((size_t)z * target->ny + (size_t)y) * target->row_words,
-                    (size_t)first, (size_t)last);
-    }
-}
-
-/* Rows y and layers z of a region, first to last. */
-typedef struct tbx_part {
-    int64_t first[2];
-    int64_t last[2];
-} tbx_part;
-
-/* A part of a triangle. Returns 0 if unsure; voxels set by then are right. */
-TBX_NOINLINE int tbx_fine_fill(const tbx_fine *f, const tbx_target *target, double v[3][3],
-                               const tbx_part *part)
-{
-    tbx_fine_tri t;
-    double x[3][3];
-    double e[3][3];
-    double m = 1.0;
-    int first[3];
-    int last[3];
-    int longer = 0; /* axes with more than one voxel */
-    int i;
-    int k;
-    int y;
-    int z;
-    if (!f->on) {
-        return 0;
-    }
-    if (!tbx_corners_finite(v[0], v[1], v[2])) {
-        return 1;
-    }
-    for (i = 0; i < 3; i++) {
-        for (k = 0; k < 3; k++) {
-            x[i][k] = v[i][k] - f->origin[k];
-            e[i][k] = v[i < 2 ? i + 1 : 0][k] - v[i][k];
-        }
-    }
-    TBX_KEEP(x);
-    TBX_KEEP(e);
-    for (k = 0; k < 3; k++) {
-        double least;
-        double most;
-        for (i = 0; i < 3; i++) {
-            x[i][k] *= f->inverse[k];
-            e[i][k] *= f->inverse[k];
-        }
-        least = x[0][k] < x[1][k] ? x[0][k] : x[1][k];
-        least = least < x[2][k] ? least : x[2][k];
-        most = x[0][k] > x[1][k] ? x[0][k] : x[1][k];
-        most = most > x[2][k] ? most : x[2][k];
-        first[k] = tbx_fine_floor(least - f->delta);
-        last[k] = tbx_fine_floor(most + f->delta);
-        if (first[k] != tbx_fine_floor(least + f->delta) || last[k] != tbx_fine_floor(most - f->delta) ||
-            last[k] - first[k] >= TBX_FINE) {
-            return 0;
-        }
-        m = most - least > m ? most - least : m;
-        longer += first[k] < last[k];
-        first[k] = first[k] > 0 ? first[k] : 0;
-        last[k] = last[k] < f->n[k] - 1 ? last[k] : f->n[k] - 1;
-    }
-    for (k = 0; k < 2; k++) {
-        first[k + 1] = first[k + 1] > part->first[k] ? first[k + 1] : (int)part->first[k];
-        last[k + 1] = last[k + 1] < part->last[k] ? last[k + 1] : (int)part->last[k];
-    }
-    if (longer <= 1 && !f->thin) {
-        for (z = first[2]; z <= last[2]; z++) {
-            for (y = first[1]; y <= last[1]; y++) {
-                tbx_fine_run(target, first[0], last[0], y, z);
-            }
-        }
-        return 1;
-    }
-    if (!tbx_fine_tri_set(&t, f, x, e, m)) {
-        return 0;
-    }
-    for (z = first[2]; z <= last[2]; z++) {
-        tbx_fine_line plane = t.plane;
-        int rows[2];
-        int layer[2];
-        plane.at += t.slope_z * (double)z;
-        rows[0] = first[1];
-        rows[1] = last[1];
-        layer[0] = first[0];
-        layer[1] = last[0];
-        for (i = 0; i < 3; i++) {
-            if (!tbx_fine_narrow(&t.edge[2][i], z, &rows[0], &rows[1]) ||
-                !tbx_fine_narrow(&t.edge[1][i], z, &layer[0], &layer[1])) {
-                return 0;
-            }
-        }
-        for (y = rows[0]; y <= rows[1]; y++) {
-            int row[2];
-            row[0] = layer[0];
-            row[1] = layer[1];
-            for (i = 0; i < 3; i++) {
-                if (!tbx_fine_narrow(&t.edge[0][i], y, &row[0], &row[1])) {
-                    return 0;
-                }
-            }
-            if (!tbx_fine_narrow(&plane, y, &row[0], &row[1])) {
-                return 0;
-            }
-            tbx_fine_run(target, row[0], row[1], y, z);
-        }
-    }
-    return 1;
-}
-
-/* A part of one triangle, by the row walk where nothing else is sure. */
 TBX_NOINLINE void tbx_fill_part(const tribox_grid *grid, const tbx_fine *fine, const tribox_mesh *mesh,
                                 size_t triangle, const tbx_part *part, const tbx_target *target)
 {
-    tribox_grid cut = *grid;
-    tbx_sink sink;
-    double v[3][3];
-    int k;
-    for (k = 0; k < 3; k++) {
-        tbx_mesh_corner(mesh, triangle, k, v[k]);
-    }
-    if (tbx_fine_fill(fine, target, v, part)) {
-        return;
-    }
-    for (k = 0; k < 2; k++) {
-        cut.lo[k + 1] = (int)(grid->lo[k + 1] + part->first[k]);
-        cut.hi[k + 1] = (int)(grid->lo[k + 1] + part->last[k] + 1);
-    }
-    sink.target = target;
-    sink.on_span = NULL;
-    sink.user = NULL;
-    sink.count = 0;
-    tbx_spans(&cut, v[0], v[1], v[2], &sink);
+    tbx_frame f;
+    tbx_source source;
+    (void)fine;
+    tbx_frame_init(&f, grid);
+    tbx_source_float(&source, mesh);
+    tbx_fill_triangle(&f, &source, triangle, part, target);
 }
 
-/* The power of two at or below x, x positive and normal. */
-TBX_FN double tbx_floor_pow2(double x)
-{
-    return tbx_from_bits64(tbx_bits64(&x) & 0x7ff0000000000000u);
-}
-
-/* The multiple of q at or below x; x itself where its own spacing is no finer. */
-TBX_FN double tbx_floor_to(double x, double q)
-{
-    const double limit = 4503599627370496.0; /* 2^52 */
-    const double units = x / q;
-    double whole;
-    if (!(units < limit && units > -limit)) {
-        return x;
-    }
-    whole = (double)(int64_t)units;
-    return (whole > units ? whole - 1.0 : whole) * q;
-}
-
-#if TRIBOX_SIMD /* section 11.4 */
 TBX_FN size_t tbx_fill_quick(const tribox_grid *grid, const tbx_fine *fine, const tribox_mesh *mesh,
                              const tbx_target *target);
 #endif
 
-TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
+TBX_FN void tbx_fill_mesh(const tribox_grid *grid, const tbx_source *source, uint64_t *bits)
 {
     tbx_target target;
-    tbx_fine fine;
+    tbx_frame f;
     tbx_part all;
     size_t t = 0;
-    int k;
     if (tribox_grid_words(grid) == 0) {
         return;
     }
     target.bits = bits;
-    for (k = 0; k < 3; k++) {
-        target.lo[k] = grid->lo[k];
-    }
     target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
     target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
-    tbx_fine_init(&fine, grid);
+    tbx_frame_init(&f, grid);
+    tbx_part_all(&all, grid);
 #if TRIBOX_SIMD
-    t = tbx_fill_quick(grid, &fine, mesh, &target);
-#endif
-    for (k = 0; k < 2; k++) {
-        all.first[k] = 0;
-        all.last[k] = (int64_t)grid->hi[k + 1] - 1 - grid->lo[k + 1];
+    if (!source->is_double) {
+        tbx_fine fine;
+        tribox_mesh mesh;
+        mesh.positions = (const float *)(const void *)source->positions;
+        mesh.stride = source->stride;
+        mesh.indices = source->indices;
+        mesh.triangles = source->triangles;
+        tbx_fine_init(&fine, grid);
+        t = tbx_fill_quick(grid, &fine, &mesh, &target);
     }
-    for (; t < mesh->triangles; t++) {
-        tbx_fill_part(grid, &fine, mesh, t, &all, &target);
+#endif
+    for (; t < source->triangles; t++) {
+        tbx_fill_triangle(&f, source, t, &all, &target);
+    }
+}
+
+TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
+{
+    tbx_source source;
+    tbx_source_float(&source, mesh);
+    tbx_fill_mesh(grid, &source, bits);
+}
+
+TRIBOX_FN void tribox_grid_fill_f64(const tribox_grid *grid, const tribox_mesh_f64 *mesh, uint64_t *bits)
+{
+    tbx_source source;
+    tbx_source_double(&source, mesh);
+    tbx_fill_mesh(grid, &source, bits);
+}
+
+/* Corner c of the mesh's triangle t. */
+TBX_FN const void *tbx_corner(const tribox_mesh *mesh, size_t t, int c)
+{
+    const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
+    const size_t at = 3 * t + (size_t)c;
+    return (const char *)mesh->positions + (mesh->indices != NULL ? (size_t)mesh->indices[at] : at) * stride;
+}
+
+TBX_FN void tbx_mesh_corner(const tribox_mesh *mesh, size_t t, int c, double out_v[3])
+{
+    float x[3];
+    int k;
+    TBX_COPY(x, tbx_corner(mesh, t, c), sizeof x);
+    for (k = 0; k < 3; k++) {
+        tbx_widen(&out_v[k], x + k);
     }
 }
 
@@ -4314,6 +4719,8 @@ TRIBOX_FN void tribox_grid_fill_solid_f64(const tribox_grid *grid, const tribox_
     }
 }
 
+/* ---- 9. Get, locate, fit ------------------------------------------------------------------------------- */
+
 TRIBOX_FN int tribox_grid_get(const tribox_grid *grid, const uint64_t *bits, int x, int y, int z)
 {
     size_t row;
@@ -4350,26 +4757,22 @@ TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3],
     return inside;
 }
 
-/* Bounds of the mesh's triangles, those with a NaN or infinite corner left out.
- * Returns 0 if there is none. */
-TBX_FN int tbx_mesh_bounds(const tribox_mesh *mesh, double out_min[3], double out_max[3])
+/* Bounds of the mesh's triangles, those with a NaN or infinite corner left out. Returns 0 if there is none. */
+TBX_FN int tbx_source_bounds(const tbx_source *source, double out_min[3], double out_max[3])
 {
     int any = 0;
     size_t t;
-    for (t = 0; t < mesh->triangles; t++) {
+    for (t = 0; t < source->triangles; t++) {
         double v[3][3];
         int c;
         int k;
-        for (c = 0; c < 3; c++) {
-            tbx_mesh_corner(mesh, t, c, v[c]);
-        }
-        if (!tbx_corners_finite(v[0], v[1], v[2])) {
+        if (tbx_source_triangle(source, t, v) == TBX_NO_POINTS) {
             continue;
         }
         for (c = 0; c < 3; c++) {
             for (k = 0; k < 3; k++) {
-                out_min[k] = any && !(v[c][k] < out_min[k]) ? out_min[k] : v[c][k];
-                out_max[k] = any && !(v[c][k] > out_max[k]) ? out_max[k] : v[c][k];
+                out_min[k] = any ? tbx_min(out_min[k], v[c][k]) : v[c][k];
+                out_max[k] = any ? tbx_max(out_max[k], v[c][k]) : v[c][k];
             }
             any = 1;
         }
@@ -4377,16 +4780,47 @@ TBX_FN int tbx_mesh_bounds(const tribox_mesh *mesh, double out_min[3], double ou
     return any;
 }
 
-/* Voxel size and origin are kept to few bits (24 and 2^-12 of a voxel),
- * which keeps later exact signs short. */
-TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
+/* Voxels of this size along an extent: up to n, so that the conversion is in range. */
+TBX_FN int tbx_fit_cells(double extent, double size, int n)
 {
+    double cells = extent / size * (1.0 + 1.0 / 4096.0 / n) + 1.0;
+    cells = cells < (double)n ? cells : (double)n;
+    TBX_KEEP_SCALAR(cells);
+    return (int)cells;
+}
+
+/* A frame of `size`: origins to 2^-12 of a voxel, in the middle of the mesh. Returns 0 where rounding has left a face of
+ * the mesh on or beyond one of the region's. */
+TBX_FN int tbx_fit_try(tribox_grid *grid, const double t_min[3], const double t_max[3], double longest,
+                       double size, int n)
+{
+    const double q = tbx_floor_pow2(size) * (1.0 / 4096.0);
+    int fits = 1;
+    int k;
+    for (k = 0; k < 3; k++) {
+        const double extent = t_max[k] - t_min[k];
+        const int cells = extent < longest ? tbx_fit_cells(extent, size, n) : n;
+        grid->size[k] = size;
+        grid->hi[k] = cells;
+        grid->origin[k] = tbx_floor_to((t_min[k] * 0.5 + t_max[k] * 0.5) - cells * (size * 0.5), q);
+        fits &=
+            tbx_plane_compare(grid, k, 0, t_min[k]) < 0 && tbx_plane_compare(grid, k, cells, t_max[k]) > 0;
+    }
+    return fits;
+}
+
+/* Voxel size and origin are kept to few bits (24 and 2^-12 of a voxel), which keeps later exact signs short. Sizes are at
+ * least 2^-900. */
+TBX_FN int tbx_fit(tribox_grid *grid, const tbx_source *source, int n)
+{
+    const double least = TBX_POW2(-900);
     double t_min[3];
     double t_max[3];
     double longest = 0.0;
     double size;
     double bump = 0.0; /* doubles, for a mesh that is small beside its coordinates */
-    int fits = 0;
+    int varies = 0;
+    int tries;
     int k;
     grid->flags = 0;
     for (k = 0; k < 3; k++) {
@@ -4395,38 +4829,48 @@ TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
         grid->lo[k] = 0;
         grid->hi[k] = 0;
     }
-    if (n < 1 || !tbx_mesh_bounds(mesh, t_min, t_max)) {
+    if (n < 1 || !tbx_source_bounds(source, t_min, t_max)) {
         return 0;
     }
     for (k = 0; k < 3; k++) {
-        longest = t_max[k] - t_min[k] > longest ? t_max[k] - t_min[k] : longest;
+        const double half = t_max[k] * 0.5 - t_min[k] * 0.5;
+        if (!(half < TBX_POW2(1020))) { /* the extent is no double */
+            return 0;
+        }
+        varies |= tbx_less(&t_min[k], &t_max[k]);
+        longest = 2.0 * half > longest ? t_max[k] - t_min[k] : longest;
     }
-    if (!(longest > 0.0)) {
+    if (!varies) {
         return 0;
     }
     size = longest / n * (1.0 + 1.0 / 512.0 / n);
-    while (!fits) {
-        double q;
-        q = tbx_floor_pow2(size) * (1.0 / 8388608.0); /* 2^-23: 24 bits of size */
+    size = size > least ? size : least;
+    for (tries = 0; tries < 4096;
+         tries++) { /* each doubles the bump: in the end it is larger than any error */
+        const double q = tbx_floor_pow2(size) * (1.0 / 8388608.0); /* 2^-23: 24 bits of size */
         size = tbx_floor_to(size + bump, q) + q;
         bump = 2.0 * bump + q;
-        q = tbx_floor_pow2(size) * (1.0 / 4096.0);
-        fits = 1;
-        for (k = 0; k < 3; k++) {
-            const double extent = t_max[k] - t_min[k];
-            int cells = (int)(extent / size * (1.0 + 1.0 / 4096.0 / n)) + 1;
-            cells = cells < n ? cells : n;
-            cells = extent < longest ? cells : n;
-            grid->size[k] = size;
-            grid->hi[k] = cells;
-            grid->origin[k] = tbx_floor_to((t_min[k] + t_max[k] - cells * size) * 0.5, q);
-            fits &= tbx_plane_compare(grid, k, 0, t_min[k]) < 0 &&
-                    tbx_plane_compare(grid, k, cells, t_max[k]) > 0;
+        if (tbx_fit_try(grid, t_min, t_max, longest, size, n)) {
+            return 1;
         }
     }
-    return 1;
+    grid->hi[0] = 0;
+    return 0;
 }
 
+TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
+{
+    tbx_source source;
+    tbx_source_float(&source, mesh);
+    return tbx_fit(grid, &source, n);
+}
+
+TRIBOX_FN int tribox_grid_fit_f64(tribox_grid *grid, const tribox_mesh_f64 *mesh, int n)
+{
+    tbx_source source;
+    tbx_source_double(&source, mesh);
+    return tbx_fit(grid, &source, n);
+}
 #ifndef TRIBOX_NO_COMPANIONS
 /* ---- 10. Companions ---------------------------------------------------------------------------------------
  *
@@ -6458,218 +6902,6 @@ TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
     }
 }
 #endif
-
-/* ---- 11.3 Rows of one triangle */
-
-/* A limit as four lines at once ask it, alpha*i + (beta*line + rest) >= 0, scaled to at most 1.
- *
- * Bound. alpha, beta and rest are rounded to float (1 u each), two products and two sums add 3 u, the sum of
- * magnitudes being at most 1: 4 u, taken as 8, on top of the limit's own. On a lattice and below 2^23 of its
- * quanta all is exact, and no value is zero. The root's quotient is a guess m, within one of the root: the
- * values at m and at its neighbour towards the other sign must both be certain. A limit too flat along i to
- * have a root takes its value at 0 for the whole line, up to |alpha| * count. */
-typedef struct tbx_lines {
-    double scale;
-    float alpha;
-    float beta;
-    float inverse; /* about -1 / alpha; 0: flat */
-    float step;    /* from the last false index to the first true one */
-    float lo_off;  /* far down if it limits from above */
-    float hi_off;  /* far up if it limits from below */
-    float bound;
-    float room; /* |alpha| - bound, against the value at m */
-} tbx_lines;
-
-#define TBX_FAR 16777216.0f /* 2^24, beyond every index in lanes */
-
-TBX_FN void tbx_lines_init(tbx_lines *q, const tbx_walk *w, const tbx_limit *c, int line_axis)
-{
-    const double terms = tbx_abs(c->a[0]) * (double)w->count[0] + tbx_abs(c->a[1]) * (double)w->count[1] +
-                         tbx_abs(c->a[2]) * (double)w->count[2] + tbx_abs(c->d) + c->bound;
-    const double scale = tbx_from_bits64((uint64_t)(2045 - (tbx_bits64(&terms) >> 52)) << 52);
-    const double along = tbx_abs(c->a[c->axis]) * scale;
-    double bound = 0.0;
-    int flat;
-    if (c->bound > 0.0 || terms > c->quantum * 8388608.0) { /* 2^23 */
-        bound = c->bound * scale + (double)(8.0f * TBX_U32);
-    }
-    flat = along <= 4.0 * bound;
-    q->scale = scale;
-    q->alpha = flat ? 0.0f : (float)(c->a[c->axis] * scale);
-    q->beta = (float)(c->a[line_axis] * scale);
-    q->inverse = flat ? 0.0f : -1.0f / q->alpha;
-    q->step = flat ? TBX_FAR : c->sign > 0 ? 1.0f : -1.0f;
-    q->lo_off = flat || c->sign > 0 ? 0.0f : -TBX_FAR;
-    q->hi_off = flat || c->sign > 0 ? TBX_FAR : 0.0f;
-    bound = (bound + (flat ? along * (double)w->count[c->axis] : 0.0)) * 1.0001;
-    q->bound = (float)bound;
-    q->room = flat ? TBX_FAR : (float)(along - bound);
-}
-
-/* Narrows four lines. Returns the lanes in which the limit is not certain. */
-TBX_FN tbx_i4 tbx_lines_narrow(const tbx_lines *q, tbx_f4 line, float rest, tbx_f4 count, tbx_f4 *lo,
-                               tbx_f4 *hi)
-{
-    const tbx_f4 at_0 = tbx_splat(q->beta) * line + tbx_splat(rest);
-    const tbx_f4 root = at_0 * tbx_splat(q->inverse);
-    const tbx_f4 inside = tbx_min4(tbx_max4(root, tbx_splat(-1.0f)), count);
-    const tbx_f4 m = tbx_truncate(inside);
-    const tbx_f4 value = tbx_splat(q->alpha) * m + at_0;
-    const tbx_f4 size = tbx_abs4(value);
-    const tbx_i4 is_false = value < tbx_splat(0.0f);
-    const tbx_f4 edge = m + (tbx_f4)(is_false & (tbx_i4)tbx_splat(q->step));
-    *lo = tbx_max4(*lo, edge + tbx_splat(q->lo_off));
-    *hi = tbx_min4(*hi, edge + tbx_splat(q->hi_off));
-    return (size < tbx_splat(q->bound)) | ((size > tbx_splat(q->room)) & (root == inside));
-}
-
-/* Bounds lo[i]..hi[i] of the lines of one tile; empty where lo > hi. */
-typedef struct tbx_bounds {
-    float lo[TBX_TILE];
-    float hi[TBX_TILE];
-} tbx_bounds;
-
-/* One line's bounds, narrowed by a group of limits one by one: what the lanes leave open. */
-TBX_NOINLINE void tbx_line_exact(const tbx_walk *w, int group, int64_t index[3], float *lo, float *hi)
-{
-    int64_t first = (int64_t)*lo;
-    int64_t last = (int64_t)*hi;
-    int i;
-    for (i = w->first[group]; i < w->first[group + 1] && first <= last; i++) {
-        tbx_limit_narrow(w, &w->limit[i], index, &first, &last);
-    }
-    *lo = (float)first;
-    *hi = (float)last;
-}
-
-/* Bounds along `axis` of the tile of lines that starts at `start`, counted by line_axis,
- * by the edges of a group. */
-TBX_FN void tbx_tile_bounds(const tbx_walk *w, const tbx_lines *row_lines, int group, int axis, int line_axis,
-                            int64_t start, tbx_bounds *out)
-{
-    const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
-    const tbx_f4 count = tbx_splat((float)w->count[axis]);
-    const float last = (float)(w->count[axis] - 1);
-    int j;
-    for (j = 0; j < TBX_TILE && start + j < w->count[line_axis]; j += 4) {
-        const tbx_f4 line = tbx_splat((float)(start + j)) + four;
-        tbx_f4 lo = tbx_splat(0.0f);
-        tbx_f4 hi = tbx_splat(last);
-        tbx_i4 doubt = tbx_splat_int(0);
-        int doubts;
-        int i;
-        for (i = w->first[group]; i < w->first[group + 1]; i++) {
-            const float rest = (float)(w->limit[i].d * row_lines[i].scale);
-            doubt |= tbx_lines_narrow(&row_lines[i], line, rest, count, &lo, &hi);
-        }
-        TBX_COPY(out->lo + j, &lo, sizeof lo);
-        TBX_COPY(out->hi + j, &hi, sizeof hi);
-        doubts = tbx_signs(doubt);
-        for (i = j; doubts != 0; i++, doubts >>= 1) {
-            if ((doubts & 1) != 0) {
-                int64_t index[3] = { 0, 0, 0 };
-                index[line_axis] = start + i;
-                out->lo[i] = 0.0f;
-                out->hi[i] = last;
-                tbx_line_exact(w, group, index, &out->lo[i], &out->hi[i]);
-            }
-        }
-    }
-}
-
-/* The row walk, four rows at a time. Floats hold every index: counts are below 2^20. */
-TBX_FN void tbx_walk_lanes(const tbx_walk *w, tbx_sink *sink)
-{
-    const tbx_f4 four = { 0.0f, 1.0f, 2.0f, 3.0f };
-    const tbx_f4 count = tbx_splat((float)w->count[0]);
-    tbx_lines row_lines[11];
-    tbx_bounds x_of_y;
-    tbx_bounds x_of_z;
-    tbx_bounds y_of_z;
-    const tbx_target *t = sink->target;
-    const size_t start_x = t != NULL ? (size_t)(w->base[0] - t->lo[0]) : 0;
-    int64_t y_start = -1; /* the tiles that these are of */
-    int64_t z;
-    int i;
-    for (i = 0; i < w->limits; i++) {
-        tbx_lines_init(&row_lines[i], w, &w->limit[i], i >= w->first[1] && i < w->first[3] ? 2 : 1);
-    }
-    for (z = 0; z < w->count[2]; z++) {
-        const int layer = (int)(z % TBX_TILE);
-        const size_t layer_words = t != NULL ? (size_t)(w->base[2] + z - t->lo[2]) * t->ny * t->row_words : 0;
-        float rest[2] = { 0.0f, 0.0f };
-        int64_t y;
-        int64_t y_end;
-        if (layer == 0) {
-            tbx_tile_bounds(w, row_lines, 1, 0, 2, z, &x_of_z);
-            tbx_tile_bounds(w, row_lines, 2, 1, 2, z, &y_of_z);
-        }
-        if (!(x_of_z.lo[layer] <= x_of_z.hi[layer])) {
-            continue;
-        }
-        for (i = w->first[3]; i < w->first[4]; i++) {
-            rest[i - w->first[3]] = (float)((w->limit[i].a[2] * (double)z + w->limit[i].d) * row_lines[i].scale);
-        }
-        y_end = (int64_t)y_of_z.hi[layer];
-        for (y = (int64_t)y_of_z.lo[layer] & ~(int64_t)3; y <= y_end; y += 4) {
-            const int row = (int)(y % TBX_TILE);
-            const tbx_f4 line = tbx_splat((float)y) + four;
-            const tbx_i4 outside =
-                (line < tbx_splat(y_of_z.lo[layer])) | (line > tbx_splat(y_of_z.hi[layer]));
-            tbx_i4 doubt = tbx_splat_int(0);
-            tbx_f4 lo;
-            tbx_f4 hi;
-            tbx_f4 lo_edges;
-            tbx_f4 hi_edges;
-            float x_lo[4];
-            float x_hi[4];
-            uint64_t *row_bits = NULL;
-            int doubts;
-            int rows;
-            if (y - row != y_start) {
-                y_start = y - row;
-                tbx_tile_bounds(w, row_lines, 0, 0, 1, y_start, &x_of_y);
-            }
-            lo_edges = tbx_max4(tbx_load4(x_of_y.lo + row), tbx_splat(x_of_z.lo[layer]));
-            hi_edges = tbx_min4(tbx_load4(x_of_y.hi + row), tbx_splat(x_of_z.hi[layer]));
-            lo = lo_edges;
-            hi = hi_edges;
-            for (i = w->first[3]; i < w->first[4]; i++) {
-                doubt |= tbx_lines_narrow(&row_lines[i], line, rest[i - w->first[3]], count, &lo, &hi);
-            }
-            TBX_COPY(x_lo, &lo, sizeof lo);
-            TBX_COPY(x_hi, &hi, sizeof hi);
-            doubts = tbx_signs(doubt & ~(outside | (lo_edges > hi_edges)));
-            rows = tbx_signs(~(outside | (lo > hi))) | doubts;
-            if (t != NULL) {
-                row_bits = t->bits + layer_words + (size_t)(w->base[1] + y - t->lo[1]) * t->row_words;
-            }
-            for (i = 0; rows != 0; i++, rows >>= 1) {
-                if ((rows & 1) == 0) {
-                    continue;
-                }
-                if (((doubts >> i) & 1) != 0) {
-                    int64_t index[3];
-                    index[0] = 0;
-                    index[1] = y + i;
-                    index[2] = z;
-                    x_lo[i] = lo_edges[i];
-                    x_hi[i] = hi_edges[i];
-                    tbx_line_exact(w, 3, index, &x_lo[i], &x_hi[i]);
-                    if (x_lo[i] > x_hi[i]) {
-                        continue;
-                    }
-                }
-                if (t != NULL) {
-                    tbx_set_run(t, row_bits + (size_t)i * t->row_words, start_x + (size_t)(int32_t)x_lo[i],
-                                start_x + (size_t)(int32_t)x_hi[i]);
-                } else {
-                    tbx_walk_emit(w, (int64_t)x_lo[i], (int64_t)x_hi[i], y + i, z, sink);
-                }
-            }
-        }
-    }
-}
 
 /* ---- 11.4 Fill */
 
@@ -8885,16 +9117,10 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
 #undef TBX_JOIN
 #undef TBX_PAIR
 #undef TBX_KEY32_MAX
-#undef TBX_TILE
-#undef TBX_FAR
 #undef TBX_SIGN_BIT
 #undef TBX_FORCED
 #undef TBX_QUERY
-#undef TBX_DWORDS
-#undef TBX_FIRST
-#undef TBX_SECOND
 #undef TBX_MARGIN
-#undef TBX_FINE
 #undef TBX_PARTS
 #undef TBX_PARTS_LOG2
 #undef TBX_ON_LATTICE
@@ -8907,6 +9133,20 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
 #undef TBX_ALL
 #undef TBX_MOST_INDEX
 #undef TBX_BATCH
+#undef TBX_CACHED
+#undef TBX_COORDINATE_ERROR
+#undef TBX_LINE_ERROR
+#undef TBX_MOST_ERROR
+#undef TBX_MOST_SLOPE
+#undef TBX_NORMAL_ERROR
+#undef TBX_ORDINARY
+#undef TBX_PLACES
+#undef TBX_PLACES_LOG2
+#undef TBX_PLANE_ERROR
+#undef TBX_SPANS
+#undef TBX_NOWHERE
+#undef TBX_ROWS
+#undef TBX_WIDE
 #undef TBX_SOLID_FILTER
 #undef TBX_SOLID_TINY
 #undef TBX_CROSS_EDGE_ERROR
