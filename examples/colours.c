@@ -108,12 +108,16 @@ static void report(const painter *p, FILE *file) {
 
 int main(int argc, char **argv) {
     char error[MESH_ERROR] = "usage: colours [mesh] [resolution from 1 to 512] [file.ply]";
+    int asked;
     int resolution = 64;
     FILE *file = NULL;
     painter p;
     mesh m;
     size_t cells;
     size_t i;
+    if ((asked = program_arguments("colours", error, &argc, argv)) >= 0) {
+        return asked;
+    }
     if (argc > 4 || (argc > 2 && !program_int(argv[2], 1, 512, &resolution)) ||
         !program_mesh(&m, argc > 1 ? argv[1] : "teapot", error)) {
         return program_fails("colours", error);

@@ -104,11 +104,15 @@ static void split(builder *k, const box *node, const uint32_t *candidates, size_
 
 int main(int argc, char **argv) {
     char error[MESH_ERROR] = "usage: kdtree [mesh] [triangles a leaf, from 1 to 10000]";
+    int asked;
     int leaf_size = 8;
     uint32_t *all;
     size_t t;
     mesh m;
     int clips;
+    if ((asked = program_arguments("kdtree", error, &argc, argv)) >= 0) {
+        return asked;
+    }
     if (argc > 3 || (argc > 2 && !program_int(argv[2], 1, 10000, &leaf_size)) ||
         !program_mesh(&m, argc > 1 ? argv[1] : "teapot", error)) {
         return program_fails("kdtree", error);

@@ -139,7 +139,8 @@ static int save(const octree *tree, FILE *file) {
 
 int main(int argc, char **argv) {
     char error[MESH_ERROR] = "usage: octree [mesh] [depth from 1 to 16] [file]";
-    double start = program_cpu_seconds();
+    int asked;
+    double start = progress_seconds();
     static octree tree;
     tribox_grid grid;
     tribox_mesh view;
@@ -148,6 +149,9 @@ int main(int argc, char **argv) {
     FILE *file;
     int a;
     tree.depth = 9;
+    if ((asked = program_arguments("octree", error, &argc, argv)) >= 0) {
+        return asked;
+    }
     if (argc > 4 || (argc > 2 && !program_int(argv[2], 1, MOST_LEVELS, &tree.depth)) ||
         !program_mesh(&m, argc > 1 ? argv[1] : "teapot", error)) {
         return program_fails("octree", error);
@@ -174,7 +178,7 @@ int main(int argc, char **argv) {
     if ((argc > 3 && !file) || !save(&tree, file)) {
         return program_fails("octree", "cannot write the file, or out of memory");
     }
-    printf("saved as %lu bytes, in %.2f s\n", (unsigned long)tree.count, program_cpu_seconds() - start);
+    printf("saved as %lu bytes, in %.2f s\n", (unsigned long)tree.count, progress_seconds() - start);
     if (file && fclose(file) != 0) {
         return program_fails("octree", "cannot write the file");
     }

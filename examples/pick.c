@@ -86,6 +86,7 @@ static size_t pick(scene *s, const float origin[3], const float dir[3], float *o
 int main(int argc, char **argv) {
     static const char letters[] = "@%#*+=-:.";
     char error[MESH_ERROR] = "usage: pick [mesh] [columns from 8 to 400]";
+    int asked;
     int columns = 76;
     double longest = 0;
     double middle[3];
@@ -96,6 +97,9 @@ int main(int argc, char **argv) {
     int x;
     int y;
     int a;
+    if ((asked = program_arguments("pick", error, &argc, argv)) >= 0) {
+        return asked;
+    }
     if (argc > 3 || (argc > 2 && !program_int(argv[2], 8, 400, &columns)) ||
         !program_mesh(&m, argc > 1 ? argv[1] : "teapot", error)) {
         return program_fails("pick", error);

@@ -1,11 +1,10 @@
-/* program.h - what the example programs share: numbers from the command line, the mesh argument, the rule
-   options */
+/* program.h - what the example programs share: the command line, the mesh argument, the rule options */
 #ifndef EXAMPLES_PROGRAM_H
 #define EXAMPLES_PROGRAM_H
+#include "progress.h"
 #include "teapot.h"
 
 #include <limits.h>
-#include <time.h>
 
 #define PROGRAM_MESHES \
     "an OBJ, STL, PLY, OFF or glTF file, \"-\" for the standard input, or built in:\n" \
@@ -63,7 +62,15 @@ static inline const char *program_rule_name(unsigned flags) {
 
 static inline int program_mesh(mesh *out, const char *name, char *error) {
     int closed = strcmp(name, "teapot-closed") == 0;
-    int ok = closed || strcmp(name, "teapot") == 0 ? teapot_make(out, 24, closed, error) : mesh_read(out, name, error);
+    int ok;
+    if (progress_on_terminal()) {
+        fprintf(stderr, "  reading %.60s\r", name);
+        fflush(stderr);
+    }
+    ok = closed || strcmp(name, "teapot") == 0 ? teapot_make(out, 24, closed, error) : mesh_read(out, name, error);
+    if (progress_on_terminal()) {
+        fprintf(stderr, "%70s\r", "");
+    }
     if (ok && out->warnings > 0) {
         fprintf(stderr, "warning: %s\n", out->warning);
     }
@@ -93,8 +100,46 @@ static inline int program_fails(const char *program, const char *error) {
     return 2;
 }
 
-static inline double program_cpu_seconds(void) {
-    return (double)clock() / CLOCKS_PER_SEC;
+/* --help, -h and --version. Returns 1 if the argument was one of these, and has been answered. */
+static inline int program_answers(const char *argument, const char *name, const char *usage) {
+    if (strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0) {
+        printf("%s%s", usage, usage[0] && usage[strlen(usage) - 1] == '\n' ? "" : "\n");
+        return 1;
+    }
+    if (strcmp(argument, "--version") == 0) {
+        printf("%s, tribox.h %s\n", name, TRIBOX_VERSION_STRING);
+        return 1;
+    }
+    return 0;
+}
+
+/* For programs without options of their own: answers --help, -h and --version, refuses all else that begins with "-",
+ * and takes "--" away, behind which everything is a name.
+ *
+ * Returns the exit status, or -1 to go on.
+ */
+static inline int program_arguments(const char *name, const char *usage, int *argc, char **argv) {
+    char error[MESH_ERROR];
+    int kept = 1;
+    int names = 0;
+    int i;
+    for (i = 1; i < *argc; i++) {
+        if (!names && program_answers(argv[i], name, usage)) {
+            return 0;
+        }
+        if (!names && strcmp(argv[i], "--") == 0) {
+            names = 1;
+            continue;
+        }
+        if (!names && argv[i][0] == '-' && argv[i][1] != 0) {
+            snprintf(error, sizeof error, "unknown option '%.100s'; %.300s", argv[i], usage);
+            return program_fails(name, error);
+        }
+        argv[kept] = argv[i];
+        kept += 1;
+    }
+    *argc = kept;
+    return -1;
 }
 
 #endif /* EXAMPLES_PROGRAM_H */

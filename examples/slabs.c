@@ -362,14 +362,17 @@ static int compare(const tribox_grid *grid, const tribox_mesh *m, int threads, c
 
 int main(int argc, char **argv) {
     char error[MESH_ERROR] = "usage: slabs [mesh] [resolution from 1 to 65536] [threads from 1 to 256]";
+    int asked;
     int resolution = 512;
     int threads = 2;
     int status = 2;
     tribox_grid grid;
     tribox_mesh view;
     mesh m;
-    if (argc > 4 || (argc > 1 && strcmp(argv[1], "--help") == 0)
-        || (argc > 2 && !program_int(argv[2], 1, 65536, &resolution))
+    if ((asked = program_arguments("slabs", error, &argc, argv)) >= 0) {
+        return asked;
+    }
+    if (argc > 4 || (argc > 2 && !program_int(argv[2], 1, 65536, &resolution))
         || (argc > 3 && !program_int(argv[3], 1, MAX_THREADS, &threads))) {
         return program_fails("slabs", error);
     }

@@ -125,6 +125,7 @@ static void place_on_top(mover *m, float half) {
 
 int main(int argc, char **argv) {
     char error[MESH_ERROR] = "usage: slide [mesh] [steps from 1 to 100000]";
+    int asked;
     const float pull[3] = {64 * UNIT, 80 * UNIT, -72 * UNIT};
     int steps = 240;
     int inside = 0;
@@ -132,6 +133,9 @@ int main(int argc, char **argv) {
     mesh loaded;
     size_t i;
     int step;
+    if ((asked = program_arguments("slide", error, &argc, argv)) >= 0) {
+        return asked;
+    }
     if (argc > 3 || (argc > 2 && !program_int(argv[2], 1, 100000, &steps)) ||
         !program_mesh(&loaded, argc > 1 ? argv[1] : "teapot", error)) {
         return program_fails("slide", error);

@@ -115,7 +115,7 @@ static int voxelize(const tribox_grid *grid, const tribox_mesh *m, char *error) 
     const int *lo = grid->lo;
     const int *hi = grid->hi;
     brick_set set = {NULL, 0, 0, NULL, {0, 0, 0}, 0};
-    double start = program_cpu_seconds();
+    double start = progress_seconds();
     double emitted = 0;
     double voxels;
     double dense = (double)((hi[0] - lo[0] + 63) / 64) * 8 * (hi[1] - lo[1]) * (hi[2] - lo[2]);
@@ -135,7 +135,7 @@ static int voxelize(const tribox_grid *grid, const tribox_mesh *m, char *error) 
     }
     voxels = count_voxels(&set);
     printf("spans     %.0f voxels of %lu triangles in %.2f s\n", emitted, (unsigned long)m->triangles,
-           program_cpu_seconds() - start);
+           progress_seconds() - start);
     printf("set       %.0f different voxels in %lu bricks of 8x8x8, %.0f voxels a brick\n", voxels,
            (unsigned long)set.used, set.used ? voxels / (double)set.used : 0);
     printf("memory    %.1f MB, 1/%.0f of the array\n", (double)set.size * sizeof(brick) * 1e-6,
@@ -146,13 +146,16 @@ static int voxelize(const tribox_grid *grid, const tribox_mesh *m, char *error) 
 
 int main(int argc, char **argv) {
     char error[MESH_ERROR] = "usage: sparse [mesh] [resolution from 1 to 1000000]";
+    int asked;
     int resolution = 4096;
     tribox_grid grid;
     tribox_mesh view;
     mesh m;
     int ok;
-    if (argc > 3 || (argc > 1 && strcmp(argv[1], "--help") == 0)
-        || (argc > 2 && !program_int(argv[2], 1, 1000000, &resolution))) {
+    if ((asked = program_arguments("sparse", error, &argc, argv)) >= 0) {
+        return asked;
+    }
+    if (argc > 3 || (argc > 2 && !program_int(argv[2], 1, 1000000, &resolution))) {
         return program_fails("sparse", error);
     }
     if (!program_mesh(&m, argc > 1 ? argv[1] : "teapot", error)) {

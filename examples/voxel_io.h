@@ -1,7 +1,8 @@
-/* voxel_io.h - voxels to and from files: binvox (both ways), MagicaVoxel .vox, and .obj of the exposed faces
+/* voxel_io.h - voxels to and from files: binvox (both ways), MagicaVoxel .vox, NumPy .npy, .nrrd, VTK .vti, and .obj
+ * or .stl of the exposed faces
  *
  * The voxels are the bits of tribox_grid_fill over a tribox_grid. Each writer returns 1, or 0 with a
- * sentence in `error`.
+ * sentence in `error`. A file appears under its name when it is complete, and not before.
  */
 #ifndef EXAMPLES_VOXEL_IO_H
 #define EXAMPLES_VOXEL_IO_H
@@ -111,20 +112,77 @@ static inline int voxels_fail(const char *path, const char *what, char *error) {
     return 0;
 }
 
+/* A name beside the target for what is being written. Returns 0 if the target is no file to be replaced: "-" is the
+   standard output, and a device takes what comes. */
+static inline int voxels_part(const char *path, char *out, size_t room) {
+    int used = snprintf(out, room, "%s.part", path);
+    return used > 0 && (size_t)used < room && strcmp(path, "-") != 0 && strncmp(path, "/dev/", 5) != 0;
+}
+
 static inline FILE *voxels_create(const char *path, char *error) {
-    FILE *file = fopen(path, "wb");
+    char part[4096];
+    FILE *file;
+    errno = 0;
+    if (strcmp(path, "-") == 0) {
+#if defined(_WIN32)
+        _setmode(_fileno(stdout), _O_BINARY);
+#endif
+        return stdout;
+    }
+    file = fopen(voxels_part(path, part, sizeof part) ? part : path, "wb");
     if (!file) {
-        voxels_fail(path, strerror(errno), error);
+        voxels_fail(path, errno ? strerror(errno) : "cannot be written", error);
     }
     return file;
 }
 
-/* A full disk shows at the latest when the file is closed. */
+/* A full disk shows at the latest when the file is closed. Then, and only then, it gets its name. */
 static inline int voxels_close(FILE *file, const char *path, char *error) {
-    int bad = ferror(file);
-    if (fclose(file) != 0 || bad) {
-        return voxels_fail(path, errno ? strerror(errno) : "write error", error);
+    char part[4096];
+    int replace = voxels_part(path, part, sizeof part);
+    int bad = fflush(file) != 0 || ferror(file);
+    int cause = errno;
+    bad = (file == stdout ? 0 : fclose(file) != 0) || bad;
+    if (bad) {
+        cause = cause ? cause : errno;
+        if (replace) {
+            remove(part);
+        }
+        return voxels_fail(path, cause ? strerror(cause) : "write error", error);
     }
+#if defined(_WIN32)
+    remove(path);       /* rename does not replace there */
+#endif
+    if (replace && rename(part, path) != 0) {
+        cause = errno;
+        remove(part);
+        return voxels_fail(path, strerror(cause), error);
+    }
+    return 1;
+}
+
+/* Can the file be written? Asked before any work: a folder that is not there, or may not be written. */
+static inline int voxels_check(const char *path, char *error) {
+    char part[4096];
+    FILE *file;
+    if (!voxels_part(path, part, sizeof part)) {
+        return 1;
+    }
+    file = fopen(path, "rb");       /* a folder can be opened, but not read */
+    if (file) {
+        int is_folder = fgetc(file) == EOF && ferror(file);
+        fclose(file);
+        if (is_folder) {
+            return voxels_fail(path, "this is a folder", error);
+        }
+    }
+    errno = 0;
+    file = fopen(part, "wb");
+    if (!file) {
+        return voxels_fail(path, errno ? strerror(errno) : "cannot be written", error);
+    }
+    fclose(file);
+    remove(part);
     return 1;
 }
 
@@ -336,12 +394,15 @@ static inline int binvox_read(const char *path, voxels *out, char *error) {
 
 /* ---- 4. MagicaVoxel .vox --------------------------------------------------------------------- */
 
-/* Of the largest model. Bigger grids become several models, placed by a scene graph. */
-enum { VOX_SIDE = 256 };
+/* Of the largest model. Bigger grids become several models, placed by a scene graph: all of even size, so that
+ * readers that centre a model by half its size, and those that round that down, agree. Places beyond VOX_FAR are
+ * not shown by MagicaVoxel. */
+enum { VOX_SIDE = 256, VOX_FAR = 1000 };
 
 typedef struct vox_model {
     size_t lo[3];               /* upright */
     size_t n[3];
+    size_t room[3];             /* its size in the file */
     size_t count;
 } vox_model;
 
@@ -427,6 +488,10 @@ static inline int vox_cut(vox_file *f) {
         for (a = 0; a < 3; a++) {
             size_t rest = f->n[a] - model->lo[a];
             model->n[a] = rest < VOX_SIDE ? rest : VOX_SIDE;
+            model->room[a] = model->n[a];
+            if (parts[0] * parts[1] * parts[2] > 1) {
+                model->room[a] += model->n[a] % 2;      /* one layer stays empty */
+            }
         }
         model->count = vox_visit(f, model, NULL);
         f->model_count += model->count > 0 ? 1 : 0;
@@ -434,12 +499,19 @@ static inline int vox_cut(vox_file *f) {
     return f->models != NULL;
 }
 
-/* A model's place is that of its middle, rounded down; the whole stands centred on the ground. */
+/* Does a part of the scene lie where it is not shown? The height counts if it stands on the ground. */
+static inline int vox_is_far(const vox_file *f) {
+    return f->n[0] / 2 > VOX_FAR || f->n[1] / 2 > VOX_FAR || f->n[2] > VOX_FAR;
+}
+
+/* A model's place is that of its middle; the whole stands centred on the ground, or if it is higher than VOX_FAR
+   around 0. */
 static inline int vox_place(const vox_file *f, const vox_model *model, char text[64]) {
     long at[3];
     int a;
     for (a = 0; a < 3; a++) {
-        at[a] = (long)(model->lo[a] + model->n[a] / 2) - (a < 2 ? (long)(f->n[a] / 2) : 0);
+        int centred = a < 2 || f->n[2] > VOX_FAR;
+        at[a] = (long)(model->lo[a] + model->room[a] / 2) - (centred ? (long)(f->n[a] / 2) : 0);
     }
     return snprintf(text, 64, "%ld %ld %ld", at[0], at[1], at[2]);
 }
@@ -504,11 +576,17 @@ static inline void vox_palette(FILE *file) {
 }
 
 static inline double vox_bytes(const vox_file *f) {
-    double bytes = 12 + 1024 + 12 + 28 + 12 + 12;
+    double bytes = 12 + 1024;
     char place[64];
     size_t i;
+    if (f->model_count > 1) {
+        bytes += 12 + 28 + 12 + 12;
+    }
     for (i = 0; i < f->model_count; i++) {
         bytes += 12 + 12 + 12 + 4 + 4 * (double)f->models[i].count;
+        if (f->model_count == 1) {
+            break;
+        }
         bytes += 4 + 12 + 28 + 10 + vox_place(f, &f->models[i], place) + 12 + 20;
     }
     return bytes;
@@ -530,14 +608,16 @@ static inline int vox_write_models(vox_file *f, const char *path, char *error) {
     for (i = 0; i < f->model_count; i++) {
         const vox_model *model = &f->models[i];
         vox_chunk(f->file, "SIZE", 12, 0);
-        vox_int(f->file, model->n[0]);
-        vox_int(f->file, model->n[1]);
-        vox_int(f->file, model->n[2]);
+        vox_int(f->file, model->room[0]);
+        vox_int(f->file, model->room[1]);
+        vox_int(f->file, model->room[2]);
         vox_chunk(f->file, "XYZI", 4 + 4 * model->count, 0);
         vox_int(f->file, model->count);
         vox_visit(f, model, f->file);
     }
-    vox_scene(f);
+    if (f->model_count > 1) {       /* one model needs no scene */
+        vox_scene(f);
+    }
     vox_palette(f->file);
     return voxels_close(f->file, path, error);
 }
@@ -548,7 +628,12 @@ static inline int vox_write(const char *path, const voxels *v, upright turn, cha
     memset(&f, 0, sizeof f);
     f.v = v;
     f.turn = turn;
-    ok = vox_cut(&f) ? vox_write_models(&f, path, error) : voxels_fail(path, "out of memory", error);
+    ok = vox_cut(&f);
+    if (ok && vox_is_far(&f)) {
+        fprintf(stderr, "warning: %.200s: the scene reaches beyond %d voxels from its middle, where MagicaVoxel shows "
+                        "nothing; it is placed around 0\n", path, VOX_FAR);
+    }
+    ok = ok ? vox_write_models(&f, path, error) : voxels_fail(path, "out of memory", error);
     free(f.models);
     return ok;
 }
@@ -652,6 +737,169 @@ static inline int faces_write(const char *path, const voxels *v, char *error) {
     }
     free(numbers);
     return f.file ? voxels_close(f.file, path, error) : 0;
+}
+
+/* ---- 6. STL of the exposed faces --------------------------------------------------------------- */
+
+static inline void stl_u32(FILE *file, uint32_t value) {
+    int i;
+    for (i = 0; i < 4; i++) {
+        fputc((int)(value >> (8 * i) & 255), file);
+    }
+}
+
+static inline void stl_corner(FILE *file, const voxels *v, const size_t at[3]) {
+    int a;
+    for (a = 0; a < 3; a++) {
+        float x = (float)voxels_border(v, a, at[a]);
+        uint32_t bits;
+        memcpy(&bits, &x, sizeof bits);
+        stl_u32(file, bits);
+    }
+}
+
+/* The face of a voxel on the given side of axis a, as two triangles, counterclockwise from outside. */
+static inline void stl_quad(FILE *file, const voxels *v, const size_t voxel[3], int a, int side) {
+    static const int walk[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+    int i;
+    int k;
+    for (i = 0; i < 6; i++) {
+        size_t at[3];
+        for (k = 0; i % 3 == 0 && k < 3; k++) {
+            stl_u32(file, k == a ? (side ? 0x3f800000u : 0xbf800000u) : 0);
+        }
+        at[a] = voxel[a] + (size_t)side;
+        at[(a + 1) % 3] = voxel[(a + 1) % 3] + (size_t)walk[i][side ? 0 : 1];
+        at[(a + 2) % 3] = voxel[(a + 2) % 3] + (size_t)walk[i][side ? 1 : 0];
+        stl_corner(file, v, at);
+        if (i % 3 == 2) {
+            fputc(0, file);
+            fputc(0, file);
+        }
+    }
+}
+
+/* Writes the exposed faces where `file` is not NULL. Returns how many there are. */
+static inline size_t stl_walk(FILE *file, const voxels *v) {
+    size_t at[3];
+    size_t count = 0;
+    int a;
+    int side;
+    for (at[2] = 0; at[2] < v->n[2]; at[2]++) {
+        for (at[1] = 0; at[1] < v->n[1]; at[1]++) {
+            for (at[0] = 0; at[0] < v->n[0]; at[0]++) {
+                if (!voxels_get(v, at[0], at[1], at[2])) {
+                    continue;
+                }
+                for (a = 0; a < 3; a++) {
+                    for (side = 0; side < 2; side++) {
+                        size_t next[3];
+                        memcpy(next, at, sizeof next);
+                        next[a] = side ? at[a] + 1 : at[a] - 1;
+                        if (!voxels_get(v, next[0], next[1], next[2])) {
+                            count += 1;
+                            if (file) {
+                                stl_quad(file, v, at, a, side);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+    return count;
+}
+
+static inline int stl_write(const char *path, const voxels *v, char *error) {
+    size_t quads = stl_walk(NULL, v);
+    FILE *file;
+    if (quads > UINT32_MAX / 2) {
+        return voxels_fail(path, "more faces than an STL file can count", error);
+    }
+    file = voxels_create(path, error);
+    if (!file) {
+        return 0;
+    }
+    fprintf(file, "%-80s", "exposed faces of voxels");
+    stl_u32(file, (uint32_t)(2 * quads));
+    stl_walk(file, v);
+    return voxels_close(file, path, error);
+}
+
+/* ---- 7. Arrays: a byte a voxel, x fastest, then y, then z -------------------------------------- */
+
+static inline void array_bytes(FILE *file, const voxels *v) {
+    size_t x;
+    size_t y;
+    size_t z;
+    for (z = 0; z < v->n[2]; z++) {
+        for (y = 0; y < v->n[1]; y++) {
+            const uint64_t *row = voxels_row(v, y, z);
+            for (x = 0; x < v->n[0]; x++) {
+                fputc((int)(row[x >> 6] >> (x & 63) & 1), file);
+            }
+        }
+    }
+}
+
+/* NumPy: an array of bool, indexed [z][y][x]. */
+static inline int npy_write(const char *path, const voxels *v, char *error) {
+    char header[128];
+    FILE *file = voxels_create(path, error);
+    int used;
+    if (!file) {
+        return 0;
+    }
+    used = snprintf(header, sizeof header, "{'descr': '|b1', 'fortran_order': False, 'shape': (%lu, %lu, %lu), }",
+                    (unsigned long)v->n[2], (unsigned long)v->n[1], (unsigned long)v->n[0]);
+    fwrite("\x93NUMPY\x01\x00\x76\x00", 1, 10, file);       /* version 1, 118 bytes of header: 128 in all */
+    fprintf(file, "%s%*s\n", header, 117 - used, "");
+    array_bytes(file, v);
+    return voxels_close(file, path, error);
+}
+
+/* NRRD: its origin is the middle of the first voxel. */
+static inline int nrrd_write(const char *path, const voxels *v, char *error) {
+    const double *size = v->grid.size;
+    FILE *file = voxels_create(path, error);
+    if (!file) {
+        return 0;
+    }
+    fprintf(file, "NRRD0004\n# voxels that the mesh touches\ntype: uint8\ndimension: 3\nsizes: %lu %lu %lu\n",
+            (unsigned long)v->n[0], (unsigned long)v->n[1], (unsigned long)v->n[2]);
+    fprintf(file, "encoding: raw\nspace dimension: 3\ncenterings: cell cell cell\nkinds: domain domain domain\n");
+    fprintf(file, "space directions: (%.17g,0,0) (0,%.17g,0) (0,0,%.17g)\n", size[0], size[1], size[2]);
+    fprintf(file, "space origin: (%.17g,%.17g,%.17g)\n\n", voxels_border(v, 0, 0) + 0.5 * size[0],
+            voxels_border(v, 1, 0) + 0.5 * size[1], voxels_border(v, 2, 0) + 0.5 * size[2]);
+    array_bytes(file, v);
+    return voxels_close(file, path, error);
+}
+
+/* VTK image data: a cell for each voxel. */
+static inline int vti_write(const char *path, const voxels *v, char *error) {
+    const double *size = v->grid.size;
+    const uint64_t bytes = (uint64_t)v->n[0] * v->n[1] * v->n[2];
+    FILE *file = voxels_create(path, error);
+    int i;
+    if (!file) {
+        return 0;
+    }
+    fprintf(file, "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+                  "header_type=\"UInt64\">\n");
+    fprintf(file, "  <ImageData WholeExtent=\"0 %lu 0 %lu 0 %lu\" Origin=\"%.17g %.17g %.17g\" "
+                  "Spacing=\"%.17g %.17g %.17g\">\n", (unsigned long)v->n[0], (unsigned long)v->n[1],
+            (unsigned long)v->n[2], voxels_border(v, 0, 0), voxels_border(v, 1, 0), voxels_border(v, 2, 0), size[0],
+            size[1], size[2]);
+    fprintf(file, "    <Piece Extent=\"0 %lu 0 %lu 0 %lu\">\n      <CellData Scalars=\"set\">\n", (unsigned long)v->n[0],
+            (unsigned long)v->n[1], (unsigned long)v->n[2]);
+    fprintf(file, "        <DataArray type=\"UInt8\" Name=\"set\" format=\"appended\" offset=\"0\"/>\n"
+                  "      </CellData>\n    </Piece>\n  </ImageData>\n  <AppendedData encoding=\"raw\">\n_");
+    for (i = 0; i < 8; i++) {
+        fputc((int)(bytes >> (8 * i) & 255), file);
+    }
+    array_bytes(file, v);
+    fprintf(file, "\n  </AppendedData>\n</VTKFile>\n");
+    return voxels_close(file, path, error);
 }
 
 #endif /* EXAMPLES_VOXEL_IO_H */

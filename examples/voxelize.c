@@ -153,7 +153,7 @@ static int frame_by_size(tribox_grid *grid, const options *o, const mesh_stats *
 
 /* Triangles in batches, so that long work can be seen to go on; the bits are those of one call. */
 static void fill(voxels *v, const tribox_mesh *whole) {
-    double next = program_cpu_seconds() + 2;
+    double next = progress_seconds() + 2;
     size_t done;
     for (done = 0; done < whole->triangles; done += BATCH) {
         size_t rest = whole->triangles - done;
@@ -165,10 +165,10 @@ static void fill(voxels *v, const tribox_mesh *whole) {
             part.positions = whole->positions + 9 * done;
         }
         tribox_grid_fill(&v->grid, &part, v->bits);
-        if (program_cpu_seconds() > next) {
+        if (progress_seconds() > next) {
             fprintf(stderr, "  %.0f %% of the triangles\n",
                     100 * (double)(done + part.triangles) / (double)whole->triangles);
-            next = program_cpu_seconds() + 2;
+            next = progress_seconds() + 2;
         }
     }
 }
@@ -235,16 +235,16 @@ static int voxelize(const options *o, const mesh *m, const tribox_mesh *view, vo
     int i;
     print_grid(v);
     fflush(stdout);
-    start = program_cpu_seconds();
+    start = progress_seconds();
     fill(v, view);
-    printf("surface   %lu voxels in %.3f s\n", (unsigned long)voxels_count(v), program_cpu_seconds() - start);
+    printf("surface   %lu voxels in %.3f s\n", (unsigned long)voxels_count(v), progress_seconds() - start);
     if (o->solid) {
-        start = program_cpu_seconds();
+        start = progress_seconds();
         if (!solid_fill(v, &inside)) {
             snprintf(error, MESH_ERROR, "--solid: out of memory");
             return 2;
         }
-        printf("inside    %lu voxels in %.3f s%s\n", (unsigned long)inside, program_cpu_seconds() - start,
+        printf("inside    %lu voxels in %.3f s%s\n", (unsigned long)inside, progress_seconds() - start,
                inside ? "" : ": the mesh encloses nothing, or has a hole wider than a voxel");
     }
     for (i = 0; i < o->outputs && status == 0; i++) {
