@@ -1,9 +1,11 @@
-/* voxelize - a mesh file into voxels: .binvox, MagicaVoxel .vox, a shaded .png, or .obj of the exposed faces
+/* voxelize - a mesh file into voxels: .binvox, MagicaVoxel .vox, .npy, .nrrd, .vti, a shaded .png, or .obj or .stl
+ * of the exposed faces
  *
  *   build/voxelize teapot 128 -o teapot.vox -o teapot.png
  *
  * The work is three calls of tribox.h: tribox_grid_fit frames the mesh, tribox_grid_words tells the memory,
- * tribox_grid_fill sets every voxel that the mesh touches. `build/voxelize --help` lists the options.
+ * tribox_grid_fill sets every voxel that the mesh touches; where a coordinate of the file is no float, the same in
+ * double. `build/voxelize --help` lists the options.
  */
 #include "program.h"
 #include "mesh_stats.h"
@@ -22,9 +24,13 @@ typedef struct options {
     double      origin[3];
     int         solid;
     char        up;                     /* 0: as the format has it */
+    char        format[MAX_OUTPUTS];    /* of each output: the first letter that tells it, see formats[] */
     const char *output[MAX_OUTPUTS];
     int         outputs;
+    int         plain_format;           /* of "-o -"; -1: not given */
 } options;
+
+static FILE *say;       /* where the report goes: standard error if an output goes to the standard output */
 
 static const char usage[] =
     "usage: voxelize [mesh] [resolution] [options]\n"
@@ -34,8 +40,14 @@ static const char usage[] =
     "  -o FILE         write FILE; the name's ending chooses the format; may be repeated:\n"
     "                    .binvox  binary voxels, cubic voxels only\n"
     "                    .vox     MagicaVoxel; grids over 256 a side become several models in one scene\n"
+    "                    .npy     a NumPy array of bool, indexed [z, y, x]\n"
+    "                    .nrrd    NRRD, with size and origin\n"
+    "                    .vti     VTK image data, a cell for each voxel\n"
     "                    .png     a shaded picture\n"
     "                    .obj     the exposed faces, a closed mesh of squares\n"
+    "                    .stl     the same as triangles\n"
+    "                  \"-o -\" writes to the standard output, as --format has it\n"
+    "  --format NAME   binvox, vox, npy, nrrd, vti, png, obj or stl: the format of \"-o -\"\n"
     "  --closed        voxels are closed boxes: all that the mesh touches are set (default)\n"
     "  --half-open     voxels are [min, max): of a face on a grid plane only the upper layer is set\n"
     "  --open          voxels without their borders: a face on a grid plane sets nothing\n"
@@ -44,13 +56,44 @@ static const char usage[] =
     "  --origin X,Y,Z  a corner of the grid's voxels, with --size (default: 0,0,0)\n"
     "  --solid         fill the inside too: all that a flood from outside does not reach\n"
     "  --up AXIS       x, y or z: what is up in .vox and .png (default: y for OBJ and PLY, else z)\n"
-    "  --help          this text\n"
+    "  --help, -h      this text;  --version   the version;  --   what follows are names\n"
+    "\n"
+    "A value may follow after \"=\" as well: --size=0.5. Exit status: 0, or 2 for a wrong command, mesh or name, or 1\n"
+    "where an output could not be written to its end. A file appears under its name when it is complete.\n"
     "\n"
     "Every voxel is decided exactly: no tolerance, no rounding, the same bits on every machine.\n";
 
-static int known_output(const char *path) {
-    return mesh_name_ends(path, ".binvox") || mesh_name_ends(path, ".vox") || mesh_name_ends(path, ".png")
-        || mesh_name_ends(path, ".obj");
+static const char *const formats[] = {"binvox", "vox", "npy", "nrrd", "vti", "png", "obj", "stl"};
+enum { FORMATS = sizeof formats / sizeof formats[0] };
+
+/* The number of a format, by its name or by the ending of a file's name; -1 if it is none. */
+static int find_format(const char *name, int is_ending) {
+    char ending[16];
+    int i;
+    for (i = 0; i < FORMATS; i++) {
+        snprintf(ending, sizeof ending, ".%s", formats[i]);
+        if (is_ending ? mesh_name_ends(name, ending) : strcmp(name, formats[i]) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+static int read_output(options *o, const char *name, char *error) {
+    int format = strcmp(name, "-") == 0 ? -1 : find_format(name, 1);
+    if (o->outputs == MAX_OUTPUTS) {
+        snprintf(error, MESH_ERROR, "more than %d outputs", MAX_OUTPUTS);
+        return 0;
+    }
+    if (format < 0 && strcmp(name, "-") != 0 && strncmp(name, "/dev/", 5) != 0) {
+        snprintf(error, MESH_ERROR, "-o: '%.100s' should end in .binvox, .vox, .npy, .nrrd, .vti, .png, .obj or .stl",
+                 name);
+        return 0;
+    }
+    o->output[o->outputs] = name;
+    o->format[o->outputs] = (char)format;
+    o->outputs += 1;
+    return 2;
 }
 
 /* One option with its value. Returns how many arguments it took; 0 and a message if it is wrong. */
@@ -63,7 +106,7 @@ static int read_option(options *o, const char *name, const char *value, char *er
         return 1;
     }
     if (strcmp(name, "-o") != 0 && strcmp(name, "--size") != 0 && strcmp(name, "--origin") != 0
-        && strcmp(name, "--up") != 0) {
+        && strcmp(name, "--up") != 0 && strcmp(name, "--format") != 0) {
         snprintf(error, MESH_ERROR, "unknown option '%.100s'", name);
         return 0;
     }
@@ -71,18 +114,16 @@ static int read_option(options *o, const char *name, const char *value, char *er
         snprintf(error, MESH_ERROR, "%s needs a value", name);
         return 0;
     }
-    snprintf(error, MESH_ERROR, "%s: '%.100s' %s", name, value,
-             name[1] == 'o' ? "should end in .binvox, .vox, .png or .obj"
-             : name[2] == 's' ? "should be one or three numbers above 0, such as 0.5 or 1,1,0.5"
-             : name[2] == 'o' ? "should be three numbers, such as 0,0,0.5" : "should be x, y or z");
     if (name[1] == 'o') {
-        if (o->outputs == MAX_OUTPUTS) {
-            snprintf(error, MESH_ERROR, "more than %d outputs", MAX_OUTPUTS);
-            return 0;
-        }
-        o->output[o->outputs] = value;
-        o->outputs += 1;
-        return known_output(value) ? 2 : 0;
+        return read_output(o, value, error);
+    }
+    snprintf(error, MESH_ERROR, "%s: '%.100s' %s", name, value,
+             name[2] == 's' ? "should be one or three numbers above 0, such as 0.5 or 1,1,0.5"
+             : name[2] == 'o' ? "should be three numbers, such as 0,0,0.5"
+             : name[2] == 'f' ? "should be binvox, vox, npy, nrrd, vti, png, obj or stl" : "should be x, y or z");
+    if (name[2] == 'f') {
+        o->plain_format = find_format(value, 0);
+        return o->plain_format >= 0 ? 2 : 0;
     }
     if (name[2] == 's') {
         o->has_size = 1;
@@ -96,28 +137,84 @@ static int read_option(options *o, const char *name, const char *value, char *er
     return value[0] >= 'x' && value[0] <= 'z' && value[1] == 0 ? 2 : 0;
 }
 
-static int read_options(options *o, int argc, char **argv, char *error) {
-    int i = 1;
-    memset(o, 0, sizeof *o);
-    while (i < argc) {
-        if (argv[i][0] == '-' && argv[i][1] != 0) {
-            int used = read_option(o, argv[i], i + 1 < argc ? argv[i + 1] : NULL, error);
-            if (used == 0) {
+/* Before any work: can each output be written, is none of them the mesh, does its format take the voxels? */
+static int check_outputs(const options *o, char *error) {
+    int i;
+    int k;
+    for (i = 0; i < o->outputs; i++) {
+        if (strcmp(o->output[i], o->mesh) == 0 && strcmp(o->mesh, "-") != 0) {
+            snprintf(error, MESH_ERROR, "%.200s is the mesh: it would be overwritten", o->output[i]);
+            return 0;
+        }
+        for (k = 0; k < i; k++) {
+            if (strcmp(o->output[i], o->output[k]) == 0) {
+                snprintf(error, MESH_ERROR, "%.200s is named twice", o->output[i]);
                 return 0;
             }
-            i += used;
-            continue;
         }
-        if (!o->mesh) {
-            o->mesh = argv[i];
-        } else if (o->resolution) {
-            snprintf(error, MESH_ERROR, "'%.100s' is one argument too many", argv[i]);
-            return 0;
-        } else if (!program_int(argv[i], 1, 65536, &o->resolution)) {
-            snprintf(error, MESH_ERROR, "resolution '%.100s' should be a number from 1 to 65536", argv[i]);
+        if (o->format[i] == 0 && o->has_size && (o->size[0] < o->size[1] || o->size[0] > o->size[1]
+                                                 || o->size[1] < o->size[2] || o->size[1] > o->size[2])) {
+            return voxels_fail(o->output[i], "a binvox file holds cubic voxels only; take another format", error);
+        }
+        if (!voxels_check(o->output[i], error)) {
             return 0;
         }
-        i += 1;
+    }
+    return 1;
+}
+
+/* A mesh or a resolution. */
+static int read_name(options *o, const char *argument, char *error) {
+    if (!o->mesh) {
+        o->mesh = argument;
+        return 1;
+    }
+    if (o->resolution) {
+        snprintf(error, MESH_ERROR, "'%.100s' is one argument too many", argument);
+        return 0;
+    }
+    if (!program_int(argument, 1, 65536, &o->resolution)) {
+        snprintf(error, MESH_ERROR, "resolution '%.100s' should be a number from 1 to 65536", argument);
+        return 0;
+    }
+    return 1;
+}
+
+/* "-o" or "--size=1": the value follows, or stands behind "=". Returns how many arguments that took. */
+static int read_argument(options *o, char **argv, int i, int argc, char *error) {
+    char name[64];
+    const char *equals = argv[i][1] == '-' ? strchr(argv[i], '=') : NULL;
+    int used;
+    if (!equals || (size_t)(equals - argv[i]) >= sizeof name) {
+        return read_option(o, argv[i], i + 1 < argc ? argv[i + 1] : NULL, error);
+    }
+    memcpy(name, argv[i], (size_t)(equals - argv[i]));
+    name[equals - argv[i]] = 0;
+    used = read_option(o, name, equals + 1, error);
+    if (used == 1) {
+        snprintf(error, MESH_ERROR, "%s takes no value", name);
+    }
+    return used == 2 ? 1 : 0;
+}
+
+static int read_options(options *o, int argc, char **argv, char *error) {
+    int i = 1;
+    int names = 0;
+    memset(o, 0, sizeof *o);
+    o->plain_format = -1;
+    while (i < argc) {
+        int used = 1;
+        if (!names && strcmp(argv[i], "--") == 0) {
+            names = 1;
+        } else if (!names && argv[i][0] == '-' && argv[i][1] != 0) {
+            used = read_argument(o, argv, i, argc, error);
+        } else {
+            used = read_name(o, argv[i], error);
+        }
+        if (used == 0) {
+            return 0;
+        }
+        i += used;
     }
     if (o->has_size && o->resolution) {
         snprintf(error, MESH_ERROR, "give a resolution or --size, not both");
@@ -129,7 +226,16 @@ static int read_options(options *o, int argc, char **argv, char *error) {
     }
     o->mesh = o->mesh ? o->mesh : "teapot";
     o->resolution = o->resolution ? o->resolution : 128;
-    return 1;
+    for (i = 0; i < o->outputs; i++) {
+        if (o->format[i] < 0) {
+            o->format[i] = (char)o->plain_format;
+        }
+        if (o->format[i] < 0) {
+            snprintf(error, MESH_ERROR, "-o %.100s needs --format", o->output[i]);
+            return 0;
+        }
+    }
+    return check_outputs(o, error);
 }
 
 /* The region of a grid with given voxels: the mesh's bounding box and a voxel more on each side. */
@@ -152,106 +258,118 @@ static int frame_by_size(tribox_grid *grid, const options *o, const mesh_stats *
 }
 
 /* Triangles in batches, so that long work can be seen to go on; the bits are those of one call. */
-static void fill(voxels *v, const tribox_mesh *whole) {
-    double next = progress_seconds() + 2;
+static void fill(voxels *v, const mesh *m) {
+    progress p = progress_begin("filling");
+    tribox_mesh part = mesh_view(m);
+    tribox_mesh_f64 exact = mesh_view_f64(m);
     size_t done;
-    for (done = 0; done < whole->triangles; done += BATCH) {
-        size_t rest = whole->triangles - done;
-        tribox_mesh part = *whole;
+    for (done = 0; done < m->triangles; done += BATCH) {
+        size_t rest = m->triangles - done;
         part.triangles = rest < BATCH ? rest : BATCH;
-        if (part.indices) {
-            part.indices += 3 * done;
+        exact.triangles = part.triangles;
+        part.indices = m->indices ? m->indices + 3 * done : NULL;
+        exact.indices = part.indices;
+        if (!m->indices) {
+            part.positions = m->positions + 9 * done;
+            exact.positions = m->exact ? m->exact + 9 * done : NULL;
+        }
+        if (m->exact) {
+            tribox_grid_fill_f64(&v->grid, &exact, v->bits);
         } else {
-            part.positions = whole->positions + 9 * done;
+            tribox_grid_fill(&v->grid, &part, v->bits);
         }
-        tribox_grid_fill(&v->grid, &part, v->bits);
-        if (progress_seconds() > next) {
-            fprintf(stderr, "  %.0f %% of the triangles\n",
-                    100 * (double)(done + part.triangles) / (double)whole->triangles);
-            next = progress_seconds() + 2;
-        }
+        progress_show(&p, (double)(done + part.triangles), (double)m->triangles);
     }
+    progress_end(&p);
 }
 
-static int write_output(const char *path, const voxels *v, char up, char *error) {
-    if (mesh_name_ends(path, ".binvox")) {
-        const double *size = v->grid.size;
-        if (size[0] != size[1] || size[1] != size[2]) {
-            return voxels_fail(path, "a binvox file holds cubic voxels only; take .vox, .png or .obj", error);
-        }
-        return binvox_write(path, v, error);
+static int frame_by_resolution(tribox_grid *grid, const mesh *m, int resolution) {
+    tribox_mesh view = mesh_view(m);
+    tribox_mesh_f64 exact = mesh_view_f64(m);
+    return m->exact ? tribox_grid_fit_f64(grid, &exact, resolution) : tribox_grid_fit(grid, &view, resolution);
+}
+
+static int write_output(const char *path, int format, const voxels *v, char up, char *error) {
+    switch (format) {
+    case 0:  return binvox_write(path, v, error);
+    case 1:  return vox_write(path, v, upright_make(up), error);
+    case 2:  return npy_write(path, v, error);
+    case 3:  return nrrd_write(path, v, error);
+    case 4:  return vti_write(path, v, error);
+    case 5:  return render_write(path, v, up, error);
+    case 6:  return faces_write(path, v, error);
+    default: return stl_write(path, v, error);
     }
-    if (mesh_name_ends(path, ".vox")) {
-        return vox_write(path, v, upright_make(up), error);
-    }
-    return mesh_name_ends(path, ".png") ? render_write(path, v, up, error) : faces_write(path, v, error);
 }
 
 static void print_mesh(const mesh *m, const mesh_stats *stats, const options *o) {
     size_t open_edges;
     int a;
-    printf("mesh      %s: %s, %lu triangles\n", o->mesh, m->format, (unsigned long)m->triangles);
+    fprintf(say, "mesh      %s: %s, %lu triangles\n", o->mesh, m->format, (unsigned long)m->triangles);
     if (stats->nonfinite) {
-        printf("          %lu triangles with a NaN or infinite corner are no set of points and set nothing\n",
+        fprintf(say, "          %lu triangles with a NaN or infinite corner are no set of points and set nothing\n",
                (unsigned long)stats->nonfinite);
     }
     if (stats->degenerate) {
-        printf("          %lu triangles without area; they set the voxels of their segment or point\n",
+        fprintf(say, "          %lu triangles without area; they set the voxels of their segment or point\n",
                (unsigned long)stats->degenerate);
     }
     if (m->skipped) {
-        printf("          %lu faces with fewer than three corners skipped\n", (unsigned long)m->skipped);
+        fprintf(say, "          %lu faces with fewer than three corners skipped\n", (unsigned long)m->skipped);
     }
     for (a = 0; a < 3; a++) {
         char least[32];
         char most[32];
-        printf("%s%c %s to %s", a == 0 ? "          " : ", ", 'x' + a,
+        fprintf(say, "%s%c %s to %s", a == 0 ? "          " : ", ", 'x' + a,
                program_shortest(stats->min[a], m->exact != NULL, least),
                program_shortest(stats->max[a], m->exact != NULL, most));
     }
-    printf("\n");
+    fprintf(say, "\n");
+    if (m->exact) {
+        fprintf(say, "          some coordinates are no floats: all is computed in double\n");
+    }
     if ((o->solid || m->triangles < 200000) && mesh_open_edges(m, &open_edges)) {
         if (open_edges) {
-            printf("          not closed: %lu edges belong to an odd number of triangles\n",
+            fprintf(say, "          not closed: %lu edges belong to an odd number of triangles\n",
                    (unsigned long)open_edges);
         } else {
-            printf("          closed: every edge belongs to an even number of triangles\n");
+            fprintf(say, "          closed: every edge belongs to an even number of triangles\n");
         }
     }
 }
 
 static void print_grid(const voxels *v) {
-    printf("grid      %lu x %lu x %lu voxels of %g x %g x %g, %s, %.1f MB\n", (unsigned long)v->n[0],
+    fprintf(say, "grid      %lu x %lu x %lu voxels of %g x %g x %g, %s, %.1f MB\n", (unsigned long)v->n[0],
            (unsigned long)v->n[1], (unsigned long)v->n[2], v->grid.size[0], v->grid.size[1], v->grid.size[2],
            program_rule_name(v->grid.flags), (double)v->words * 8e-6);
 }
 
 /* Fills, prints and writes. Returns the exit status. */
-static int voxelize(const options *o, const mesh *m, const tribox_mesh *view, voxels *v, char *error) {
+static int voxelize(const options *o, const mesh *m, voxels *v, char *error) {
     char up = o->up ? o->up : strstr(m->format, "PLY") || strstr(m->format, "OBJ") ? 'y' : 'z';
     double start;
     size_t inside;
     int status = 0;
     int i;
     print_grid(v);
-    fflush(stdout);
+    fflush(say);
     start = progress_seconds();
-    fill(v, view);
-    printf("surface   %lu voxels in %.3f s\n", (unsigned long)voxels_count(v), progress_seconds() - start);
+    fill(v, m);
+    fprintf(say, "surface   %lu voxels in %.3f s\n", (unsigned long)voxels_count(v), progress_seconds() - start);
     if (o->solid) {
         start = progress_seconds();
         if (!solid_fill(v, &inside)) {
             snprintf(error, MESH_ERROR, "--solid: out of memory");
             return 2;
         }
-        printf("inside    %lu voxels in %.3f s%s\n", (unsigned long)inside, progress_seconds() - start,
+        fprintf(say, "inside    %lu voxels in %.3f s%s\n", (unsigned long)inside, progress_seconds() - start,
                inside ? "" : ": the mesh encloses nothing, or has a hole wider than a voxel");
     }
     for (i = 0; i < o->outputs && status == 0; i++) {
-        fflush(stdout);
-        status = write_output(o->output[i], v, up, error) ? 0 : 2;
+        fflush(say);
+        status = write_output(o->output[i], o->format[i], v, up, error) ? 0 : 1;
         if (status == 0) {
-            printf("wrote     %s\n", o->output[i]);
+            fprintf(say, "wrote     %s\n", o->output[i]);
         }
     }
     return status;
@@ -262,14 +380,12 @@ int main(int argc, char **argv) {
     options o;
     mesh m;
     mesh_stats stats;
-    tribox_mesh view;
     tribox_grid grid;
     voxels v;
     int i;
     int status = 2;
-    for (i = 1; i < argc; i++) {
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
-            fputs(usage, stdout);
+    for (i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
+        if (program_answers(argv[i], "voxelize", usage)) {
             return 0;
         }
     }
@@ -281,21 +397,27 @@ int main(int argc, char **argv) {
     if (!program_mesh(&m, o.mesh, error)) {
         return program_fails("voxelize", error);
     }
-    view = mesh_view(&m);
+    say = stdout;
+    for (i = 0; i < o.outputs; i++) {
+        say = strcmp(o.output[i], "-") == 0 ? stderr : say;
+    }
     stats = mesh_measure(&m);
     print_mesh(&m, &stats, &o);
     if (stats.nonfinite == m.triangles) {
         snprintf(error, MESH_ERROR, "%.200s: no triangle is finite", o.mesh);
-    } else if (!o.has_size && !tribox_grid_fit(&grid, &view, o.resolution)) {
+    } else if (!o.has_size && !frame_by_resolution(&grid, &m, o.resolution)) {
         snprintf(error, MESH_ERROR, "%.200s: the mesh is a single point, or too large to frame; give --size",
                  o.mesh);
     } else if (!o.has_size || frame_by_size(&grid, &o, &stats, error)) {
         grid.flags = o.flags;
         if (voxels_make(&v, &grid, error)) {
-            status = voxelize(&o, &m, &view, &v, error);
+            status = voxelize(&o, &m, &v, error);
             voxels_free(&v);
         }
     }
     mesh_free(&m);
-    return status ? program_fails("voxelize", error) : 0;
+    if (status) {
+        program_fails("voxelize", error);
+    }
+    return status;
 }

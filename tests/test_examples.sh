@@ -249,7 +249,7 @@ says 'a resolution or --size, not both'
 run 2 "$bin/voxelize" teapot -o
 says '-o needs a value'
 run 2 "$bin/voxelize" teapot -o teapot.gif
-says 'should end in .binvox, .vox, .png or .obj'
+says 'should end in .binvox, .vox, .npy, .nrrd, .vti, .png, .obj or .stl'
 run 2 "$bin/voxelize" teapot --thick
 says "unknown option '--thick'"
 run 2 "$bin/voxelize" teapot 16 -o "$tmp/no/such/folder.vox"
@@ -258,6 +258,30 @@ run 2 "$bin/voxelize" teapot --size 1e-300
 says 'too many voxels along x'
 run 2 "$bin/voxelize" teapot --size 0.1,0.1,0.2 -o "$tmp/flat.binvox"
 says 'a binvox file holds cubic voxels only'
+run 2 "$bin/voxelize" "$tmp/plain.obj" 8 -o "$tmp/plain.obj"
+says 'is the mesh: it would be overwritten'
+run 2 "$bin/voxelize" teapot 8 -o "$tmp/a.npy" -o "$tmp/a.npy"
+says 'is named twice'
+run 2 "$bin/voxelize" teapot 8 -o -
+says 'needs --format'
+run 0 "$bin/voxelize" teapot --size=0.5 --origin=0.25 -o "$tmp/a.npy"
+run 2 "$bin/voxelize" teapot --thin=1
+says '--thin takes no value'
+run 0 "$bin/voxelize" --version
+says 'voxelize, tribox.h '
+run 2 "$bin/voxelize" -- --no-such-file
+says 'No such file or directory'
+for program in slabs sparse octree kdtree slide pick colours; do
+    run 0 "$bin/$program" -h
+    says "usage: $program"
+    run 0 "$bin/$program" --version
+    run 2 "$bin/$program" --sideways
+    says "unknown option '--sideways'"
+done
+if [ -c /dev/full ]; then      # a full disk: exit status 1, the name, the cause
+    run 1 "$bin/voxelize" teapot 64 -o /dev/full --format npy
+    says '/dev/full: No space left on device'
+fi
 run 2 "$bin/check_voxels" teapot
 says 'a mesh and a binvox file are needed'
 run 2 "$bin/check_voxels" teapot "$tmp/plain.obj"
@@ -333,6 +357,41 @@ for size in 0.1 0.02,0.1,0.1; do
     vox "$tmp/teapot.vox" > "$tmp/out"
     says "$models $count 0 whole"
 done
+
+# Arrays hold as many ones as there are voxels; nothing is left of a file's first name.
+run 0 "$bin/voxelize" teapot 50 -o "$tmp/a.npy" -o "$tmp/a.nrrd" -o "$tmp/a.vti" -o "$tmp/a.stl"
+count=$(sed -n 's/^surface *\([0-9]*\) voxels.*/\1/p' "$tmp/out")
+checks=$((checks + 1))
+[ -z "$(ls "$tmp" | grep '\.part$')" ] || fail 'a .part file is left'
+"$bin/voxelize" teapot 50 -o - --format npy > "$tmp/b.npy" 2> "$tmp/out" || fail 'voxels to the standard output'
+says 'surface '
+same 'the standard output gets the same file' "$tmp/a.npy" "$tmp/b.npy"
+ones() { # FILE BYTES-OF-HEADER
+    tail -c +$(($2 + 1)) "$1" | tr -d '\000' | tr '\001' 1 | grep -ao '1' | wc -l | tr -d ' '
+}
+checks=$((checks + 2))
+[ "$(ones "$tmp/a.npy" 128)" = "$count" ] || fail '.npy: other voxels'
+header=$(grep -an -m 1 '^$' "$tmp/a.nrrd" | cut -d: -f1)
+[ "$(ones "$tmp/a.nrrd" "$(head -n "$header" "$tmp/a.nrrd" | wc -c)")" = "$count" ] || fail '.nrrd: other voxels'
+run 0 "$bin/voxelize" "$tmp/a.stl" 50
+says 'closed: every edge'
+
+# A cube of 0.9 far from 0, in doubles: 0.1 voxels, 524 of them.
+{
+    printf 'ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\n'
+    printf 'element face 6\nproperty list uchar int vertex_indices\nend_header\n'
+    for z in 112.3 113.2; do
+        for y in 5411932.7 5411933.6000000006; do
+            for x in 448262.25 448263.15000000002; do
+                echo "$x $y $z"
+            done
+        done
+    done
+    printf '4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 1 3 7 5\n4 3 2 6 7\n4 2 0 4 6\n'
+} > "$tmp/far.ply"
+run 0 "$bin/voxelize" "$tmp/far.ply" --size .1
+says 'some coordinates are no floats: all is computed in double'
+says 'surface   524 voxels'
 
 od -An -v -tx1 "$tmp/shell.png" | tr -d ' \n' > "$tmp/out"
 says 89504e470d0a1a0a0000000d4948445200000500000003c00802000000
