@@ -2961,20 +2961,22 @@ TBX_FN int tbx_corners_kind(double v[3][3])
     return tbx_corners_finite(v[0], v[1], v[2]) ? TBX_ANY_FINITE : TBX_NO_POINTS;
 }
 
-/* Three floats as doubles. Returns 0 where one is NaN or infinite. */
+/* Three floats as doubles. Returns 0 where one is NaN or infinite. Bit 31 of exponent + 2^23 says all ones, and of
+ * exponent - 2^23 all zeros; what that borrows from a neighbour only sends it the careful way, too. */
 TBX_FN int tbx_read_floats(double out[3], const void *from)
 {
-    uint32_t bits[3];
+    const uint64_t step = (uint64_t)0x00800000u << 32 | 0x00800000u;
+    const uint64_t exponents = (uint64_t)0x7f800000u << 32 | 0x7f800000u;
+    const uint64_t signs = (uint64_t)0x80000000u << 32 | 0x80000000u;
     float x[3];
-    unsigned odd;
+    uint64_t xy;
+    uint64_t z;
     TBX_COPY(x, from, sizeof x);
-    bits[0] = tbx_bits32(&x[0]);
-    bits[1] = tbx_bits32(&x[1]);
-    bits[2] = tbx_bits32(&x[2]);
-    odd = ((bits[0] & 0x7f800000u) - 0x00800000u >= 0x7f000000u) |
-          ((bits[1] & 0x7f800000u) - 0x00800000u >= 0x7f000000u) |
-          ((bits[2] & 0x7f800000u) - 0x00800000u >= 0x7f000000u);
-    if (TBX_RARELY(odd)) { /* zero, subnormal, infinite or NaN */
+    TBX_COPY(&xy, x, sizeof xy);
+    xy = tbx_opaque64(xy) & exponents;
+    z = tbx_bits32(&x[2]) & 0x7f800000u;
+    if (TBX_RARELY((((xy + step) | (xy - step)) & signs) != 0 ||
+                   z - 0x00800000u >= 0x7f000000u)) {
         tbx_widen3(out, x);
         return tbx_finite3(out);
     }
@@ -3040,15 +3042,40 @@ TBX_FN int tbx_source_triangle(const tbx_source *s, size_t t, double v[3][3])
 #define TBX_MOST_ERROR 0.0625       /* of what is evaluated in double at all */
 #define TBX_MOST_SLOPE 1073741824.0 /* 2^30 */
 
-/* A grid's numbers, in double. */
+/* The least and greatest of three. */
+TBX_FN double tbx_min3(double a, double b, double c)
+{
+    const double ab = b < a ? b : a;
+    return c < ab ? c : ab;
+}
+
+TBX_FN double tbx_max3(double a, double b, double c)
+{
+    const double ab = b > a ? b : a;
+    return c > ab ? c : ab;
+}
+
+/* A grid's numbers, in double. Faces of index boxes are found in fixed point: x*fixed + fixed_lo, truncated, counts units of
+ * 2^-FIXED voxels from MARGIN voxels before the region.
+ *
+ * Error: with o = |origin / size| and l the largest of |lo|, |hi|, and the region's voxels, the product is off by 6 u (o + l),
+ * fixed_lo by 8 u (o + l), the sum by 2 u l: in all less than FIXED_ERROR (o + l) voxels; truncation adds a unit. */
+#define TBX_FIXED 20
+#define TBX_FIXED_ERROR (32.0 * TBX_U64)
+#define TBX_MARGIN_LO 3
+
 typedef struct tbx_frame {
     const tribox_grid *grid;
     double origin[3];
     double inverse[3]; /* 1 / size */
     double lo[3];      /* of the region, */
-    double n[3];       /* and its voxels */
+    double end[3];     /* and its end, in fixed point */
+    double fixed[3];
+    double fixed_lo[3];
     double reach;
-    int on; /* 0: its numbers are out of range */
+    int64_t slack; /* the fixed point's error */
+    int64_t last_x; /* the region's last voxel on axis x */
+    int on;        /* 0: its numbers are out of range */
     int thin;
     int lo_is_open;
     int hi_is_open;
@@ -3056,6 +3083,8 @@ typedef struct tbx_frame {
 
 TBX_FN void tbx_frame_init(tbx_frame *f, const tribox_grid *grid)
 {
+    const double unit = (double)(1 << TBX_FIXED);
+    double farthest = 0.0; /* of all origins */
     int k;
     f->grid = grid;
     f->on = 1;
@@ -3064,20 +3093,33 @@ TBX_FN void tbx_frame_init(tbx_frame *f, const tribox_grid *grid)
     f->hi_is_open = !f->thin && (grid->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
     f->reach = 2.0;
     for (k = 0; k < 3; k++) {
-        const int on =
-            tbx_is_ordinary(&grid->origin[k], TBX_ORDINARY) & tbx_is_ordinary(&grid->size[k], TBX_ORDINARY);
+        const int on = tbx_is_ordinary(&grid->origin[k], TBX_ORDINARY) & tbx_is_ordinary(&grid->size[k], TBX_ORDINARY);
         const double lo = (double)grid->lo[k];
         const double hi = (double)grid->hi[k];
-        const double farthest = tbx_abs(lo) > tbx_abs(hi) ? tbx_abs(lo) : tbx_abs(hi);
         double size = on ? grid->size[k] : 1.0;
+        double origin = on ? grid->origin[k] : 0.0;
+        double inverse;
+        double away;
         TBX_KEEP_SCALAR(size);
+        TBX_KEEP_SCALAR(origin);
+        inverse = 1.0 / size;
+        away = origin * inverse;
         f->on &= on;
-        f->origin[k] = on ? grid->origin[k] : 0.0;
-        f->inverse[k] = 1.0 / size;
+        f->origin[k] = origin;
+        f->inverse[k] = inverse;
         f->lo[k] = lo;
-        f->n[k] = hi - lo;
-        f->reach = farthest > f->reach ? farthest : f->reach;
+        f->fixed[k] = inverse * unit;
+        f->fixed_lo[k] = ((double)TBX_MARGIN_LO - lo - away) * unit;
+        f->end[k] = (hi - lo + 1.5 + (double)TBX_MARGIN_LO) * unit;
+        f->reach = tbx_max3(f->reach, tbx_abs(lo), tbx_abs(hi));
+        farthest = tbx_abs(away) > farthest ? tbx_abs(away) : farthest;
     }
+    farthest = (farthest + 2.0 * f->reach + 8.0) * TBX_FIXED_ERROR;
+    f->on &= farthest < 0.0625;
+    farthest = farthest < 0.0625 ? farthest * unit : 1.0;
+    TBX_KEEP_SCALAR(farthest);
+    f->slack = (int64_t)farthest + 2;
+    f->last_x = (int64_t)grid->hi[0] - 1 - grid->lo[0];
 }
 
 /* Rows y and layers z of a region, first to last. */
@@ -3086,15 +3128,16 @@ typedef struct tbx_part {
     int64_t last[2];
 } tbx_part;
 
-/* Up to three lines. The first of them, `lowers`, begin the voxels of a row, the last, `uppers`, end them, at
- * floor(at + slope*row), counted from 1, so that truncation is floor. */
+/* Three lines. In row r the voxels begin at or after floor(at_lo + slope*r), and end at or before floor(at_hi +
+ * slope*r), counted from 1, so that truncation is floor. What does not bound is BEYOND. */
 typedef struct tbx_lines {
-    double at[3];
+    double at_lo[3];
+    double at_hi[3];
     double slope[3];
     double error; /* more than MOST_ERROR: nothing is certain */
-    int lowers;
-    int uppers;
 } tbx_lines;
+
+#define TBX_BEYOND 1152921504606846976.0 /* 2^60 */
 
 enum { TBX_XY = 0, TBX_XZ = 1, TBX_YZ = 2, TBX_PLANE = 3 };
 
@@ -3109,19 +3152,19 @@ typedef struct tbx_row {
 typedef struct tbx_walk {
     const tbx_frame *frame;
     const double *corner[3];
+    int64_t first[3]; /* the triangle's index box within the region, from the region's first voxel */
+    int64_t last[3];
+    unsigned thick;    /* bit k: the whole index box has more than one voxel on axis k */
+    int light;         /* 0: nothing is certain in double */
+    int snapped;       /* the lattice has been tried */
+    int uses[4];       /* groups whose conditions the index box does not imply */
+    int n_sign[3];     /* of those */
     double x[3][3];    /* corners, and */
     double e[3][3];    /* edges, in voxels */
     double n[3];       /* normal, and */
     double n_terms[3]; /* the magnitudes that its components are made of */
     double extent;     /* the longest, and 2 */
     double delta;
-    int64_t first[3]; /* the triangle's index box within the region, from the region's first voxel */
-    int64_t last[3];
-    int n_sign[3]; /* of the groups in use */
-    int light;     /* 0: nothing is certain in double */
-    int thick[3];  /* the whole index box has more than one voxel on this axis */
-    int snapped;   /* the lattice has been tried */
-    int uses[4];   /* groups whose conditions the index box does not imply */
     tbx_lines lines[4];
     double plane_at[2]; /* of layer 0 */
     double plane_slope_z;
@@ -3221,55 +3264,63 @@ TBX_COLD void tbx_walk_bisect(const tbx_walk *w, int group, int64_t y, int64_t z
     }
 }
 
-/* Lines of group b over r, across axis a. quantum: of the lattice on these axes, or 0. */
+/* The line of edge i in a group: b over r. Returns its steepness, negative where that is out of range. */
+TBX_FN double tbx_line_set(tbx_walk *w, tbx_lines *l, int i, int b, int r, int area_is_negative, double quantum)
+{
+    const tbx_frame *f = w->frame;
+    const double e_b = w->e[i][b];
+    const double width = tbx_abs(w->e[i][r]);
+    double e_r = w->e[i][r];
+    double slope;
+    double steep;
+    double spread;
+    double at;
+    l->at_lo[i] = -TBX_BEYOND;
+    l->at_hi[i] = TBX_BEYOND;
+    l->slope[i] = 0.0;
+    if (e_b == 0.0 || e_r == 0.0) { /* the faces say it */
+        return 0.0;
+    }
+    if (!(width * TBX_MOST_SLOPE > tbx_abs(e_b) && width > 1.0 / TBX_MOST_SLOPE)) {
+        return -1.0;
+    }
+    TBX_KEEP_SCALAR(e_r);
+    slope = e_b / e_r;
+    steep = tbx_abs(slope);
+    spread = steep;
+    if (f->thin) {
+        spread = steep > 1.0 ? steep - 1.0 : 0.0;
+    }
+    spread *= 0.5;
+    at = (w->x[i][b] + 1.0) + slope * (0.5 - w->x[i][r]);
+    if (quantum > 0.0) {
+        const double touch = 0.5 * quantum / width;
+        const int is_lower = area_is_negative != (e_r < 0.0);
+        const int strict = is_lower ? f->hi_is_open : f->lo_is_open | (f->hi_is_open & (slope > 0.0));
+        spread = strict ? spread - touch : spread + touch;
+    }
+    l->slope[i] = slope;
+    if (area_is_negative != (e_r < 0.0)) {
+        l->at_lo[i] = at - spread;
+    } else {
+        l->at_hi[i] = at + spread;
+    }
+    return steep;
+}
+
+/* The lines of a group, b over r. quantum: of the lattice on these axes, or 0. */
 TBX_FN void tbx_lines_set(tbx_walk *w, int group, int b, int r, double quantum)
 {
     tbx_lines *l = &w->lines[group];
-    const tbx_frame *f = w->frame;
-    const int area_is_negative = (group == TBX_XZ ? -w->n_sign[1] : w->n_sign[group == TBX_XY ? 2 : 0]) < 0;
-    double steepest = 0.0;
-    int usable = w->light;
-    int upper = 3;
-    int i;
-    l->lowers = 0;
-    for (i = 0; i < 3; i++) {
-        const double e_b = w->e[i][b];
-        double e_r = w->e[i][r];
-        if (e_b != 0.0 && e_r != 0.0) { /* else the faces say it */
-            const int is_lower = area_is_negative != (e_r < 0.0);
-            const double width = tbx_abs(e_r);
-            const int divides = width * TBX_MOST_SLOPE > tbx_abs(e_b) && width > 1.0 / TBX_MOST_SLOPE;
-            double slope;
-            double steep;
-            double spread;
-            double at;
-            e_r = divides ? e_r : 1.0;
-            TBX_KEEP_SCALAR(e_r);
-            slope = e_b / e_r;
-            steep = tbx_abs(slope);
-            steepest = steep > steepest ? steep : steepest;
-            usable &= divides;
-            spread = 0.5 * (!f->thin ? steep : steep > 1.0 ? steep - 1.0 : 0.0);
-            at = (w->x[i][b] + 1.0) + slope * (0.5 - w->x[i][r]);
-            if (is_lower) {
-                at -= spread;
-            } else {
-                at += spread;
-            }
-            if (quantum > 0.0) {
-                double touch = 0.5 * quantum / e_r;
-                const int strict = is_lower ? f->hi_is_open : f->lo_is_open | (f->hi_is_open & (slope > 0.0));
-                touch = tbx_abs(touch);
-                at = strict == is_lower ? at + touch : at - touch;
-            }
-            upper -= !is_lower;
-            l->at[is_lower ? l->lowers : upper] = at;
-            l->slope[is_lower ? l->lowers : upper] = slope;
-            l->lowers += is_lower;
-        }
+    const int area_is_negative =
+        group == TBX_XZ ? w->n_sign[1] > 0 : w->n_sign[group == TBX_XY ? 2 : 0] < 0;
+    const double s0 = tbx_line_set(w, l, 0, b, r, area_is_negative, quantum);
+    const double s1 = tbx_line_set(w, l, 1, b, r, area_is_negative, quantum);
+    const double s2 = tbx_line_set(w, l, 2, b, r, area_is_negative, quantum);
+    l->error = TBX_LINE_ERROR * w->delta * (1.0 + tbx_max3(s0, s1, s2));
+    if (TBX_RARELY(tbx_min3(s0, s1, s2) < 0.0)) {
+        l->error = 1.0;
     }
-    l->uppers = 3 - upper;
-    l->error = usable ? TBX_LINE_ERROR * w->delta * (1.0 + steepest) : 1.0;
 }
 
 /* The two sides of the triangle's plane, in layer 0. */
@@ -3316,10 +3367,9 @@ TBX_FN void tbx_walk_plane(tbx_walk *w, double quantum)
     w->plane_at[0] = lower;
     w->plane_at[1] = upper;
     w->plane_slope_z = slope_z;
-    l->slope[0] = l->slope[2] = slope_y;
-    l->lowers = l->uppers = 1;
+    l->slope[0] = slope_y;
     l->error = 1.0;
-    if (w->light && divides) {
+    if (divides) {
         l->error = TBX_LINE_ERROR * w->delta * (1.0 + steep_y + steep_z) +
                    2.0 * TBX_NORMAL_ERROR * w->extent * tbx_abs(inverse) *
                        (w->n_terms[1] + w->n_terms[2] + (steep_y + steep_z) * w->n_terms[0]);
@@ -3330,8 +3380,8 @@ TBX_FN void tbx_walk_plane(tbx_walk *w, double quantum)
 TBX_FN void tbx_walk_plane_to_layer(tbx_walk *w)
 {
     const double along = w->plane_slope_z * (double)w->z;
-    w->lines[TBX_PLANE].at[0] = w->plane_at[0] + along;
-    w->lines[TBX_PLANE].at[2] = w->plane_at[1] + along;
+    w->lines[TBX_PLANE].at_lo[0] = w->plane_at[0] + along;
+    w->lines[TBX_PLANE].at_hi[0] = w->plane_at[1] + along;
 }
 
 TBX_FN void tbx_walk_set_lines(tbx_walk *w, const double quantum[3])
@@ -3420,45 +3470,49 @@ TBX_COLD int tbx_walk_snap(tbx_walk *w)
     return 1;
 }
 
-/* Narrows first..last of row (y, z) by a group; r is the row in its lines. */
-TBX_FN void tbx_walk_narrow(tbx_walk *w, int group, int64_t r, int64_t y, int64_t z, int64_t *first,
-                            int64_t *last)
+/* Narrows first..last by so many lines in row r. Returns 0 where they are unsure: a bound lies in *first..*first_most, the
+ * other in *last_least..*last. */
+TBX_FN int tbx_lines_narrow(const tbx_lines *l, int lines, int64_t r, int64_t *first, int64_t *last,
+                            int64_t *first_most, int64_t *last_least)
 {
-    const tbx_lines *l = &w->lines[group];
+    const double row = (double)r;
     const double begin = (double)*first + 1.5;
     const double end = (double)*last + 1.5;
-    const double row = (double)r;
+    double lower = begin;
+    double upper = end;
+    int i;
+    for (i = 0; i < lines; i++) {
+        const double along = l->slope[i] * row;
+        const double at_lo = l->at_lo[i] + along;
+        const double at_hi = l->at_hi[i] + along;
+        lower = at_lo > lower ? at_lo : lower;
+        upper = at_hi < upper ? at_hi : upper;
+    }
+    lower = lower < end + 1.0 ? lower : end + 1.0;
+    upper = upper > begin - 1.0 ? upper : begin - 1.0;
+    TBX_KEEP_SCALAR(lower);
+    TBX_KEEP_SCALAR(upper);
+    *first = (int64_t)(lower - l->error) - 1;
+    *first_most = (int64_t)(lower + l->error) - 1;
+    *last_least = (int64_t)(upper - l->error) - 1;
+    *last = (int64_t)(upper + l->error) - 1;
+    return (((*first ^ *first_most) | (*last ^ *last_least)) == 0) | (*first > *last);
+}
+
+/* What double leaves open of a group in row (y, z), r in its lines. */
+TBX_COLD void tbx_walk_unsure(tbx_walk *w, int group, int64_t r, int64_t y, int64_t z, int64_t *first,
+                              int64_t *last)
+{
     tbx_bracket at_first;
     tbx_bracket at_last;
     do {
-        double lower = begin;
-        double upper = end;
-        int i;
         at_first.least = *first;
         at_first.most = *last + 1;
         at_last.least = *first - 1;
         at_last.most = *last;
-        if (l->error > TBX_MOST_ERROR) {
-            continue;
-        }
-        for (i = 0; i < l->lowers; i++) {
-            const double at = l->at[i] + l->slope[i] * row;
-            lower = at > lower ? at : lower;
-        }
-        for (i = 3 - l->uppers; i < 3; i++) {
-            const double at = l->at[i] + l->slope[i] * row;
-            upper = at < upper ? at : upper;
-        }
-        lower = lower < end + 1.0 ? lower : end + 1.0;
-        upper = upper > begin - 1.0 ? upper : begin - 1.0;
-        TBX_KEEP_SCALAR(lower);
-        TBX_KEEP_SCALAR(upper);
-        at_first.least = (int64_t)(lower - l->error) - 1;
-        at_first.most = (int64_t)(lower + l->error) - 1;
-        at_last.least = (int64_t)(upper - l->error) - 1;
-        at_last.most = (int64_t)(upper + l->error) - 1;
-        if ((at_first.least == at_first.most && at_last.least == at_last.most) ||
-            at_first.least > at_last.most) {
+        if (w->lines[group].error <= TBX_MOST_ERROR &&
+            tbx_lines_narrow(&w->lines[group], group == TBX_PLANE ? 1 : 3, r, &at_first.least, &at_last.most,
+                             &at_first.most, &at_last.least)) {
             *first = at_first.least;
             *last = at_last.most;
             return;
@@ -3467,6 +3521,24 @@ TBX_FN void tbx_walk_narrow(tbx_walk *w, int group, int64_t r, int64_t y, int64_
     tbx_walk_bisect(w, group, y, z, &at_first, &at_last);
     *first = at_first.least;
     *last = at_last.most;
+}
+
+/* Narrows first..last of row (y, z) by a group; r is the row in its lines. */
+TBX_FN void tbx_walk_narrow(tbx_walk *w, int group, int64_t r, int64_t y, int64_t z, int64_t *first,
+                            int64_t *last)
+{
+    int64_t at_first = *first;
+    int64_t at_last = *last;
+    int64_t first_most;
+    int64_t last_least;
+    if (w->lines[group].error <= TBX_MOST_ERROR &&
+        tbx_lines_narrow(&w->lines[group], group == TBX_PLANE ? 1 : 3, r, &at_first, &at_last, &first_most,
+                         &last_least)) {
+        *first = at_first;
+        *last = at_last;
+    } else {
+        tbx_walk_unsure(w, group, r, y, z, first, last);
+    }
 }
 
 /* The triangle's index box on axis k where rounding leaves it open: exact. first, last: the greater voxel of
@@ -3499,112 +3571,67 @@ TBX_COLD void tbx_walk_box_search(tbx_walk *w)
         const int64_t hi = f->grid->hi[k];
         w->first[k] = tbx_plane_search(f->grid, k, lo + 1, hi + 1, least, f->hi_is_open) - 1 - lo;
         w->last[k] = tbx_plane_search(f->grid, k, lo, hi, most, !f->lo_is_open) - 1 - lo;
-        w->thick[k] = 1;
     }
 }
 
-/* The least and greatest of three. */
-TBX_FN double tbx_min3(double a, double b, double c)
+/* The index box on axis k; -2 and n + 1 stand for all voxels beyond the region. */
+TBX_FN void tbx_walk_box_axis(tbx_walk *w, int k, double v0, double v1, double v2)
 {
-    const double ab = b < a ? b : a;
-    return c < ab ? c : ab;
-}
-
-TBX_FN double tbx_max3(double a, double b, double c)
-{
-    const double ab = b > a ? b : a;
-    return c > ab ? c : ab;
-}
-
-/* The index box on axis k, from the least and greatest coordinate; -2 and n + 1 stand for all voxels beyond. */
-TBX_FN void tbx_walk_box_axis(tbx_walk *w, int k, double least, double most)
-{
-    const double margin = 3.0;
-    const double end = w->frame->n[k] + 4.5;
-    double first_down = least - w->delta + margin;
-    double first_up = least + w->delta + margin;
-    double last_down = most - w->delta + margin;
-    double last_up = most + w->delta + margin;
-    int64_t first[2];
-    int64_t last[2];
-    first_down = first_down > 1.0 ? first_down : 1.0;
-    first_up = first_up > 1.0 ? first_up : 1.0;
-    last_down = last_down > 1.0 ? last_down : 1.0;
-    last_up = last_up > 1.0 ? last_up : 1.0;
-    first_down = first_down < end ? first_down : end;
-    first_up = first_up < end ? first_up : end;
-    last_down = last_down < end ? last_down : end;
-    last_up = last_up < end ? last_up : end;
-    TBX_KEEP_SCALAR(first_down);
-    TBX_KEEP_SCALAR(first_up);
-    TBX_KEEP_SCALAR(last_down);
-    TBX_KEEP_SCALAR(last_up);
-    first[0] = (int64_t)first_down - 3;
-    first[1] = (int64_t)first_up - 3;
-    last[0] = (int64_t)last_down - 3;
-    last[1] = (int64_t)last_up - 3;
-    if (TBX_RARELY((first[0] != first[1]) | (last[0] != last[1]))) {
-        tbx_walk_box_exact(w, k, first[0] != first[1], last[0] != last[1], &first[1], &last[1]);
+    const tbx_frame *f = w->frame;
+    const double begin = (double)(1 << TBX_FIXED);
+    const int64_t slack = f->slack;
+    double least = tbx_min3(v0, v1, v2) * f->fixed[k] + f->fixed_lo[k];
+    double most = tbx_max3(v0, v1, v2) * f->fixed[k] + f->fixed_lo[k];
+    int64_t first;
+    int64_t last;
+    least = least > begin ? least : begin;
+    least = least < f->end[k] ? least : f->end[k];
+    most = most > begin ? most : begin;
+    most = most < f->end[k] ? most : f->end[k];
+    TBX_KEEP_SCALAR(least);
+    TBX_KEEP_SCALAR(most);
+    first = (int64_t)least;
+    last = (int64_t)most;
+    w->first[k] = (first >> TBX_FIXED) - TBX_MARGIN_LO;
+    w->last[k] = (last >> TBX_FIXED) - TBX_MARGIN_LO;
+    if (TBX_RARELY(((((first + slack) ^ (first - slack)) | ((last + slack) ^ (last - slack))) >> TBX_FIXED) != 0)) {
+        w->first[k] = ((first + slack) >> TBX_FIXED) - TBX_MARGIN_LO;
+        w->last[k] = ((last + slack) >> TBX_FIXED) - TBX_MARGIN_LO;
+        tbx_walk_box_exact(w, k, w->first[k] != ((first - slack) >> TBX_FIXED) - TBX_MARGIN_LO,
+                           w->last[k] != ((last - slack) >> TBX_FIXED) - TBX_MARGIN_LO, &w->first[k], &w->last[k]);
     }
-    w->first[k] = first[1];
-    w->last[k] = last[1];
-    w->thick[k] = last[1] > first[1];
 }
 
-/* Corners and index box. Returns 0 if the triangle has no points, or no voxel of the region's part lies in its index box.
- * v must live as long as the walk. */
+/* Corners and index box. Returns 0 if the triangle has no points, or no voxel of the region's part lies in its
+ * index box. v must live as long as the walk. */
 TBX_FN int tbx_walk_box(tbx_walk *w, const tbx_frame *f, double v[3][3], int kind, const tbx_part *part)
 {
-    double least[3];
-    double most[3];
-    double reach = f->reach;
-    int k;
     w->frame = f;
     w->corner[0] = v[0];
     w->corner[1] = v[1];
     w->corner[2] = v[2];
     w->snapped = 0;
     w->light = f->on & (kind == TBX_ALL_ORDINARY);
-    if (kind == TBX_NO_POINTS) {
+    if (TBX_RARELY(kind == TBX_NO_POINTS)) {
         return 0;
-    }
-    if (w->light) {
-        w->extent = 2.0;
-        for (k = 0; k < 3; k++) {
-            double x0 = v[0][k] - f->origin[k];
-            double x1 = v[1][k] - f->origin[k];
-            double x2 = v[2][k] - f->origin[k];
-            TBX_KEEP_SCALAR(x0);
-            TBX_KEEP_SCALAR(x1);
-            TBX_KEEP_SCALAR(x2);
-            x0 = x0 * f->inverse[k] - f->lo[k];
-            x1 = x1 * f->inverse[k] - f->lo[k];
-            x2 = x2 * f->inverse[k] - f->lo[k];
-            w->x[0][k] = x0;
-            w->x[1][k] = x1;
-            w->x[2][k] = x2;
-            least[k] = tbx_min3(x0, x1, x2);
-            most[k] = tbx_max3(x0, x1, x2);
-            reach = -least[k] > reach ? -least[k] : reach;
-            reach = most[k] > reach ? most[k] : reach;
-        }
-        w->delta = TBX_COORDINATE_ERROR * reach;
-        w->light = w->delta <= TBX_MOST_ERROR;
     }
     if (TBX_RARELY(!w->light)) {
         tbx_walk_box_search(w);
     } else {
-        tbx_walk_box_axis(w, 0, least[0], most[0]);
-        tbx_walk_box_axis(w, 1, least[1], most[1]);
-        tbx_walk_box_axis(w, 2, least[2], most[2]);
-        w->extent = 2.0 + tbx_max3(most[0] - least[0], most[1] - least[1], most[2] - least[2]);
+        tbx_walk_box_axis(w, 0, v[0][0], v[1][0], v[2][0]);
+        tbx_walk_box_axis(w, 1, v[0][1], v[1][1], v[2][1]);
+        tbx_walk_box_axis(w, 2, v[0][2], v[1][2], v[2][2]);
     }
-    for (k = 0; k < 3; k++) {
-        const int64_t first = k > 0 ? part->first[k - 1] : 0;
-        const int64_t last = k > 0 ? part->last[k - 1] : (int64_t)f->grid->hi[0] - 1 - f->grid->lo[0];
-        w->first[k] = w->first[k] > first ? w->first[k] : first;
-        w->last[k] = w->last[k] < last ? w->last[k] : last;
+    w->thick = (unsigned)((w->last[0] > w->first[0]) | (w->last[1] > w->first[1]) << 1 | (w->last[2] > w->first[2]) << 2);
+    if (TBX_RARELY(!w->light)) {
+        w->thick = 7u;
     }
+    w->first[0] = w->first[0] > 0 ? w->first[0] : 0;
+    w->first[1] = w->first[1] > part->first[0] ? w->first[1] : part->first[0];
+    w->first[2] = w->first[2] > part->first[1] ? w->first[2] : part->first[1];
+    w->last[0] = w->last[0] < f->last_x ? w->last[0] : f->last_x;
+    w->last[1] = w->last[1] < part->last[0] ? w->last[1] : part->last[0];
+    w->last[2] = w->last[2] < part->last[1] ? w->last[2] : part->last[1];
     return (w->first[0] <= w->last[0]) & (w->first[1] <= w->last[1]) & (w->first[2] <= w->last[2]);
 }
 
@@ -3645,50 +3672,76 @@ TBX_FN void tbx_walk_normal(tbx_walk *w, int a, int b, int c)
     w->n_sign[a] = tbx_walk_normal_exact(w, a);
 }
 
-/* Edges, normals and lines: whatever the index box does not imply. A triangle one voxel thick on two axes touches all of its
- * index box; one that is so on one axis is decided by the edges across that axis. Neither holds for thin. */
-TBX_FN void tbx_walk_groups(tbx_walk *w)
+/* Corners and edges in voxels. */
+TBX_FN void tbx_walk_axis(tbx_walk *w, int k)
 {
     const tbx_frame *f = w->frame;
+    const double v0 = w->corner[0][k];
+    const double v1 = w->corner[1][k];
+    const double v2 = w->corner[2][k];
+    double x0 = v0 - f->origin[k];
+    double x1 = v1 - f->origin[k];
+    double x2 = v2 - f->origin[k];
+    double e0 = v1 - v0;
+    double e1 = v2 - v1;
+    double e2 = v0 - v2;
+    double extent;
+    TBX_KEEP_SCALAR(x0);
+    TBX_KEEP_SCALAR(x1);
+    TBX_KEEP_SCALAR(x2);
+    TBX_KEEP_SCALAR(e0);
+    TBX_KEEP_SCALAR(e1);
+    TBX_KEEP_SCALAR(e2);
+    x0 = x0 * f->inverse[k] - f->lo[k];
+    x1 = x1 * f->inverse[k] - f->lo[k];
+    x2 = x2 * f->inverse[k] - f->lo[k];
+    w->x[0][k] = x0;
+    w->x[1][k] = x1;
+    w->x[2][k] = x2;
+    w->e[0][k] = e0 *= f->inverse[k];
+    w->e[1][k] = e1 *= f->inverse[k];
+    w->e[2][k] = e2 *= f->inverse[k];
+    extent = tbx_max3(tbx_abs(e0), tbx_abs(e1), tbx_abs(e2));
+    w->extent = extent > w->extent ? extent : w->extent;
+    extent += tbx_abs(x0);
+    w->delta = extent > w->delta ? extent : w->delta;
+}
+
+/* Edges, normals and lines: whatever the index box does not imply. A triangle one voxel thick on two axes touches
+ * all of its index box; one that is so on one axis is decided by the edges across that axis. Neither holds for
+ * thin. */
+TBX_FN void tbx_walk_groups(tbx_walk *w)
+{
     const double none[3] = { 0.0, 0.0, 0.0 };
-    const int x = w->thick[0] | f->thin;
-    const int y = w->thick[1] | f->thin;
-    const int z = w->thick[2] | f->thin;
-    int i;
-    int k;
-    w->uses[TBX_XY] = x & y;
-    w->uses[TBX_XZ] = x & z;
-    w->uses[TBX_YZ] = y & z;
-    w->uses[TBX_PLANE] = x & y & z;
-    if (!((x & y) | (x & z) | (y & z))) {
+    const unsigned thick = w->frame->thin ? 7u : w->thick;
+    w->uses[TBX_XY] = (thick & 3u) == 3u;
+    w->uses[TBX_XZ] = (thick & 5u) == 5u;
+    w->uses[TBX_YZ] = (thick & 6u) == 6u;
+    w->uses[TBX_PLANE] = 0;
+    if ((thick & (thick - 1u)) == 0) {
         return;
     }
+    w->lines[TBX_XY].error = w->lines[TBX_XZ].error = w->lines[TBX_YZ].error = w->lines[TBX_PLANE].error = 1.0;
     if (w->light) {
-        for (k = 0; k < 3; k++) {
-            double e0 = w->corner[1][k] - w->corner[0][k];
-            double e1 = w->corner[2][k] - w->corner[1][k];
-            double e2 = w->corner[0][k] - w->corner[2][k];
-            TBX_KEEP_SCALAR(e0);
-            TBX_KEEP_SCALAR(e1);
-            TBX_KEEP_SCALAR(e2);
-            w->e[0][k] = e0 * f->inverse[k];
-            w->e[1][k] = e1 * f->inverse[k];
-            w->e[2][k] = e2 * f->inverse[k];
-        }
+        w->extent = 0.0;
+        w->delta = w->frame->reach;
+        tbx_walk_axis(w, 0);
+        tbx_walk_axis(w, 1);
+        tbx_walk_axis(w, 2);
+        w->extent += 2.0;
+        w->delta *= TBX_COORDINATE_ERROR;
+        w->light = w->delta <= TBX_MOST_ERROR;
     }
-    if (y & z) {
-        tbx_walk_normal(w, 0, 1, 2);
-    }
-    if (x & z) {
-        tbx_walk_normal(w, 1, 2, 0);
-    }
-    if (x & y) {
+    if (w->uses[TBX_XY]) {
         tbx_walk_normal(w, 2, 0, 1);
     }
-    w->uses[TBX_PLANE] = x & y & z && w->n_sign[0] != 0 && w->n_sign[1] != 0 && w->n_sign[2] != 0;
-    for (i = 0; i < 4; i++) {
-        w->lines[i].error = 1.0;
+    if (w->uses[TBX_XZ]) {
+        tbx_walk_normal(w, 1, 2, 0);
     }
+    if (w->uses[TBX_YZ]) {
+        tbx_walk_normal(w, 0, 1, 2);
+    }
+    w->uses[TBX_PLANE] = thick == 7u && w->n_sign[0] != 0 && w->n_sign[1] != 0 && w->n_sign[2] != 0;
     if (w->light) {
         tbx_walk_set_lines(w, none);
     }
@@ -3741,12 +3794,12 @@ TBX_NOINLINE int tbx_walk_start(tbx_walk *w, const tbx_frame *f, double v[3][3],
     return 1;
 }
 
-/* A run of voxels, from the region's first. */
+/* Voxels x0..x1 of a row. */
 typedef struct tbx_span {
-    int64_t first;
-    int64_t last;
-    int64_t y;
-    int64_t z;
+    int x0;
+    int x1;
+    int y;
+    int z;
 } tbx_span;
 
 #define TBX_SPANS 32 /* at once */
@@ -3754,6 +3807,7 @@ typedef struct tbx_span {
 /* The next spans, up to SPANS. Fewer: these were the last. */
 TBX_NOINLINE int tbx_walk_next(tbx_walk *w, tbx_span *out)
 {
+    const int *lo = w->frame->grid->lo;
     const int64_t z_last = w->last[2];
     int n = 0;
     for (;;) {
@@ -3787,10 +3841,10 @@ TBX_NOINLINE int tbx_walk_next(tbx_walk *w, tbx_span *out)
             tbx_walk_narrow(w, TBX_PLANE, y, y, w->z, &first, &last);
         }
         if (first <= last) {
-            out[n].first = first;
-            out[n].last = last;
-            out[n].y = y;
-            out[n].z = w->z;
+            out[n].x0 = (int)(lo[0] + first);
+            out[n].x1 = (int)(lo[0] + last);
+            out[n].y = (int)(lo[1] + y);
+            out[n].z = (int)(lo[2] + w->z);
             n++;
         }
     }
@@ -3824,10 +3878,9 @@ TBX_FN size_t tbx_spans(const tribox_grid *grid, double v[3][3], int kind, tribo
         int i;
         n = tbx_walk_next(&w, span);
         for (i = 0; i < n; i++) {
-            count = tbx_saturating_add(count, (size_t)(span[i].last - span[i].first + 1));
+            count = tbx_saturating_add(count, (size_t)((unsigned)span[i].x1 - (unsigned)span[i].x0) + 1);
             if (on_span != NULL) {
-                on_span(user, (int)(grid->lo[0] + span[i].first), (int)(grid->lo[0] + span[i].last),
-                        (int)(grid->lo[1] + span[i].y), (int)(grid->lo[2] + span[i].z));
+                on_span(user, span[i].x0, span[i].x1, span[i].y, span[i].z);
             }
         }
     } while (n == TBX_SPANS);
@@ -3877,10 +3930,9 @@ TBX_FN size_t tbx_mesh_spans(const tribox_grid *grid, const tbx_source *source, 
             int i;
             n = tbx_walk_next(&w, span);
             for (i = 0; i < n; i++) {
-                count = tbx_saturating_add(count, (size_t)(span[i].last - span[i].first + 1));
+                count = tbx_saturating_add(count, (size_t)((unsigned)span[i].x1 - (unsigned)span[i].x0) + 1);
                 if (on_span != NULL) {
-                    on_span(user, t, (int)(grid->lo[0] + span[i].first), (int)(grid->lo[0] + span[i].last),
-                            (int)(grid->lo[1] + span[i].y), (int)(grid->lo[2] + span[i].z));
+                    on_span(user, t, span[i].x0, span[i].x1, span[i].y, span[i].z);
                 }
             }
         }
@@ -3975,6 +4027,7 @@ TBX_FN int tbx_is_set(const tbx_walk *w, const tbx_target *t)
 TBX_NOINLINE void tbx_fill_triangle(const tbx_frame *f, const tbx_source *source, size_t triangle,
                                     const tbx_part *part, const tbx_target *target)
 {
+    const int *lo = f->grid->lo;
     tbx_walk w;
     tbx_span span[TBX_SPANS];
     double v[3][3];
@@ -3987,10 +4040,10 @@ TBX_NOINLINE void tbx_fill_triangle(const tbx_frame *f, const tbx_source *source
         int i;
         n = tbx_walk_next(&w, span);
         for (i = 0; i < n; i++) {
-            tbx_set_run(target,
-                        target->bits +
-                            ((size_t)span[i].z * target->ny + (size_t)span[i].y) * target->row_words,
-                        (size_t)span[i].first, (size_t)span[i].last);
+            const size_t y = (size_t)((int64_t)span[i].y - lo[1]);
+            const size_t z = (size_t)((int64_t)span[i].z - lo[2]);
+            tbx_set_run(target, target->bits + (z * target->ny + y) * target->row_words,
+                        (size_t)((int64_t)span[i].x0 - lo[0]), (size_t)((int64_t)span[i].x1 - lo[0]));
         }
     } while (n == TBX_SPANS);
 }
@@ -9134,6 +9187,10 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
 #undef TBX_MOST_INDEX
 #undef TBX_BATCH
 #undef TBX_CACHED
+#undef TBX_FIXED
+#undef TBX_FIXED_ERROR
+#undef TBX_MARGIN_LO
+#undef TBX_BEYOND
 #undef TBX_COORDINATE_ERROR
 #undef TBX_LINE_ERROR
 #undef TBX_MOST_ERROR
