@@ -1,12 +1,14 @@
 /* golden: the header's answers to the golden inputs, as one hash that must be the same everywhere.
  *
- *   golden [nearest | up | down | zero | daz | ftz | flush | x87-24 | x87-53]...
+ *   golden [eighth] [nearest | up | down | zero | daz | ftz | flush | x87-24 | x87-53]...
  *
  * Each argument asks again under that rounding mode, or with subnormals read as zero, or results flushed to
- * zero, or both, or with x87 computing to so many bits. Modes add up. Compiled with GOLDEN_PRINT, every answer
- * is printed: gen_golden.c prints the same lines, and `diff` shows what is wrong. The expected hash in golden_overlap.h was computed by exact judges (gen_golden.c), not by this header.
- * Also compiles as C++; with GOLDEN_FREESTANDING it needs no library and exports golden_hash(), for
- * WebAssembly.
+ * zero, or both, or with x87 computing to so many bits; modes add up. "eighth", as -DGOLDEN_ASK_EIGHTH, asks only
+ * the first of the inputs, which have a hash of their own. The expected hash in golden_overlap.h was computed by
+ * exact judges (gen_golden.c), not by this header. Compiled with GOLDEN_PRINT, every answer is printed: gen_golden.c
+ * then prints the same lines (tests/golden_diff.sh compares them).
+ * Also compiles as C++; with GOLDEN_FREESTANDING it needs no library and exports golden_hash_high() and so on, for
+ * WebAssembly, and brings a Windows program's entry.
  */
 #ifdef GOLDEN_FREESTANDING
 #include <stddef.h>
@@ -25,11 +27,22 @@
 #include "golden_answers.h"
 #include "golden_overlap.h"
 
+#ifdef GOLDEN_ASK_EIGHTH
+static uint32_t golden_chunks = GOLDEN_EIGHTH;
+#else
+static uint32_t golden_chunks = GOLDEN_CHUNKS;
+#endif
+
+static uint64_t golden_expected(void)
+{
+    return golden_chunks == GOLDEN_CHUNKS ? GOLDEN_HASH : GOLDEN_HASH_EIGHTH;
+}
+
 static uint64_t golden_all(void)
 {
     uint64_t hash = GOLDEN_BASIS;
     uint32_t chunk;
-    for (chunk = 0; chunk < GOLDEN_CHUNKS; ++chunk) {
+    for (chunk = 0; chunk < golden_chunks; ++chunk) {
         hash = golden_mix(hash, golden_chunk(chunk));
     }
     return hash;
@@ -100,18 +113,22 @@ uint32_t golden_hash_low(void)
 
 uint32_t golden_expected_high(void)
 {
-    return (uint32_t)(GOLDEN_HASH >> 32);
+    return (uint32_t)(golden_expected() >> 32);
 }
 
 uint32_t golden_expected_low(void)
 {
-    return (uint32_t)GOLDEN_HASH;
+    return (uint32_t)golden_expected();
 }
 
 uint32_t golden_wrong(void)
 {
     return (uint32_t)golden_first_wrong();
 }
+
+#ifdef _WIN32
+#include "windows_entry.h"
+#endif
 
 #else
 
@@ -213,7 +230,7 @@ static int golden_report(const char *mode)
 {
     const uint64_t hash = golden_all();
     const int wrong = golden_first_wrong();
-    const int ok = hash == GOLDEN_HASH && wrong == 0;
+    const int ok = hash == golden_expected() && wrong == 0;
     printf("golden %-8s %08lx%08lx %s\n", mode, (unsigned long)(hash >> 32),
            (unsigned long)(hash & 0xffffffffu), ok ? "ok" : "DIFFERS");
     if (wrong != 0) {
@@ -224,9 +241,13 @@ static int golden_report(const char *mode)
 
 int main(int argc, char **argv)
 {
+    const int eighth = argc > 1 && strcmp(argv[1], "eighth") == 0;
     int i, ok;
+    if (eighth) {
+        golden_chunks = GOLDEN_EIGHTH;
+    }
     ok = golden_report("default");
-    for (i = 1; i < argc; ++i) {
+    for (i = 1 + eighth; i < argc; ++i) {
         if (!golden_mode(argv[i])) {
             printf("golden %-8s not known here\n", argv[i]);
             continue;

@@ -6,6 +6,7 @@
 #define GOLDEN_OVERLAP_H
 
 #define GOLDEN_HASH (((uint64_t)0x3e2b5968u << 32) | 0x1639991au)
+#define GOLDEN_HASH_EIGHTH (((uint64_t)0x062c662bu << 32) | 0xfbe7f378u)
 #define GOLDEN_TABLE 300
 
 static const struct {
