@@ -654,8 +654,8 @@ GOLDEN_FN void golden_make_hard_grid(uint64_t index, golden_grid *g)
         golden_on_tenths(&state, g->point, 3, base, 4, 1);
         golden_on_tenths(&state, g->origin, 3, base, 4, 1);
         for (k = 0; k < 3; ++k) {
-            g->size[k] = golden_nudge(golden_tenths(golden_between(&state, 1, 2), 1),
-                                      golden_between(&state, -1, 1), 1);
+            const int tenths = golden_between(&state, 1, 2);
+            g->size[k] = golden_nudge(golden_tenths(tenths, 1), golden_between(&state, -1, 1), 1);
             g->lo[k] = golden_between(&state, -4, 0);
         }
     } else if (kind == 1) { /* the least numbers */

@@ -5,8 +5,8 @@
 #ifndef GOLDEN_OVERLAP_H
 #define GOLDEN_OVERLAP_H
 
-#define GOLDEN_HASH (((uint64_t)0x3e2b5968u << 32) | 0x1639991au)
-#define GOLDEN_HASH_EIGHTH (((uint64_t)0x062c662bu << 32) | 0xfbe7f378u)
+#define GOLDEN_HASH (((uint64_t)0x4b0af2e4u << 32) | 0x56ac402cu)
+#define GOLDEN_HASH_EIGHTH (((uint64_t)0x20a659efu << 32) | 0x7567185du)
 #define GOLDEN_TABLE 300
 
 static const struct {
