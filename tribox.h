@@ -403,6 +403,8 @@ TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3],
  */
 TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const float b_min[3],
                              const float b_max[3]);
+TRIBOX_FN int tribox_box_box_f64(const double a_min[3], const double a_max[3], const double b_min[3],
+                                 const double b_max[3]);
 
 /* On which side of the plane n.x + d = 0 does the box lie?
  *
@@ -427,6 +429,8 @@ TRIBOX_FN int tribox_plane_box(const float n[3], float d, const float box_min[3]
  */
 TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float box_min[3],
                                  const float box_max[3]);
+TRIBOX_FN int tribox_segment_box_f64(const double p[3], const double q[3], const double box_min[3],
+                                     const double box_max[3]);
 
 /* Where is origin + t*dir, t in [t_min, t_max], inside the box?
  *
@@ -445,6 +449,9 @@ TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float
  */
 TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
                              const float box_min[3], const float box_max[3], float *out_t0, float *out_t1);
+TRIBOX_FN int tribox_ray_box_f64(const double origin[3], const double dir[3], double t_min, double t_max,
+                                 const double box_min[3], const double box_max[3], double *out_t0,
+                                 double *out_t1);
 
 /* Does origin + t*dir, t in [t_min, t_max], meet the triangle, sides and border included?
  *
@@ -460,6 +467,9 @@ TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_
  */
 TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], float t_min, float t_max,
                                   const float v0[3], const float v1[3], const float v2[3], float *out_t);
+TRIBOX_FN int tribox_ray_triangle_f64(const double origin[3], const double dir[3], double t_min, double t_max,
+                                      const double v0[3], const double v1[3], const double v2[3],
+                                      double *out_t);
 
 /* When does the box, moving by t*velocity, t in [0, 1], touch the triangle?
  *
@@ -551,6 +561,8 @@ TRIBOX_FN unsigned tribox_tri_octants_f64(const tribox_tri *tri, const double p[
  */
 TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3],
                           const float box_min[3], const float box_max[3], float out_polygon[9][3]);
+TRIBOX_FN int tribox_clip_f64(const double v0[3], const double v1[3], const double v2[3],
+                              const double box_min[3], const double box_max[3], double out_polygon[9][3]);
 
 /* Which point of the triangle is nearest to q? For colours and normals of voxels.
  *
@@ -565,6 +577,8 @@ TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3
  */
 TRIBOX_FN void tribox_closest(const float v0[3], const float v1[3], const float v2[3], const float q[3],
                               float out_weights[3]);
+TRIBOX_FN void tribox_closest_f64(const double v0[3], const double v1[3], const double v2[3],
+                                  const double q[3], double out_weights[3]);
 
 /* Which triangles of the mesh touch the box?
  *
@@ -578,6 +592,8 @@ TRIBOX_FN void tribox_closest(const float v0[3], const float v1[3], const float 
  */
 TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[3], const float box_max[3],
                                    uint32_t *out_triangles, size_t capacity);
+TRIBOX_FN size_t tribox_mesh_query_f64(const tribox_mesh_f64 *mesh, const double box_min[3],
+                                       const double box_max[3], uint32_t *out_triangles, size_t capacity);
 #endif /* TRIBOX_NO_COMPANIONS */
 
 /* ---- 3. Platform --------------------------------------------------------------------------------------- */
@@ -4927,143 +4943,409 @@ TRIBOX_FN int tribox_grid_fit_f64(tribox_grid *grid, const tribox_mesh_f64 *mesh
 #ifndef TRIBOX_NO_COMPANIONS
 /* ---- 10. Companions ---------------------------------------------------------------------------------------
  *
- * Each algorithm is written once, over tbx_num, and runs at most twice: first in double with a bound
- * of the error beside each value, then, only if some sign was unsure, in integers. Both runs take the same
- * branches on signs that are certain, so an answer of the first run is the answer of the second.
+ * Each algorithm is written once, over tbx_num, for floats and for doubles, and runs at most twice: first in
+ * double with a bound of the error beside each value, then, only if some sign was unsure, in integers. Both
+ * runs take the same branches on signs that are certain, so an answer of the first run is the answer of the
+ * second. What is written out is a fraction; where double cannot tell how it rounds, that fraction alone is
+ * evaluated again in integers.
  *
- * In double: |exact - mid| <= 2 rad. A degree-d number is a multiple of 2^-150d below 2^(130d + 8), d <= 6,
- * and rounding to 53 bits keeps it so: nothing overflows, mid is 0 or at least 2^-900, rad 0 or at least
- * 2^-1000; so there are no subnormals. Each operation adds U |mid|, U = 2^-51, twice what its rounding needs.
- * The roundings of rad itself, at most 2^6 operations of 2^-50 each, are covered by the 2. Sums are kept in
- * the order written; a reassociated product has no more roundings, a fused one fewer. rad = 0 says that no
- * rounding took part: numbers of 24 bits have exact products, and exact sums where their exponents differ by
- * at most 28. So on small integers every sign is sure, zeros too.
+ * In double: |exact - mid| <= 2 rad. The inputs are 0 or within [2^-97, 2^130) (floats always are: those below
+ * 2^-97 are multiples of 2^-149), so a degree-d number is a multiple of 2^-150d below 2^(130d + 8), d <= 6, and
+ * rounding to 53 bits keeps it so: nothing overflows, mid is 0 or at least 2^-900, rad 0 or at least 2^-1000;
+ * so there are no subnormals. Each operation adds U |mid|, U twice what its rounding needs. The roundings of
+ * rad itself, at most 2^6 operations, are covered by the 2. Sums are kept in the order written; a reassociated
+ * product has no more roundings, a fused one fewer. rad = 0 says that no rounding took part: numbers of 24 bits
+ * have exact products, and exact sums where their exponents differ by at most 28. So on small integers every
+ * sign is sure, zeros too. Where registers may be wider or narrower than a double (x87, whose control word
+ * may say 24 bits), U is that of 24 bits, and no rounding is taken for exact.
  *
- * In integers: sign * limbs * 2^exponent, of any exponent, so that ordinary inputs take one limb. A degree-6
- * number spans at most 6 * 280 + 8 = 1688 bits: 53 limbs, and one each for the two unaligned ends. */
-#define TBX_NUM_LIMBS 56
+ * In integers: sign * limbs * base^exponent, of any exponent, so that ordinary inputs take one or two limbs. */
+#if TBX_DOUBLE_IS_53_BITS
+#define TBX_NUM_ERROR 4.44089209850062616169452667236328125e-16 /* 2^-51 */
+#else
+#define TBX_NUM_ERROR 2.384185791015625e-07 /* 2^-22 */
+#endif
 
+/* ---- numbers at the door */
+
+enum { TBX_FLOAT, TBX_DOUBLE }; /* formats of the numbers that come and go */
+
+/* A number as it came in. Whatever decides looks at the key, an integer that orders as numbers do: the bits
+ * of the double of the same value, negated where that is negative, so both zeros are 0; NaN lies beyond the
+ * infinities. Arithmetic takes the value, which is 0 where the number is not finite. */
+typedef struct tbx_real {
+    int64_t key;
+    double value;
+} tbx_real;
+
+#define TBX_KEY_INFINITY ((int64_t)2047 << 52)
+
+TBX_FN uint64_t tbx_magnitude64(int64_t key)
+{
+    return key < 0 ? (uint64_t)0 - (uint64_t)key : (uint64_t)key;
+}
+
+TBX_FN int tbx_key_sign(int64_t key)
+{
+    return (key > 0) - (key < 0);
+}
+
+TBX_FN int tbx_key_is_finite(int64_t key)
+{
+    return key < TBX_KEY_INFINITY && key > -TBX_KEY_INFINITY;
+}
+
+TBX_FN int tbx_key_is_nan(int64_t key)
+{
+    return key > TBX_KEY_INFINITY || key < -TBX_KEY_INFINITY;
+}
+
+/* The magnitude of a float's bits as a double's, where exponents are not merely moved: 0, infinity, NaN, and
+ * subnormals, which are mantissa * 2^-149. */
+TBX_NOINLINE uint64_t tbx_widen_odd(uint32_t magnitude)
+{
+    uint64_t mantissa = magnitude;
+    uint64_t exponent = 1023 - 126;
+    if (magnitude >= 0x7f800000u || magnitude == 0) {
+        return magnitude == 0 ? 0 : ((uint64_t)magnitude << 29) + ((uint64_t)(2047 - 255) << 52);
+    }
+    while (mantissa < 0x00800000u) {
+        mantissa <<= 1;
+        exponent--;
+    }
+    return (exponent << 52) | ((mantissa & 0x007fffffu) << 29);
+}
+
+/* Sets a number from the bits of a double's magnitude and its sign. */
+TBX_FN void tbx_real_set(tbx_real *r, uint64_t magnitude, uint64_t sign)
+{
+    const uint64_t finite = magnitude < (uint64_t)TBX_KEY_INFINITY ? magnitude : 0;
+    r->key = sign != 0 ? -(int64_t)magnitude : (int64_t)magnitude;
+    r->value = tbx_from_bits64(finite | (sign << 63));
+}
+
+/* Reads n numbers of the format, at any alignment. Returns 1 if one is finite, and beyond the range of
+ * the run in double. */
+TBX_FN int tbx_read(tbx_real *out, const void *x, int n, int format)
+{
+    const uint64_t least = (uint64_t)(1023 - 97) << 52;
+    const uint64_t most = (uint64_t)(1023 + 130) << 52;
+    int odd = 0;
+    int i;
+    for (i = 0; i < n; i++) {
+        if (format == TBX_FLOAT) {
+            uint32_t bits;
+            uint32_t magnitude;
+            TBX_COPY(&bits, (const char *)x + 4 * i, sizeof bits);
+            bits = tbx_opaque32(bits);
+            magnitude = bits & 0x7fffffffu;
+            tbx_real_set(&out[i],
+                         TBX_RARELY(magnitude - 0x00800000u >= 0x7f000000u)
+                             ? tbx_widen_odd(magnitude)
+                             : ((uint64_t)magnitude << 29) + ((uint64_t)(1023 - 127) << 52),
+                         bits >> 31);
+        } else {
+            uint64_t bits;
+            uint64_t magnitude;
+            TBX_COPY(&bits, (const char *)x + 8 * i, sizeof bits);
+            bits = tbx_opaque64(bits);
+            magnitude = bits & 0x7fffffffffffffffu;
+            odd |= (magnitude - 1u < least - 1u) |
+                   ((magnitude >= most) & (magnitude < (uint64_t)TBX_KEY_INFINITY));
+            tbx_real_set(&out[i], magnitude, bits >> 63);
+        }
+    }
+    return odd;
+}
+
+#define TBX_FLOAT_INFINITY ((int64_t)0x7f800000)
+
+/* The key in the format of a double's key whose number the format holds. */
+TBX_FN int64_t tbx_format_key(int64_t key, int format)
+{
+    const uint64_t magnitude = tbx_magnitude64(key);
+    const int exponent = (int)(magnitude >> 52) - (1023 - 127);
+    int64_t narrow;
+    if (format == TBX_DOUBLE) {
+        return key;
+    }
+    if (exponent >= 255) {
+        narrow = TBX_FLOAT_INFINITY;
+    } else if (exponent >= 1) {
+        narrow = (int64_t)(magnitude >> 29) - ((int64_t)(1023 - 127) << 23);
+    } else {
+        narrow = exponent <= -24 ? 0 : (int64_t)(((magnitude & 0x000fffffffffffffu) | 0x0010000000000000u) >> (30 - exponent));
+    }
+    return key < 0 ? -narrow : narrow;
+}
+
+/* Writes number i of an array of the format. */
+TBX_FN void tbx_write(void *out, int i, int format, int64_t key)
+{
+    if (format == TBX_FLOAT) {
+        const uint32_t bits = (uint32_t)tbx_magnitude64(key) | (key < 0 ? 0x80000000u : 0u);
+        TBX_COPY((char *)out + 4 * i, &bits, sizeof bits);
+    } else {
+        const uint64_t bits = tbx_magnitude64(key) | (key < 0 ? (uint64_t)1 << 63 : 0u);
+        TBX_COPY((char *)out + 8 * i, &bits, sizeof bits);
+    }
+}
+
+TBX_FN int tbx_finite(const tbx_real *x, int n)
+{
+    int finite = 1;
+    int i;
+    for (i = 0; i < n; i++) {
+        finite &= tbx_key_is_finite(x[i].key);
+    }
+    return finite;
+}
+
+/* Does the closed box hold a real point? Not with NaN, min > max, or both faces at one infinity. */
+TBX_FN int tbx_box_valid(const tbx_real lo[3], const tbx_real hi[3])
+{
+    int valid = 1;
+    int k;
+    for (k = 0; k < 3; k++) {
+        valid &= lo[k].key <= hi[k].key && lo[k].key >= -TBX_KEY_INFINITY && lo[k].key < TBX_KEY_INFINITY &&
+                 hi[k].key <= TBX_KEY_INFINITY && hi[k].key > -TBX_KEY_INFINITY;
+    }
+    return valid;
+}
+
+/* ---- numbers of the two runs */
+
+#if TBX_GNU && defined(__SIZEOF_INT128__) && !defined(__CUDACC__) && !defined(__HIP__)
+typedef uint64_t tbx_limb;
+__extension__ typedef unsigned __int128 tbx_two_limbs;
+#define TBX_LIMB_BITS 64
+#else
+typedef uint32_t tbx_limb;
+typedef uint64_t tbx_two_limbs;
+#define TBX_LIMB_BITS 32
+#endif
+
+/* The limbs of the numbers of one run in integers; at most 12 KiB are ever used (the tests look). A number of degree d
+ * takes at most 280 d + 8 bits from floats, 2100 d + 8 from doubles, and two limbs for its unaligned ends. */
+#define TBX_STORE (98304 / TBX_LIMB_BITS)
+
+typedef struct tbx_calc {
+    int exact;       /* which of the two runs */
+    int unsure;      /* some sign was not certain: what follows means nothing */
+    int used;        /* limbs of the store */
+    tbx_limb *store; /* in integers */
+} tbx_calc;
+
+/* A value of either run. Limbs are never changed once they are written, so numbers may be copied. */
 typedef struct tbx_num {
     double mid; /* in double */
     double rad;
-    int sign; /* in integers */
+    int sign; /* in integers: sign * sum of store[at + i] * base^(exponent + i), i < n, base 2^LIMB_BITS */
     int exponent;
-    int n;
-    uint32_t limb[TBX_NUM_LIMBS];
+    int at;
+    int n; /* the first and the last limb are not 0; no limbs, no sign, for 0 */
 } tbx_num;
 
-typedef struct tbx_calc {
-    int exact;  /* which of the two runs */
-    int unsure; /* some sign was not certain: what follows means nothing */
-} tbx_calc;
-
-/* r = a * 2^(a's exponent - exponent) */
-TBX_FN void tbx_num_unpack(tbx_big *r, const tbx_num *a, int exponent)
+/* Ends a number whose n limbs were written at the end of the store: drops zeros at both ends. */
+TBX_FN void tbx_num_end(tbx_calc *c, tbx_num *r, int n, int exponent, int sign)
 {
-    const int shift = a->sign != 0 ? a->exponent - exponent : 0;
-    uint64_t carry = 0;
-    int i;
-    r->sign = a->sign;
-    r->n = shift >> 5;
-    for (i = 0; i < r->n; i++) {
-        r->limb[i] = 0;
+    r->at = c->used;
+    c->used += n;
+    while (n > 0 && c->store[r->at + n - 1] == 0) {
+        n--;
     }
-    for (i = 0; i < a->n; i++) {
-        carry |= (uint64_t)a->limb[i] << (shift & 31);
-        r->limb[r->n++] = (uint32_t)carry;
-        carry >>= 32;
-    }
-    r->limb[r->n] = (uint32_t)carry;
-    r->n = a->sign != 0 ? r->n + (carry != 0) : 0;
-}
-
-/* r = a * 2^exponent, without limbs that are 0 at the low end */
-TBX_FN void tbx_num_pack(tbx_num *r, const tbx_big *a, int exponent)
-{
-    int zeros = 0;
-    int i;
-    while (zeros < a->n && a->limb[zeros] == 0) {
-        zeros++;
+    while (n > 0 && c->store[r->at] == 0) {
+        r->at++;
+        exponent++;
+        n--;
     }
     r->mid = 0.0; /* unused; compilers warn of what they cannot see */
     r->rad = 0.0;
-    r->sign = a->sign;
-    r->n = a->n - zeros;
-    r->exponent = exponent + 32 * zeros;
-    for (i = 0; i < r->n; i++) {
-        r->limb[i] = a->limb[i + zeros];
-    }
+    r->n = n;
+    r->exponent = exponent;
+    r->sign = n == 0 ? 0 : sign;
 }
 
-TBX_COLD void tbx_num_set_exact(tbx_num *r, double x)
+/* Moves a number's limbs. */
+TBX_FN void tbx_num_move(const tbx_calc *c, tbx_num *r, int at)
 {
-    int64_t mantissa;
-    const int exponent = tbx_split(tbx_bits64(&x), &mantissa);
-    tbx_big a;
-    tbx_big_set(&a, mantissa, 0);
-    tbx_num_pack(r, &a, exponent);
-}
-
-TBX_COLD void tbx_num_add_exact(tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
-{
-    const int a_lower = b->sign == 0 || (a->sign != 0 && a->exponent < b->exponent);
-    const int exponent = a_lower ? a->exponent : b->exponent;
-    tbx_big x;
-    tbx_big y;
-    tbx_num_unpack(&x, a, exponent);
-    tbx_num_unpack(&y, b, exponent);
-    tbx_big_add(&x, &y, sign);
-    tbx_num_pack(r, &x, exponent);
-}
-
-TBX_COLD void tbx_num_mul_exact(tbx_num *r, const tbx_num *a, const tbx_num *b)
-{
-    const int exponent = a->exponent + b->exponent;
-    tbx_big x;
-    tbx_big y;
-    tbx_big xy;
-    tbx_num_unpack(&x, a, a->exponent);
-    tbx_num_unpack(&y, b, b->exponent);
-    tbx_big_mul(&xy, &x, &y);
-    tbx_num_pack(r, &xy, exponent);
-}
-
-/* The number rounded to a double, to a few ulp: its three highest limbs. */
-TBX_COLD double tbx_num_value_exact(const tbx_num *a)
-{
-    double value = 0.0;
-    int exponent = a->exponent;
     int i;
-    if (a->sign == 0) {
-        return 0.0;
+    for (i = 0; i < r->n; i++) {
+        c->store[at + i] = c->store[r->at + i];
     }
-    for (i = a->n > 3 ? a->n - 3 : 0; i < a->n; i++) {
-        value = value * (1.0 / 4294967296.0) + (double)a->limb[i];
-    }
-    exponent += 32 * (a->n - 1);
-    return a->sign * value * tbx_from_bits64((uint64_t)(1023 + exponent) << 52);
+    r->at = at;
 }
 
-#define TBX_NUM_U (2.0 * TBX_U64)
+/* Gives back what was used since `mark`, but for the numbers r, in the order in which they were made, whose
+ * limbs are moved there. */
+TBX_FN void tbx_num_keep(tbx_calc *c, int mark, tbx_num *r, int count)
+{
+    int i;
+    for (i = 0; i < count && c->exact; i++) {
+        tbx_num_move(c, &r[i], mark);
+        mark += r[i].n;
+    }
+    c->used = mark;
+}
 
-TBX_FN void tbx_num_set(const tbx_calc *c, tbx_num *r, double x)
+/* r = mantissa * 2^exponent */
+TBX_COLD void tbx_num_set_exact(tbx_calc *c, tbx_num *r, int64_t mantissa, int exponent)
+{
+    uint64_t rest = tbx_magnitude64(mantissa);
+    const int limb = (exponent + 128 * TBX_LIMB_BITS) / TBX_LIMB_BITS - 128; /* rounded down */
+    const int shift = exponent - limb * TBX_LIMB_BITS;
+    tbx_limb *to = c->store + c->used;
+    tbx_two_limbs carry = 0;
+    int n = 0;
+    while (rest != 0 || carry != 0) {
+        carry += (tbx_two_limbs)(tbx_limb)rest << shift;
+        to[n++] = (tbx_limb)carry;
+        carry >>= TBX_LIMB_BITS;
+        rest = TBX_LIMB_BITS < 64 ? rest >> (TBX_LIMB_BITS & 63) : 0;
+    }
+    tbx_num_end(c, r, n, limb, mantissa < 0 ? -1 : 1);
+}
+
+/* The limb worth base^i. */
+TBX_FN tbx_limb tbx_num_limb(const tbx_calc *c, const tbx_num *a, int i)
+{
+    return i >= a->exponent && i - a->exponent < a->n ? c->store[a->at + i - a->exponent] : 0;
+}
+
+/* The sign of |a| - |b|, from the highest limb down to the one worth base^lo. */
+TBX_FN int tbx_num_order(const tbx_calc *c, const tbx_num *a, const tbx_num *b, int lo, int hi)
+{
+    int i;
+    for (i = hi - 1; i >= lo; i--) {
+        const tbx_limb x = tbx_num_limb(c, a, i);
+        const tbx_limb y = tbx_num_limb(c, b, i);
+        if (x != y) {
+            return x < y ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+/* r = a + sign * b */
+TBX_COLD void tbx_num_add_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
+{
+    const int b_sign = sign * b->sign;
+    const int a_hi = a->exponent + a->n;
+    const int b_hi = b->exponent + b->n;
+    const int lo = a->exponent < b->exponent ? a->exponent : b->exponent;
+    const int hi = a_hi > b_hi ? a_hi : b_hi;
+    tbx_limb *to = c->store + c->used;
+    tbx_two_limbs carry = 0;
+    int i;
+    if (a->sign == 0 || b_sign == 0) {
+        const int r_sign = a->sign + b_sign;
+        *r = a->sign != 0 ? *a : *b;
+        r->sign = r_sign;
+        return;
+    }
+    if (a->sign == b_sign) {
+        for (i = lo; i < hi; i++) {
+            carry += (tbx_two_limbs)tbx_num_limb(c, a, i) + tbx_num_limb(c, b, i);
+            to[i - lo] = (tbx_limb)carry;
+            carry >>= TBX_LIMB_BITS;
+        }
+        to[hi - lo] = (tbx_limb)carry;
+        tbx_num_end(c, r, hi - lo + 1, lo, b_sign);
+    } else { /* the smaller magnitude from the larger */
+        const int order = tbx_num_order(c, a, b, lo, hi);
+        const tbx_num *large = order < 0 ? b : a;
+        const tbx_num *less = order < 0 ? a : b;
+        for (i = lo; i < hi; i++) {
+            carry = (tbx_two_limbs)tbx_num_limb(c, large, i) - tbx_num_limb(c, less, i) - carry;
+            to[i - lo] = (tbx_limb)carry;
+            carry = carry >> TBX_LIMB_BITS & 1u;
+        }
+        tbx_num_end(c, r, hi - lo, lo, order < 0 ? b_sign : a->sign);
+    }
+}
+
+/* r = a * b */
+TBX_COLD void tbx_num_mul_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b)
+{
+    const tbx_limb *x = c->store + a->at;
+    const tbx_limb *y = c->store + b->at;
+    tbx_limb *to = c->store + c->used;
+    const int n = a->n;
+    const int m = b->n;
+    int i;
+    int j;
+    for (i = 0; i < m; i++) {
+        to[i] = 0;
+    }
+    for (i = 0; i < n && m > 0; i++) {
+        tbx_two_limbs carry = 0;
+        for (j = 0; j < m; j++) {
+            carry += (tbx_two_limbs)x[i] * y[j] + to[i + j];
+            to[i + j] = (tbx_limb)carry;
+            carry >>= TBX_LIMB_BITS;
+        }
+        to[i + m] = (tbx_limb)carry;
+    }
+    tbx_num_end(c, r, n > 0 && m > 0 ? n + m : 0, a->exponent + b->exponent, a->sign * b->sign);
+}
+
+/* |a|, not 0, as out_value * 2^(the exponent returned), out_value in [1, 2^33), to within 2^-32 (2^-20 where
+ * double arithmetic has 24 bits) of itself: its highest 96 bits. */
+TBX_COLD int tbx_num_value_exact(const tbx_calc *c, const tbx_num *a, double *out_value)
+{
+    const int top = (a->exponent + a->n) * (TBX_LIMB_BITS / 32) - 1; /* in pieces of 32 bits */
+    double value = 0.0;
+    int piece = top;
+    int lowest;
+    int i;
+    while ((uint32_t)(tbx_num_limb(c, a, a->exponent + a->n - 1) >> (piece == top ? TBX_LIMB_BITS - 32 : 0)) == 0) {
+        piece--;
+    }
+    lowest = piece - 2;
+    for (i = lowest; i <= piece; i++) {
+        const int limb = (i + 4096) / (TBX_LIMB_BITS / 32) - 4096 / (TBX_LIMB_BITS / 32);
+        const int shift = (i - limb * (TBX_LIMB_BITS / 32)) * 32;
+        value = value * (1.0 / 4294967296.0) + (double)(uint32_t)(tbx_num_limb(c, a, limb) >> shift);
+    }
+    *out_value = value;
+    return 32 * piece;
+}
+
+/* r = mantissa * 2^exponent; in double, |mantissa| <= 2^53 and the value in range */
+TBX_FN void tbx_num_integer(tbx_calc *c, tbx_num *r, int64_t mantissa, int exponent)
 {
     if (c->exact) {
-        tbx_num_set_exact(r, x);
+        tbx_num_set_exact(c, r, mantissa, exponent);
     } else {
-        r->mid = x;
+        r->mid = (double)mantissa * tbx_from_bits64((uint64_t)(1023 + exponent) << 52);
         r->rad = 0.0;
     }
 }
 
-/* What this run uses of a number: copies of whole structs would take longer than the sums. */
-TBX_FN void tbx_num_copy(const tbx_calc *c, tbx_num *r, const tbx_num *a)
+/* The finite number of a format's key is mantissa * 2^exponent. */
+TBX_FN int tbx_key_split(int64_t key, int format, int64_t *out_mantissa)
+{
+    const int bits = format == TBX_FLOAT ? 23 : 52;
+    const int64_t magnitude = key < 0 ? -key : key;
+    const int64_t one = (int64_t)1 << bits;
+    int64_t mantissa = magnitude & (one - 1);
+    int exponent = (int)(magnitude >> bits);
+    mantissa += exponent != 0 ? one : 0;
+    exponent += exponent == 0;
+    *out_mantissa = key < 0 ? -mantissa : mantissa;
+    return exponent - (format == TBX_FLOAT ? 150 : 1075);
+}
+
+/* r = x, which is finite */
+TBX_FN void tbx_num_of(tbx_calc *c, tbx_num *r, const tbx_real *x)
 {
     if (c->exact) {
-        *r = *a;
+        int64_t mantissa;
+        const int exponent = tbx_key_split(x->key, TBX_DOUBLE, &mantissa);
+        tbx_num_set_exact(c, r, mantissa, exponent);
     } else {
-        r->mid = a->mid;
-        r->rad = a->rad;
+        r->mid = x->value;
+        r->rad = 0.0;
     }
 }
 
@@ -5077,43 +5359,57 @@ TBX_FN int tbx_sum_is_exact(double a, double b)
 {
     const int64_t e = (int64_t)(tbx_bits64(&a) >> 52 & 0x7ffu);
     const int64_t f = (int64_t)(tbx_bits64(&b) >> 52 & 0x7ffu);
-    return TBX_DOUBLE_IS_53_BITS &&
-           (e == 0 || f == 0 || (e - f <= 28 && f - e <= 28 && tbx_both_short(a, b)));
+    return TBX_DOUBLE_IS_53_BITS && (e == 0 || f == 0 || (e - f <= 28 && f - e <= 28 && tbx_both_short(a, b)));
 }
 
 /* r = a + sign * b; r may be a or b, here and below */
-TBX_FN void tbx_num_add(const tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
+TBX_FN void tbx_num_add(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
 {
     if (c->exact) {
-        tbx_num_add_exact(r, a, b, sign);
+        tbx_num_add_exact(c, r, a, b, sign);
     } else {
         const double rad = a->rad + b->rad;
         double mid = sign > 0 ? a->mid + b->mid : a->mid - b->mid;
-        TBX_KEEP(mid);
-        r->rad = rad > 0.0 || !tbx_sum_is_exact(a->mid, b->mid) ? rad + TBX_NUM_U * tbx_abs(mid) : 0.0;
+        TBX_KEEP_SCALAR(mid);
+        r->rad = rad > 0.0 || !tbx_sum_is_exact(a->mid, b->mid) ? rad + TBX_NUM_ERROR * tbx_abs(mid) : 0.0;
         r->mid = mid;
     }
 }
 
-TBX_FN void tbx_num_mul(const tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b)
+TBX_FN void tbx_num_mul(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b)
 {
     if (c->exact) {
-        tbx_num_mul_exact(r, a, b);
+        tbx_num_mul_exact(c, r, a, b);
     } else {
         const double mid = a->mid * b->mid;
         const double rad = tbx_abs(a->mid) * b->rad + tbx_abs(b->mid) * a->rad + a->rad * b->rad;
-        r->rad = rad > 0.0 || !tbx_both_short(a->mid, b->mid) ? rad + TBX_NUM_U * tbx_abs(mid) : 0.0;
+        r->rad = rad > 0.0 || !tbx_both_short(a->mid, b->mid) ? rad + TBX_NUM_ERROR * tbx_abs(mid) : 0.0;
         r->mid = mid;
     }
 }
 
-/* r = x - y, of two inputs */
-TBX_FN void tbx_num_difference(const tbx_calc *c, tbx_num *r, double x, double y)
+TBX_COLD void tbx_num_difference_exact(tbx_calc *c, tbx_num *r, const tbx_real *x, const tbx_real *y)
 {
+    const int mark = c->used;
+    tbx_num a;
     tbx_num b;
-    tbx_num_set(c, r, x);
-    tbx_num_set(c, &b, y);
-    tbx_num_add(c, r, r, &b, -1);
+    tbx_num_of(c, &a, x);
+    tbx_num_of(c, &b, y);
+    tbx_num_add_exact(c, r, &a, &b, -1);
+    tbx_num_keep(c, mark, r, 1);
+}
+
+/* r = x - y, of two inputs */
+TBX_FN void tbx_num_difference(tbx_calc *c, tbx_num *r, const tbx_real *x, const tbx_real *y)
+{
+    if (c->exact) {
+        tbx_num_difference_exact(c, r, x, y);
+    } else {
+        double mid = x->value - y->value;
+        TBX_KEEP_SCALAR(mid);
+        r->rad = tbx_sum_is_exact(x->value, y->value) ? 0.0 : TBX_NUM_ERROR * tbx_abs(mid);
+        r->mid = mid;
+    }
 }
 
 TBX_FN void tbx_num_flip(const tbx_calc *c, tbx_num *r, int sign)
@@ -5140,14 +5436,10 @@ TBX_FN int tbx_num_sign(tbx_calc *c, const tbx_num *a)
     return 0;
 }
 
-TBX_FN double tbx_num_value(const tbx_calc *c, const tbx_num *a)
-{
-    return c->exact ? tbx_num_value_exact(a) : a->mid;
-}
-
 /* r = x.y */
-TBX_FN void tbx_num_dot(const tbx_calc *c, tbx_num *r, const tbx_num x[3], const tbx_num y[3])
+TBX_FN void tbx_num_dot(tbx_calc *c, tbx_num *r, const tbx_num x[3], const tbx_num y[3])
 {
+    const int mark = c->used;
     tbx_num sum;
     tbx_num xy;
     tbx_num_mul(c, &sum, &x[0], &y[0]);
@@ -5155,39 +5447,44 @@ TBX_FN void tbx_num_dot(const tbx_calc *c, tbx_num *r, const tbx_num x[3], const
     tbx_num_add(c, &sum, &sum, &xy, 1);
     tbx_num_mul(c, &xy, &x[2], &y[2]);
     tbx_num_add(c, r, &sum, &xy, 1);
+    tbx_num_keep(c, mark, r, 1);
 }
 
 /* r = x * y, r neither x nor y */
-TBX_FN void tbx_num_cross(const tbx_calc *c, tbx_num r[3], const tbx_num x[3], const tbx_num y[3])
+TBX_FN void tbx_num_cross(tbx_calc *c, tbx_num r[3], const tbx_num x[3], const tbx_num y[3])
 {
     int k;
     for (k = 0; k < 3; k++) {
+        const int mark = c->used;
         const int l = (k + 1) % 3;
         const int m = (k + 2) % 3;
         tbx_num xy;
         tbx_num_mul(c, &r[k], &x[l], &y[m]);
         tbx_num_mul(c, &xy, &x[m], &y[l]);
         tbx_num_add(c, &r[k], &r[k], &xy, -1);
+        tbx_num_keep(c, mark, &r[k], 1);
     }
 }
 
-TBX_FN void tbx_num_difference3(const tbx_calc *c, tbx_num r[3], const double x[3], const double y[3])
+TBX_FN void tbx_num_difference3(tbx_calc *c, tbx_num r[3], const tbx_real x[3], const tbx_real y[3])
 {
     int k;
     for (k = 0; k < 3; k++) {
-        tbx_num_difference(c, &r[k], x[k], y[k]);
+        tbx_num_difference(c, &r[k], &x[k], &y[k]);
     }
 }
 
 /* (v1 - v0) x (v2 - v0) */
-TBX_FN void tbx_num_normal(const tbx_calc *c, tbx_num r[3], const double v0[3], const double v1[3],
-                           const double v2[3])
+TBX_FN void tbx_num_normal(tbx_calc *c, tbx_num r[3], const tbx_real v0[3], const tbx_real v1[3],
+                           const tbx_real v2[3])
 {
+    const int mark = c->used;
     tbx_num x[3];
     tbx_num y[3];
     tbx_num_difference3(c, x, v1, v0);
     tbx_num_difference3(c, y, v2, v0);
     tbx_num_cross(c, r, x, y);
+    tbx_num_keep(c, mark, r, 3);
 }
 
 /* ---- fractions */
@@ -5198,85 +5495,161 @@ typedef struct tbx_fraction {
     tbx_num d;
 } tbx_fraction;
 
-TBX_FN void tbx_fraction_set(const tbx_calc *c, tbx_fraction *r, double x)
+/* The fraction of a number that is not NaN. */
+TBX_FN void tbx_fraction_of(tbx_calc *c, tbx_fraction *r, const tbx_real *x)
 {
-    const int finite = tbx_is_finite(&x);
-    tbx_num_set(c, &r->n, finite ? x : (double)tbx_sign(&x));
-    tbx_num_set(c, &r->d, finite ? 1.0 : 0.0);
+    const int finite = tbx_key_is_finite(x->key);
+    if (finite) {
+        tbx_num_of(c, &r->n, x);
+    } else {
+        tbx_num_integer(c, &r->n, tbx_key_sign(x->key), 0);
+    }
+    tbx_num_integer(c, &r->d, finite, 0);
+}
+
+/* Makes d positive, by a sign that is certain. */
+TBX_FN void tbx_fraction_orient(const tbx_calc *c, tbx_fraction *r, int d_sign)
+{
+    tbx_num_flip(c, &r->n, d_sign);
+    tbx_num_flip(c, &r->d, d_sign);
 }
 
 /* The sign of a - b; equal infinities give 0. */
 TBX_FN int tbx_fraction_compare(tbx_calc *c, const tbx_fraction *a, const tbx_fraction *b)
 {
+    const int mark = c->used;
     tbx_num x;
     tbx_num y;
     tbx_num_mul(c, &x, &a->n, &b->d);
     tbx_num_mul(c, &y, &b->n, &a->d);
     tbx_num_add(c, &x, &x, &y, -1);
+    c->used = mark;
     return tbx_num_sign(c, &x);
 }
 
 enum { TBX_DOWN, TBX_NEAREST, TBX_UP }; /* NEAREST: ties to even */
 
-#define TBX_KEY_INFINITY 0x7f800000
-
-/* The float of a key, infinities included. */
-TBX_FN float tbx_from_key32(int64_t key)
+/* The infinity's key in a format; the keys before it are those of the finite numbers. */
+TBX_FN int64_t tbx_key_infinity(int format)
 {
-    return tbx_from_bits32(key < 0 ? 0x80000000u | (uint32_t)-key : (uint32_t)key);
+    return format == TBX_FLOAT ? TBX_FLOAT_INFINITY : TBX_KEY_INFINITY;
 }
 
-/* Is x, rounded, at least the float with this key? The least x for which it is: the float itself (down),
- * just above the one before (up), or half-way between the two, itself included for an even float
- * (nearest; x is then no larger than the largest float). */
-TBX_FN int tbx_rounds_to_at_least(tbx_calc *c, const tbx_fraction *x, int64_t key, int rounding)
+/* Is x, rounded, at least the number with this key? The least x for which it is: the number itself (down),
+ * just above the one before (up), or half-way between the two, itself included for an even number
+ * (nearest; x is then no larger than the largest number). Half-way: of two neighbours the one nearer to 0 is
+ * mantissa * 2^exponent, the other one unit of that exponent farther. */
+TBX_FN int tbx_rounds_to_at_least(tbx_calc *c, const tbx_fraction *x, int format, int64_t key, int rounding)
 {
-    const int64_t from = rounding == TBX_DOWN ? key : key - 1;
-    double border;
-    tbx_fraction b;
+    const int mark = c->used;
+    const int64_t infinity = tbx_key_infinity(format);
+    const int64_t from = rounding == TBX_DOWN || (rounding == TBX_NEAREST && key <= 0) ? key : key - 1;
+    tbx_num border;
+    int64_t mantissa;
+    int exponent;
     int order;
-    if (from <= -TBX_KEY_INFINITY) {
+    if (key - (rounding != TBX_DOWN) <= -infinity) {
         return 1;
     }
-    if ((rounding == TBX_UP ? from : key) >= TBX_KEY_INFINITY) {
+    if (key - (rounding == TBX_UP) >= infinity) {
         return 0;
     }
-    border = tbx_key32_value((int32_t)from);
+    exponent = tbx_key_split(from, format, &mantissa);
     if (rounding == TBX_NEAREST) {
-        border = (border + tbx_key32_value((int32_t)key)) * 0.5;
+        mantissa = 2 * mantissa + (key <= 0 ? -1 : 1);
+        exponent--;
     }
-    tbx_fraction_set(c, &b, border);
-    order = tbx_fraction_compare(c, x, &b);
+    tbx_num_integer(c, &border, mantissa, exponent);
+    tbx_num_mul(c, &border, &border, &x->d);
+    tbx_num_add(c, &border, &x->n, &border, -1);
+    c->used = mark;
+    order = tbx_num_sign(c, &border);
     return order > 0 || (order == 0 && (rounding == TBX_DOWN || (rounding == TBX_NEAREST && (key & 1) == 0)));
 }
 
-/* The fraction as a float. The quotient in double only says where to look: from there, steps that double,
- * then halve, find the greatest float that x rounds to at least. */
-TBX_FN float tbx_fraction_round(tbx_calc *c, const tbx_fraction *x, int rounding)
+/* |a|, not 0, as m * 2^(the exponent returned), about: out_bits are those of m, a double in [1, 2). */
+TBX_FN int tbx_num_split(const tbx_calc *c, const tbx_num *a, uint64_t *out_bits)
 {
-    const double largest = (double)FLT_MAX;
-    int64_t lo = -TBX_KEY_INFINITY; /* x rounds to at least lo and to less than hi */
-    int64_t hi = TBX_KEY_INFINITY + 1;
-    int64_t step = 1;
-    double guess;
-    float narrow;
-    int32_t key;
-    if (tbx_num_sign(c, &x->d) == 0) {
-        return tbx_from_key32(tbx_num_sign(c, &x->n) * TBX_KEY_INFINITY);
+    double value = a->mid;
+    int exponent = 0;
+    uint64_t bits;
+    if (c->exact) {
+        exponent = tbx_num_value_exact(c, a, &value);
     }
-    guess = tbx_num_value(c, &x->n) / tbx_num_value(c, &x->d);
-    narrow = (float)tbx_max(tbx_min(guess, largest), -largest);
-    key = tbx_key32(&narrow);
-    if (tbx_rounds_to_at_least(c, x, key, rounding)) {
+    bits = tbx_bits64(&value);
+    *out_bits = (bits & 0x000fffffffffffffu) | (uint64_t)1023 << 52;
+    return exponent + (int)(bits >> 52 & 0x7ffu) - 1023;
+}
+
+/* Where to look for the fraction: a key near that of n / d. The quotient is one of numbers in [1, 2),
+ * whatever n and d are. */
+TBX_FN int64_t tbx_fraction_guess(tbx_calc *c, const tbx_fraction *x, int format, int rounding)
+{
+    const int bits = format == TBX_FLOAT ? 23 : 52;
+    const int bias = format == TBX_FLOAT ? 127 : 1023;
+    const int64_t most = tbx_key_infinity(format) - 1;
+    const int sign = tbx_num_sign(c, &x->n);
+    uint64_t n_bits;
+    uint64_t d_bits;
+    uint64_t mantissa;
+    double quotient;
+    int64_t magnitude;
+    int exponent;
+    int shift = 52 - bits;
+    if (sign == 0) {
+        return 0;
+    }
+    exponent = tbx_num_split(c, &x->n, &n_bits) - tbx_num_split(c, &x->d, &d_bits);
+    quotient = tbx_from_bits64(n_bits) / tbx_from_bits64(d_bits);
+    mantissa = tbx_bits64(&quotient);
+    exponent += (int)(mantissa >> 52) - 1023 + bias;
+    mantissa = (mantissa & 0x000fffffffffffffu) | 0x0010000000000000u;
+    if (exponent > 2 * bias) {
+        return sign * most;
+    }
+    if (exponent < 1) { /* subnormal */
+        shift += 1 - exponent;
+        exponent = 1;
+    }
+    shift = shift < 62 ? shift : 62;
+    /* the leading bit adds one to the exponent */
+    magnitude = ((int64_t)(exponent - 1) << bits) + (int64_t)(mantissa >> shift);
+    if (rounding == TBX_NEAREST ? shift > 0 && (mantissa >> (shift - 1) & 1u) != 0
+                                : (rounding == TBX_UP) == (sign > 0)) {
+        magnitude++;
+    }
+    return sign * (magnitude < most ? magnitude : most);
+}
+
+/* The fraction in a format, as a key. From the guess, steps that double, then halve, find the greatest number
+ * that x rounds to at least. In double the digits of a double are never certain. */
+TBX_FN int64_t tbx_fraction_round(tbx_calc *c, const tbx_fraction *x, int format, int rounding)
+{
+    const int64_t infinity = tbx_key_infinity(format);
+    int64_t lo = -infinity; /* x rounds to at least lo and to less than hi */
+    int64_t hi = infinity + 1;
+    int64_t step = 1;
+    int64_t key;
+    if (tbx_num_sign(c, &x->d) == 0) {
+        return tbx_num_sign(c, &x->n) * infinity;
+    }
+    if (format == TBX_DOUBLE && !c->exact) {
+        c->unsure = 1;
+    }
+    if (c->unsure) {
+        return 0;
+    }
+    key = tbx_fraction_guess(c, x, format, rounding);
+    if (tbx_rounds_to_at_least(c, x, format, key, rounding)) {
         lo = key;
-        while (lo + step < hi && tbx_rounds_to_at_least(c, x, lo + step, rounding)) {
+        while (lo + step < hi && tbx_rounds_to_at_least(c, x, format, lo + step, rounding)) {
             lo += step;
             step *= 2;
         }
         hi = lo + step < hi ? lo + step : hi;
     } else {
         hi = key;
-        while (hi - step > lo && !tbx_rounds_to_at_least(c, x, hi - step, rounding)) {
+        while (hi - step > lo && !tbx_rounds_to_at_least(c, x, format, hi - step, rounding)) {
             hi -= step;
             step *= 2;
         }
@@ -5284,140 +5657,498 @@ TBX_FN float tbx_fraction_round(tbx_calc *c, const tbx_fraction *x, int rounding
     }
     while (hi - lo > 1) {
         const int64_t mid = lo + (hi - lo) / 2;
-        if (tbx_rounds_to_at_least(c, x, mid, rounding)) {
+        if (tbx_rounds_to_at_least(c, x, format, mid, rounding)) {
             lo = mid;
         } else {
             hi = mid;
         }
     }
-    return tbx_from_key32(lo);
+    return lo;
 }
 
-/* ---- inputs */
+/* ---- two boxes */
 
-/* Does the closed box hold a real point? Not with NaN, min > max, or both faces at one infinity. */
-TBX_FN int tbx_box_valid(const double lo[3], const double hi[3])
+TBX_FN int tbx_box_box(const void *a_min, const void *a_max, const void *b_min, const void *b_max, int format)
 {
-    const int64_t infinity = (int64_t)0x7ff << 52;
-    int valid = 1;
+    tbx_real a[2][3];
+    tbx_real b[2][3];
+    int meet;
     int k;
+    tbx_read(a[0], a_min, 3, format);
+    tbx_read(a[1], a_max, 3, format);
+    tbx_read(b[0], b_min, 3, format);
+    tbx_read(b[1], b_max, 3, format);
+    meet = tbx_box_valid(a[0], a[1]) & tbx_box_valid(b[0], b[1]);
     for (k = 0; k < 3; k++) {
-        const int64_t key_lo = tbx_key64(&lo[k]);
-        const int64_t key_hi = tbx_key64(&hi[k]);
-        valid = valid && !tbx_is_nan(&lo[k]) && !tbx_is_nan(&hi[k]) && key_lo <= key_hi && key_lo < infinity &&
-                key_hi > -infinity;
+        meet &= a[1][k].key >= b[0][k].key && b[1][k].key >= a[0][k].key;
     }
-    return valid;
+    return meet;
 }
 
 TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const float b_min[3],
                              const float b_max[3])
 {
-    double a_lo[3];
-    double a_hi[3];
-    double b_lo[3];
-    double b_hi[3];
-    int k;
-    tbx_widen3(a_lo, a_min);
-    tbx_widen3(a_hi, a_max);
-    tbx_widen3(b_lo, b_min);
-    tbx_widen3(b_hi, b_max);
-    if (!tbx_box_valid(a_lo, a_hi) || !tbx_box_valid(b_lo, b_hi)) {
-        return 0;
-    }
-    for (k = 0; k < 3; k++) {
-        if (tbx_less(&a_hi[k], &b_lo[k]) || tbx_less(&b_hi[k], &a_lo[k])) {
-            return 0;
-        }
-    }
-    return 1;
+    return tbx_box_box(a_min, a_max, b_min, b_max, TBX_FLOAT);
+}
+
+TRIBOX_FN int tribox_box_box_f64(const double a_min[3], const double a_max[3], const double b_min[3],
+                                 const double b_max[3])
+{
+    return tbx_box_box(a_min, a_max, b_min, b_max, TBX_DOUBLE);
 }
 
 /* ---- plane and box */
 
+typedef struct tbx_plane {
+    tbx_real n[3];
+    tbx_real d;
+    tbx_real lo[3];
+    tbx_real hi[3];
+} tbx_plane;
+
 /* The sign of the greatest value of side * (n.q + d) over the box; an infinite face decides it. */
-TBX_FN int tbx_plane_side(tbx_calc *c, const double n[3], double d, const double lo[3], const double hi[3],
-                          int side)
+TBX_FN int tbx_plane_side(tbx_calc *c, const tbx_plane *p, int side)
 {
     tbx_num sum;
     int k;
-    tbx_num_set(c, &sum, d);
+    tbx_num_of(c, &sum, &p->d);
     for (k = 0; k < 3; k++) {
-        const int n_sign = tbx_sign(&n[k]);
-        const double q = side * n_sign > 0 ? hi[k] : lo[k];
+        const int n_sign = tbx_key_sign(p->n[k].key);
+        const tbx_real *q = side * n_sign > 0 ? &p->hi[k] : &p->lo[k];
         tbx_num x;
         tbx_num y;
         if (n_sign == 0) {
             continue;
         }
-        if (!tbx_is_finite(&q)) {
+        if (!tbx_key_is_finite(q->key)) {
             return 1;
         }
-        tbx_num_set(c, &x, n[k]);
-        tbx_num_set(c, &y, q);
+        tbx_num_of(c, &x, &p->n[k]);
+        tbx_num_of(c, &y, q);
         tbx_num_mul(c, &x, &x, &y);
         tbx_num_add(c, &sum, &sum, &x, 1);
     }
     return side * tbx_num_sign(c, &sum);
 }
 
-TBX_NOINLINE int tbx_plane_box(tbx_calc *c, const double n[3], double d, const double lo[3],
-                               const double hi[3])
+TBX_FN int tbx_plane_box(tbx_calc *c, const tbx_plane *p)
 {
-    if (tbx_plane_side(c, n, d, lo, hi, 1) < 0) {
+    if (tbx_plane_side(c, p, 1) < 0) {
         return -1;
     }
-    return tbx_plane_side(c, n, d, lo, hi, -1) < 0;
+    return tbx_plane_side(c, p, -1) < 0;
+}
+
+TBX_COLD int tbx_plane_box_exact(const tbx_plane *p)
+{
+    tbx_limb store[TBX_STORE];
+    tbx_calc c = { 1, 0, 0, NULL };
+    c.store = store;
+    return tbx_plane_box(&c, p);
 }
 
 TRIBOX_FN int tribox_plane_box(const float n[3], float d, const float box_min[3], const float box_max[3])
 {
-    tbx_calc c = { 0, 0 };
-    double d_wide;
-    double n_wide[3];
-    double lo[3];
-    double hi[3];
+    tbx_calc c = { 0, 0, 0, NULL };
+    tbx_plane p;
     int side;
-    tbx_widen(&d_wide, &d);
-    tbx_widen3(n_wide, n);
-    tbx_widen3(lo, box_min);
-    tbx_widen3(hi, box_max);
-    if (!tbx_finite3(n_wide) || tbx_is_nan(&d_wide) || !tbx_box_valid(lo, hi)) {
+    tbx_read(p.n, n, 3, TBX_FLOAT);
+    tbx_read(&p.d, &d, 1, TBX_FLOAT);
+    tbx_read(p.lo, box_min, 3, TBX_FLOAT);
+    tbx_read(p.hi, box_max, 3, TBX_FLOAT);
+    if (!tbx_finite(p.n, 3) || tbx_key_is_nan(p.d.key) || !tbx_box_valid(p.lo, p.hi)) {
         return 2;
     }
-    if (!tbx_is_finite(&d_wide)) {
-        return tbx_sign(&d_wide);
+    if (!tbx_key_is_finite(p.d.key)) {
+        return tbx_key_sign(p.d.key);
     }
-    side = tbx_plane_box(&c, n_wide, d_wide, lo, hi);
-    if (c.unsure) {
-        c.exact = 1;
-        side = tbx_plane_box(&c, n_wide, d_wide, lo, hi);
-    }
-    return side;
+    side = tbx_plane_box(&c, &p);
+    return c.unsure ? tbx_plane_box_exact(&p) : side;
 }
 
-/* ---- motion: rays and sweeps
+/* ---- ray and box */
+
+typedef struct tbx_ray {
+    tbx_real origin[3];
+    tbx_real dir[3];
+    tbx_real t[2]; /* t_min, t_max */
+} tbx_ray;
+
+/* Reads a ray, t_min and t_max together. Returns what tbx_read does. */
+TBX_FN int tbx_ray_read(tbx_ray *r, const void *origin, const void *dir, const void *t, int format)
+{
+    return tbx_read(r->origin, origin, 3, format) | tbx_read(r->dir, dir, 3, format) |
+           tbx_read(r->t, t, 2, format);
+}
+
+/* A ray as a question: origin and direction finite, some real t in [t_min, t_max]. */
+TBX_FN int tbx_ray_valid(const tbx_ray *r)
+{
+    return tbx_finite(r->origin, 3) & tbx_finite(r->dir, 3) &
+           (r->t[0].key <= r->t[1].key && r->t[0].key >= -TBX_KEY_INFINITY && r->t[0].key < TBX_KEY_INFINITY &&
+            r->t[1].key <= TBX_KEY_INFINITY && r->t[1].key > -TBX_KEY_INFINITY);
+}
+
+typedef struct tbx_slabs {
+    tbx_ray ray;
+    tbx_real face[2][3]; /* lower, upper */
+    int axis[2];         /* whose face the ray meets first, and last; -1: t_min or t_max comes first, last */
+} tbx_slabs;
+
+/* The face of axis k through which the ray enters (end 0) or leaves (1) its slab; dir is not 0 there. */
+TBX_FN const tbx_real *tbx_slab_face(const tbx_slabs *s, int k, int end)
+{
+    return &s->face[end ^ (s->ray.dir[k].key < 0)][k];
+}
+
+/* When the ray meets that face, which is finite. */
+TBX_FN void tbx_slab_time(tbx_calc *c, const tbx_slabs *s, int k, int end, tbx_fraction *out)
+{
+    tbx_num_difference(c, &out->n, tbx_slab_face(s, k, end), &s->ray.origin[k]);
+    tbx_num_of(c, &out->d, &s->ray.dir[k]);
+    tbx_fraction_orient(c, out, tbx_key_sign(s->ray.dir[k].key));
+}
+
+/* [KK86]: the ray is inside the box where it is inside all three slabs. One run; leaves s->axis. */
+TBX_FN int tbx_slabs_run(tbx_calc *c, tbx_slabs *s)
+{
+    tbx_fraction end[2];
+    int e;
+    int k;
+    for (e = 0; e < 2; e++) {
+        s->axis[e] = -1;
+        tbx_fraction_of(c, &end[e], &s->ray.t[e]);
+    }
+    for (k = 0; k < 3; k++) {
+        if (s->ray.dir[k].key == 0) {
+            if (s->ray.origin[k].key < s->face[0][k].key || s->ray.origin[k].key > s->face[1][k].key) {
+                return 0;
+            }
+            continue;
+        }
+        for (e = 0; e < 2; e++) {
+            tbx_fraction t;
+            if (!tbx_key_is_finite(tbx_slab_face(s, k, e)->key)) {
+                continue;
+            }
+            tbx_slab_time(c, s, k, e, &t);
+            if (tbx_fraction_compare(c, &t, &end[e]) * (e == 0 ? 1 : -1) > 0) {
+                end[e] = t;
+                s->axis[e] = k;
+            }
+        }
+    }
+    return tbx_fraction_compare(c, &end[0], &end[1]) <= 0;
+}
+
+/* An end of the interval inside, outward, as a key of the format. */
+TBX_FN int64_t tbx_slabs_end(tbx_calc *c, const tbx_slabs *s, int e, int format)
+{
+    tbx_fraction t;
+    if (s->axis[e] < 0) {
+        return tbx_format_key(s->ray.t[e].key, format);
+    }
+    tbx_slab_time(c, s, s->axis[e], e, &t);
+    return tbx_fraction_round(c, &t, format, e == 0 ? TBX_DOWN : TBX_UP);
+}
+
+TBX_COLD int tbx_slabs_run_exact(tbx_slabs *s)
+{
+    tbx_limb store[TBX_STORE];
+    tbx_calc c = { 1, 0, 0, NULL };
+    c.store = store;
+    return tbx_slabs_run(&c, s);
+}
+
+TBX_COLD int64_t tbx_slabs_end_exact(const tbx_slabs *s, int e, int format)
+{
+    tbx_limb store[TBX_STORE];
+    tbx_calc c = { 1, 0, 0, NULL };
+    c.store = store;
+    return tbx_slabs_end(&c, s, e, format);
+}
+
+TBX_NOINLINE int64_t tbx_slabs_round(const tbx_slabs *s, int e, int format)
+{
+    tbx_calc c = { 0, 0, 0, NULL };
+    const int64_t key = tbx_slabs_end(&c, s, e, format);
+    return c.unsure ? tbx_slabs_end_exact(s, e, format) : key;
+}
+
+TBX_FN int tbx_slabs_read(tbx_slabs *s, const void *origin, const void *dir, const void *t, const void *box_min,
+                          const void *box_max, int format)
+{
+    return tbx_ray_read(&s->ray, origin, dir, t, format) | tbx_read(s->face[0], box_min, 3, format) |
+           tbx_read(s->face[1], box_max, 3, format);
+}
+
+/* Bounds of the filter below. A difference, a reciprocal and their product are each rounded once, by 2^-52 in
+ * any mode; the reciprocal, which fast-math may approximate, is checked to 2^-48: 2^-47 in all, and as much
+ * again for the sum that compares two times. Nothing underflows: differences are 0 or at least 2^-149, dir is
+ * below 2^130. */
+#define TBX_SLAB_INVERSE_ERROR 3.552713678800501e-15 /* 2^-48 */
+#define TBX_SLAB_ERROR 1.4210854715202004e-14        /* 2^-46 */
+#define TBX_SLAB_ERROR_ULPS 64u                      /* the same, in bits of a double */
+
+/* The key of the float at or below (up = 0) or above (1) every number within SLAB_ERROR of t; 0 where these
+ * have several, or t is not within the floats' normal range. */
+TBX_FN int64_t tbx_slab_round(double t, int up)
+{
+    const uint64_t bits = tbx_bits64(&t);
+    const uint64_t rest = bits & 0x1fffffffu;
+    const uint64_t magnitude = bits & 0x7fffffffffffffffu;
+    const int64_t key = (int64_t)(magnitude >> 29) - ((int64_t)(1023 - 127) << 23);
+    const int negative = (int)(bits >> 63);
+    if (TBX_RARELY(rest - TBX_SLAB_ERROR_ULPS > 0x1fffffffu - 2u * TBX_SLAB_ERROR_ULPS ||
+                   magnitude - ((uint64_t)(1023 - 120) << 52) > (uint64_t)240 << 52)) {
+        return 0;
+    }
+    return negative ? -(key + !up) : key + up;
+}
+
+#define TBX_SLAB_BEYOND 2.037035976334486e+90 /* 2^300: past every time */
+
+/* The slabs in double, where the inputs are in range: a time is at most 2^131 * 2^97. Ends of the interval in
+ * t; s->axis where only one axis may bring them. The largest lower and the least upper end are no farther
+ * from the exact ones than their errors. */
+TBX_FN int tbx_slabs_filter(tbx_slabs *s, double t[2])
+{
+    double ends[2][4];
+    double error;
+    int outside = 0;
+    int doubt = 0;
+    int e;
+    int k;
+    for (k = 0; k < 3; k++) {
+        const tbx_real *lo = &s->face[0][k];
+        const tbx_real *hi = &s->face[1][k];
+        const tbx_real *o = &s->ray.origin[k];
+        const int flat = s->ray.dir[k].key == 0;
+        const int down = s->ray.dir[k].key < 0;
+        const double d = flat ? 1.0 : s->ray.dir[k].value;
+        double inverse = 1.0 / d;
+        double a = lo->value - o->value;
+        double b = hi->value - o->value;
+        TBX_KEEP_SCALAR(inverse);
+        TBX_KEEP_SCALAR(a);
+        TBX_KEEP_SCALAR(b);
+        doubt |= !(tbx_abs(inverse * d - 1.0) <= TBX_SLAB_INVERSE_ERROR);
+        outside |= flat & ((o->key < lo->key) | (o->key > hi->key));
+        a = flat | (lo->key == -TBX_KEY_INFINITY) ? (down ? TBX_SLAB_BEYOND : -TBX_SLAB_BEYOND) : a * inverse;
+        b = flat | (hi->key == TBX_KEY_INFINITY) ? (down ? -TBX_SLAB_BEYOND : TBX_SLAB_BEYOND) : b * inverse;
+        ends[0][k] = down ? b : a;
+        ends[1][k] = down ? a : b;
+    }
+    ends[0][3] = tbx_key_is_finite(s->ray.t[0].key) ? s->ray.t[0].value : -TBX_SLAB_BEYOND;
+    ends[1][3] = tbx_key_is_finite(s->ray.t[1].key) ? s->ray.t[1].value : TBX_SLAB_BEYOND;
+    t[0] = ends[0][3];
+    t[1] = ends[1][3];
+    for (k = 0; k < 3; k++) {
+        t[0] = ends[0][k] > t[0] ? ends[0][k] : t[0];
+        t[1] = ends[1][k] < t[1] ? ends[1][k] : t[1];
+    }
+    error = TBX_SLAB_ERROR * (tbx_abs(t[0]) + tbx_abs(t[1]));
+    if (outside | (t[0] - t[1] > error)) {
+        return outside | !doubt ? TBX_MISS : TBX_UNSURE;
+    }
+    if (doubt | !(t[1] - t[0] > error)) {
+        return TBX_UNSURE;
+    }
+    for (e = 0; e < 2; e++) {
+        int reached = 0;
+        error = 2.0 * TBX_SLAB_ERROR * tbx_abs(t[e]);
+        for (k = 0; k < 4; k++) {
+            reached |= (tbx_abs(ends[e][k] - t[e]) <= error) << k;
+        }
+        if ((reached & (reached - 1)) != 0) {
+            return TBX_UNSURE; /* more than one may be first or last */
+        }
+        s->axis[e] = reached == 8 ? -1 : reached >> 1; /* 1, 2, 4: 0, 1, 2 */
+    }
+    return TBX_HIT;
+}
+
+/* The answer for a ray that was read; odd: it is beyond the range of double. */
+TBX_NOINLINE int tbx_slabs_answer(tbx_slabs *s, int odd, int format, void *out_t0, void *out_t1)
+{
+    tbx_calc c = { 0, 0, 0, NULL };
+    void *out[2];
+    int64_t key[2] = { 0, 0 };
+    double t[2];
+    int verdict = TBX_UNSURE;
+    int e;
+    if (!tbx_ray_valid(&s->ray) || !tbx_box_valid(s->face[0], s->face[1])) {
+        return 0;
+    }
+    out[0] = out_t0;
+    out[1] = out_t1;
+    if (!odd && TBX_DOUBLE_IS_53_BITS) {
+        verdict = tbx_slabs_filter(s, t);
+        for (e = 0; e < 2 && verdict == TBX_HIT && format == TBX_FLOAT; e++) {
+            key[e] = s->axis[e] < 0 ? 0 : tbx_slab_round(t[e], e);
+        }
+    }
+    if (verdict == TBX_UNSURE && !odd) {
+        verdict = tbx_slabs_run(&c, s);
+    }
+    if (odd || c.unsure) {
+        verdict = tbx_slabs_run_exact(s);
+    }
+    for (e = 0; e < 2 && verdict == TBX_HIT; e++) {
+        if (out[e] != NULL) {
+            tbx_write(out[e], 0, format, key[e] != 0 ? key[e] : tbx_slabs_round(s, e, format));
+        }
+    }
+    return verdict;
+}
+
+#if TRIBOX_SIMD /* section 11.5 */
+TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float t[2], const float box_min[3],
+                          const float box_max[3], float *out_t0, float *out_t1);
+TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float box_min[3],
+                              const float box_max[3]);
+#endif
+
+TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
+                             const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
+{
+    tbx_slabs s;
+    float t[2];
+    int odd;
+    TBX_COPY(&t[0], &t_min, sizeof t_min);
+    TBX_COPY(&t[1], &t_max, sizeof t_max);
+#if TRIBOX_SIMD
+    {
+        const int verdict = tbx_ray_filter(origin, dir, t, box_min, box_max, out_t0, out_t1);
+        if (!TBX_RARELY(verdict == TBX_UNSURE)) {
+            return verdict;
+        }
+    }
+#endif
+    odd = tbx_slabs_read(&s, origin, dir, t, box_min, box_max, TBX_FLOAT);
+    return tbx_slabs_answer(&s, odd, TBX_FLOAT, out_t0, out_t1);
+}
+
+TRIBOX_FN int tribox_ray_box_f64(const double origin[3], const double dir[3], double t_min, double t_max,
+                                 const double box_min[3], const double box_max[3], double *out_t0,
+                                 double *out_t1)
+{
+    tbx_slabs s;
+    double t[2];
+    int odd;
+    TBX_COPY(&t[0], &t_min, sizeof t_min);
+    TBX_COPY(&t[1], &t_max, sizeof t_max);
+    odd = tbx_slabs_read(&s, origin, dir, t, box_min, box_max, TBX_DOUBLE);
+    return tbx_slabs_answer(&s, odd, TBX_DOUBLE, out_t0, out_t1);
+}
+
+/* ---- segment and box
+ *
+ * The segment is the triangle p, q, q, whose normal is 0: of "one box" there remain the faces, and for each
+ * axis one condition r - |c| >= 0, where a = q - p, and m and h are the middle and the half size, from p, of the
+ * box clipped to the segment: r = |a_b| h_c + |a_c| h_b, c = (m x a)_a. Bound, in units of u X_b X_c, X = |a|: c: two
+ * products of 2 + 1 + 1, and 2 for their difference: 10; r: 8; r - |c|: 3 more: 21, within ULPS. Where X_b or X_c is
+ * 0, value and bound are 0: the faces say all. */
+
+/* In double, for inputs in range. */
+TBX_FN int tbx_segment_wide(const tbx_real p[3], const tbx_real q[3], const tbx_real lo[3], const tbx_real hi[3])
+{
+    double a[3];
+    double m[3];
+    double h[3];
+    int parted = 0;
+    int miss = 0;
+    int unsure = 0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        const double from = p[k].value < q[k].value ? p[k].value : q[k].value;
+        const double to = p[k].value < q[k].value ? q[k].value : p[k].value;
+        const double lower = lo[k].value > from && lo[k].key > -TBX_KEY_INFINITY ? lo[k].value : from;
+        const double upper = hi[k].value < to && hi[k].key < TBX_KEY_INFINITY ? hi[k].value : to;
+        double l = lower - p[k].value;
+        double u = upper - p[k].value;
+        a[k] = q[k].value - p[k].value;
+        TBX_KEEP_SCALAR(l);
+        TBX_KEEP_SCALAR(u);
+        parted |= lower > upper;
+        m[k] = (l + u) * 0.5;
+        h[k] = (u - l) * 0.5;
+    }
+    TBX_KEEP(a);
+    for (k = 0; k < 3; k++) {
+        const int b = k < 2 ? k + 1 : 0;
+        const int c = k > 0 ? k - 1 : 2;
+        const double x = tbx_abs(a[b]);
+        const double y = tbx_abs(a[c]);
+        const double value = x * h[c] + y * h[b] - tbx_abs(m[b] * a[c] - m[c] * a[b]);
+        const double bound = TBX_ULPS * TBX_U64 * x * y;
+        miss |= value < -bound;
+        unsure |= value < bound;
+    }
+    return parted | miss ? TBX_MISS : unsure ? TBX_UNSURE : TBX_HIT;
+}
+
+TBX_NOINLINE int tbx_segment_box(const void *p, const void *q, const void *box_min, const void *box_max,
+                                 int format)
+{
+    tbx_real x[4][3];
+    const int odd = tbx_read(x[0], p, 3, format) | tbx_read(x[1], q, 3, format) |
+                    tbx_read(x[2], box_min, 3, format) | tbx_read(x[3], box_max, 3, format);
+    if (!tbx_finite(x[0], 6) || !tbx_box_valid(x[2], x[3])) {
+        return TBX_MISS;
+    }
+    return odd || !TBX_DOUBLE_IS_53_BITS ? TBX_UNSURE : tbx_segment_wide(x[0], x[1], x[2], x[3]);
+}
+
+TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float box_min[3],
+                                 const float box_max[3])
+{
+    int verdict = TBX_UNSURE;
+#if TRIBOX_SIMD
+    verdict = tbx_segment_filter(p, q, box_min, box_max);
+    if (!TBX_RARELY(verdict == TBX_UNSURE)) {
+        return verdict;
+    }
+#endif
+    verdict = tbx_segment_box(p, q, box_min, box_max, TBX_FLOAT);
+    return verdict != TBX_UNSURE ? verdict : tbx_overlap_widened(p, q, q, box_min, box_max, 0);
+}
+
+TRIBOX_FN int tribox_segment_box_f64(const double p[3], const double q[3], const double box_min[3],
+                                     const double box_max[3])
+{
+    const int verdict = tbx_segment_box(p, q, box_min, box_max, TBX_DOUBLE);
+    return verdict != TBX_UNSURE ? verdict : tribox_overlap_f64(p, q, q, box_min, box_max);
+}
+
+/* ---- motion: sweeps, and rays in a triangle's plane
  *
  * The box B + t u meets T iff each of the 13 axes l lets their projections meet ("the exact test", at any
  * t), and each axis gives two conditions that are linear in t: for both l' = +-l,
  *
  *   max over B of l'.b - min over T of l'.v  +  t (l'.u)  >=  0.
  *
- * So the times of contact are one interval, and its ends are fractions. A ray is a point in motion, which
- * meets the box B as B, moving by -dir, meets the point; and a triangle as a box of one point, moving by
- * dir, does. */
+ * So the times of contact are one interval, and its ends are fractions. A ray is a box of one point, moving
+ * by dir. */
 /* 0..2 faces; 4 + 3a + i: edge i x axis a */
 enum { TBX_AXIS_NORMAL = 3, TBX_AXES = 13 };
 
+/* In integers the ends' limbs lie at the beginning of the store, each number's in a slot: degree 3 from
+ * floats, degree 2 from doubles. */
+#define TBX_MOTION_SLOT (4352 / TBX_LIMB_BITS)
+
 typedef struct tbx_motion {
     tbx_calc calc;
-    double v[3][3];
-    double lo[3];
-    double hi[3];
-    double velocity[3];
-    int open;           /* 1: touching does not count, every condition is strict */
-    tbx_fraction first; /* the interval of t so far */
-    tbx_fraction last;
+    tbx_real v[3][3];
+    tbx_real lo[3];
+    tbx_real hi[3];
+    tbx_real velocity[3];
+    tbx_real t[2];       /* t_min, t_max */
+    int axes;            /* so many of the 13 are asked */
+    int open;            /* 1: touching does not count, every condition is strict */
+    tbx_fraction end[2]; /* of the interval of t so far */
+    int end_axis[2];     /* the axis that brought it, -1: t_min, t_max; its side of T: */
+    int end_side[2];
     int empty;
     int n_sign[3]; /* of the normal */
     int opens;     /* the axis whose interval opens at `first`, -1 if none; its side of T: */
@@ -5426,14 +6157,23 @@ typedef struct tbx_motion {
     int touches_side;
 } tbx_motion;
 
+TBX_FN void tbx_motion_set_end(tbx_motion *m, int e, const tbx_fraction *t)
+{
+    m->end[e] = *t;
+    if (m->calc.exact) {
+        tbx_num_move(&m->calc, &m->end[e].n, 2 * e * TBX_MOTION_SLOT);
+        tbx_num_move(&m->calc, &m->end[e].d, (2 * e + 1) * TBX_MOTION_SLOT);
+    }
+}
+
 /* Keeps those t of the interval for which c0 + t c1 >= 0, by axis and side of T. */
 TBX_FN void tbx_motion_keep(tbx_motion *m, const tbx_num *c0, const tbx_num *c1, int axis, int side)
 {
     tbx_calc *c = &m->calc;
     const int direction = tbx_num_sign(c, c1);
     const int gap = tbx_num_sign(c, c0);
+    const int e = direction < 0;
     tbx_fraction t;
-    tbx_fraction *end = direction > 0 ? &m->first : &m->last;
     int tighter;
     if (gap == 0 && m->touches < 0) {
         m->touches = axis;
@@ -5443,29 +6183,30 @@ TBX_FN void tbx_motion_keep(tbx_motion *m, const tbx_num *c0, const tbx_num *c1,
         m->empty |= gap < m->open;
         return;
     }
-    tbx_num_copy(c, &t.n, c0);
-    tbx_num_copy(c, &t.d, c1);
-    tbx_num_flip(c, &t.n, -direction);
-    tbx_num_flip(c, &t.d, direction);
-    tighter = direction * tbx_fraction_compare(c, &t, end);
+    t.n = *c0;
+    t.d = *c1;
+    tbx_fraction_orient(c, &t, direction);
+    tbx_num_flip(c, &t.n, -1);
+    tighter = direction * tbx_fraction_compare(c, &t, &m->end[e]);
     if (direction > 0 && (tighter > 0 || (tighter == 0 && m->opens < 0))) {
         m->opens = axis;
         m->opens_side = side;
     }
     if (tighter > 0) {
-        tbx_num_copy(c, &end->n, &t.n);
-        tbx_num_copy(c, &end->d, &t.d);
+        tbx_motion_set_end(m, e, &t);
+        m->end_axis[e] = axis;
+        m->end_side[e] = side;
     }
 }
 
 /* The axis as a vector: unit, normal, or edge i x unit a = (0, e_c, -e_b) from component a on. */
 TBX_FN void tbx_motion_axis(tbx_motion *m, int axis, tbx_num l[3])
 {
-    const tbx_calc *c = &m->calc;
+    tbx_calc *c = &m->calc;
     int k;
     if (axis < TBX_AXIS_NORMAL) {
         for (k = 0; k < 3; k++) {
-            tbx_num_set(c, &l[k], k == axis ? 1.0 : 0.0);
+            tbx_num_integer(c, &l[k], k == axis, 0);
         }
     } else if (axis == TBX_AXIS_NORMAL) {
         tbx_num_normal(c, l, m->v[0], m->v[1], m->v[2]);
@@ -5475,9 +6216,9 @@ TBX_FN void tbx_motion_axis(tbx_motion *m, int axis, tbx_num l[3])
         const int b = (a + 1) % 3;
         const int e = (a + 2) % 3;
         const int j = (i + 1) % 3;
-        tbx_num_set(c, &l[a], 0.0);
-        tbx_num_difference(c, &l[b], m->v[j][e], m->v[i][e]);
-        tbx_num_difference(c, &l[e], m->v[i][b], m->v[j][b]);
+        tbx_num_integer(c, &l[a], 0, 0);
+        tbx_num_difference(c, &l[b], &m->v[j][e], &m->v[i][e]);
+        tbx_num_difference(c, &l[e], &m->v[i][b], &m->v[j][b]);
     }
 }
 
@@ -5492,11 +6233,36 @@ TBX_FN int tbx_motion_corner(const tbx_motion *m, int axis, int want)
         return m->n_sign[(axis - 4) / 3] * want > 0 ? (i + 2) % 3 : i;
     }
     for (i = 1; i < 3 && axis < TBX_AXIS_NORMAL; i++) {
-        const int below = tbx_less(&m->v[i][axis], &m->v[best][axis]);
-        const int above = tbx_less(&m->v[best][axis], &m->v[i][axis]);
-        best = (want > 0 ? below : above) ? i : best;
+        const int64_t key = m->v[i][axis].key;
+        const int64_t best_key = m->v[best][axis].key;
+        best = (want > 0 ? key < best_key : key > best_key) ? i : best;
     }
     return best;
+}
+
+/* The gap at t = 0 between T and the box's far face on a side of the axis: max over B of l'.b - min over T
+ * of l'.v, l' = side * l. Returns 0 where the box has no end there. */
+TBX_FN int tbx_motion_gap(tbx_motion *m, int axis, int side, const tbx_num l[3], const int l_sign[3], tbx_num *out)
+{
+    tbx_calc *c = &m->calc;
+    const tbx_real *v = m->v[tbx_motion_corner(m, axis, side)];
+    const int mark = c->used;
+    tbx_num gap[3];
+    int k;
+    for (k = 0; k < 3; k++) {
+        const tbx_real *q = l_sign[k] * side > 0 ? &m->hi[k] : &m->lo[k];
+        if (l_sign[k] == 0) {
+            tbx_num_integer(c, &gap[k], 0, 0);
+        } else if (tbx_key_is_finite(q->key) & tbx_key_is_finite(v[k].key)) {
+            tbx_num_difference(c, &gap[k], q, &v[k]);
+        } else {
+            return 0;
+        }
+    }
+    tbx_num_dot(c, out, l, gap);
+    tbx_num_flip(c, out, side);
+    tbx_num_keep(c, mark, out, 1);
+    return 1;
 }
 
 /* The axis and the signs of its components. Returns 0 for one that is zero, and says nothing, or along a unit
@@ -5514,274 +6280,300 @@ TBX_FN int tbx_motion_signs(tbx_motion *m, int axis, tbx_num l[3], int l_sign[3]
     return axis < TBX_AXIS_NORMAL || (l_sign[0] != 0) + (l_sign[1] != 0) + (l_sign[2] != 0) > 1;
 }
 
-/* r = max over B of l'.b - min over T of l'.v, l' = side * l. Returns 0 where that is infinite. */
-TBX_FN int tbx_motion_gap(const tbx_motion *m, int axis, int side, const tbx_num l[3], const int l_sign[3],
-                          tbx_num *r)
+/* How fast the box moves along the axis: r = l.u */
+TBX_FN void tbx_motion_speed(tbx_motion *m, const tbx_num l[3], tbx_num *r)
 {
-    const tbx_calc *c = &m->calc;
-    const double *v = m->v[tbx_motion_corner(m, axis, side)];
-    tbx_num gap[3];
+    tbx_num u[3];
     int k;
     for (k = 0; k < 3; k++) {
-        const double q = l_sign[k] * side > 0 ? m->hi[k] : m->lo[k];
-        const int used = l_sign[k] != 0;
-        if (used && !(tbx_is_finite(&q) && tbx_is_finite(&v[k]))) {
-            return 0;
-        }
-        tbx_num_difference(c, &gap[k], used ? q : 0.0, used ? v[k] : 0.0);
+        tbx_num_of(&m->calc, &u[k], &m->velocity[k]);
     }
-    tbx_num_dot(c, r, l, gap);
-    tbx_num_flip(c, r, side);
-    return 1;
+    tbx_num_dot(&m->calc, r, l, u);
 }
 
 /* Both conditions of one axis. */
 TBX_FN void tbx_motion_clip(tbx_motion *m, int axis)
 {
     tbx_calc *c = &m->calc;
+    const int mark = c->used;
     tbx_num l[3];
-    tbx_num u[3];
+    tbx_num speed;
     tbx_num gap;
     int l_sign[3];
     int side;
-    int k;
-    if (!tbx_motion_signs(m, axis, l, l_sign)) {
-        return;
-    }
-    for (k = 0; k < 3; k++) {
-        tbx_num_set(c, &u[k], m->velocity[k]);
-    }
-    tbx_num_dot(c, &u[0], l, u);
-    for (side = 1; side >= -1; side -= 2) {
-        if (tbx_motion_gap(m, axis, side, l, l_sign, &gap)) {
-            tbx_num_flip(c, &u[0], side);
-            tbx_motion_keep(m, &gap, &u[0], axis, -side);
-            tbx_num_flip(c, &u[0], side);
+    if (tbx_motion_signs(m, axis, l, l_sign)) {
+        tbx_motion_speed(m, l, &speed);
+        for (side = 1; side >= -1; side -= 2) {
+            if (tbx_motion_gap(m, axis, side, l, l_sign, &gap)) {
+                tbx_num_flip(c, &speed, side);
+                tbx_motion_keep(m, &gap, &speed, axis, -side);
+                tbx_num_flip(c, &speed, side);
+            }
         }
     }
+    c->used = mark;
 }
 
-/* Do T and the moving box meet at some t in [t_min, t_max], by the first so many axes? Leaves the interval
- * in m. */
-TBX_NOINLINE int tbx_motion_run(tbx_motion *m, int axes, double t_min, double t_max, int exact)
+/* Do T and the moving box meet at some t in [t_min, t_max]? One run; leaves the interval in m. */
+TBX_NOINLINE int tbx_motion_run(tbx_motion *m)
 {
+    tbx_calc *c = &m->calc;
     int axis;
-    m->calc.exact = exact;
-    m->calc.unsure = 0;
+    int e;
+    c->unsure = 0;
     m->empty = 0;
     m->opens = -1;
     m->touches = -1;
-    tbx_fraction_set(&m->calc, &m->first, t_min);
-    tbx_fraction_set(&m->calc, &m->last, t_max);
-    for (axis = 0; axis < axes && !m->calc.unsure && !m->empty; axis++) {
+    for (e = 0; e < 2; e++) {
+        tbx_fraction t;
+        c->used = c->exact ? 4 * TBX_MOTION_SLOT : 0;
+        tbx_fraction_of(c, &t, &m->t[e]);
+        tbx_motion_set_end(m, e, &t);
+        m->end_axis[e] = -1;
+    }
+    for (axis = 0; axis < m->axes && !c->unsure && !m->empty; axis++) {
         tbx_motion_clip(m, axis);
-        if (axis == TBX_AXIS_NORMAL - 1 || axis == axes - 1) {
-            m->empty |= tbx_fraction_compare(&m->calc, &m->first, &m->last) > -m->open;
+        if (axis == TBX_AXIS_NORMAL - 1 || axis == m->axes - 1) {
+            m->empty |= tbx_fraction_compare(c, &m->end[0], &m->end[1]) > -m->open;
         }
     }
     return !m->empty;
 }
 
-TBX_FN void tbx_motion_round(tbx_motion *m, float *out_first, float *out_last)
+/* An end of the interval, found in this run, outward. */
+TBX_FN int64_t tbx_motion_round(tbx_motion *m, int e, int format)
 {
-    if (out_first != NULL) {
-        *out_first = tbx_fraction_round(&m->calc, &m->first, TBX_DOWN);
-    }
-    if (out_last != NULL) {
-        *out_last = tbx_fraction_round(&m->calc, &m->last, TBX_UP);
-    }
+    return m->end_axis[e] < 0 ? tbx_format_key(m->t[e].key, format)
+                              : tbx_fraction_round(&m->calc, &m->end[e], format, e == 0 ? TBX_DOWN : TBX_UP);
 }
 
-/* A ray as a question: origin and direction finite, some real t in [t_min, t_max]. */
-TBX_FN int tbx_ray_valid(const double origin[3], const double dir[3], double t_min, double t_max)
+/* The same in integers, of an end that was found in double. */
+TBX_COLD int64_t tbx_motion_round_exact(const tbx_motion *found, int e, int format)
 {
-    return tbx_finite3(origin) && tbx_finite3(dir) && !tbx_is_nan(&t_min) && !tbx_is_nan(&t_max) &&
-           !tbx_less(&t_max, &t_min) && (tbx_is_finite(&t_min) || tbx_sign(&t_min) < 0) &&
-           (tbx_is_finite(&t_max) || tbx_sign(&t_max) > 0);
-}
-
-/* What the filter leaves open: in double with bounds, then in integers. */
-TBX_NOINLINE int tbx_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
-                             const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
-{
-    tbx_motion m;
-    double d[3];
-    float t[2] = { 0.0f, 0.0f };
-    double t0;
-    double t1;
-    int hit = 0;
-    int exact;
-    int k;
-    tbx_widen(&t0, &t_min);
-    tbx_widen(&t1, &t_max);
-    /* cppcheck-suppress uninitvar ; it is written there */
-    tbx_widen3(m.v[0], origin);
-    tbx_widen3(d, dir);
-    tbx_widen3(m.lo, box_min);
-    tbx_widen3(m.hi, box_max);
-    if (!tbx_ray_valid(m.v[0], d, t0, t1) || !tbx_box_valid(m.lo, m.hi)) {
-        return 0;
-    }
-    m.open = 0;
-    for (k = 0; k < 3; k++) {
-        m.velocity[k] = -d[k];
-        m.v[2][k] = m.v[1][k] = m.v[0][k];
-    }
-    m.calc.unsure = 1;
-    for (exact = 0; exact < 2 && m.calc.unsure; exact++) {
-        hit = tbx_motion_run(&m, TBX_AXIS_NORMAL, t0, t1, exact);
-        if (hit && !m.calc.unsure) {
-            tbx_motion_round(&m, &t[0], &t[1]);
-        }
-    }
-    if (hit && out_t0 != NULL) {
-        *out_t0 = t[0];
-    }
-    if (hit && out_t1 != NULL) {
-        *out_t1 = t[1];
-    }
-    return hit;
-}
-
-#if TRIBOX_SIMD /* section 11.5 */
-TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], float t_min, float t_max,
-                          const float box_min[3], const float box_max[3], float *out_t0, float *out_t1);
-TBX_NOINLINE int tbx_ray_flat(const float origin[3], const float dir[3], float t_min, float t_max,
-                              const float box_min[3], const float box_max[3], float *out_t0, float *out_t1);
-TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float box_min[3],
-                              const float box_max[3]);
-#endif
-
-TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
-                             const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
-{
-    const uint32_t infinity = 0x7f800000u;
-    if ((tbx_bits32(&t_min) & 0x7fffffffu) > infinity || (tbx_bits32(&t_max) & 0x7fffffffu) > infinity) {
-        return 0;
-    }
-#if TRIBOX_SIMD
-    {
-        int verdict = tbx_ray_filter(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
-        if (!TBX_RARELY(verdict == TBX_UNSURE)) {
-            return verdict;
-        }
-        verdict = tbx_ray_flat(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
-        if (verdict != TBX_UNSURE) {
-            return verdict;
-        }
-    }
-#endif
-    return tbx_ray_box(origin, dir, t_min, t_max, box_min, box_max, out_t0, out_t1);
-}
-
-TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float box_min[3],
-                                 const float box_max[3])
-{
-#if TRIBOX_SIMD
-    const int verdict = tbx_segment_filter(p, q, box_min, box_max);
-    if (!TBX_RARELY(verdict == TBX_UNSURE)) {
-        return verdict;
-    }
-#endif
-    return tbx_overlap_widened(p, q, q, box_min, box_max, 0);
+    tbx_limb store[TBX_STORE];
+    tbx_motion m = *found;
+    const int side = -m.end_side[e];
+    tbx_num l[3];
+    int l_sign[3];
+    m.calc.exact = 1;
+    m.calc.unsure = 0;
+    m.calc.used = 0;
+    m.calc.store = store;
+    (void)tbx_motion_signs(&m, m.end_axis[e], l, l_sign);
+    tbx_motion_speed(&m, l, &m.end[e].d);
+    (void)tbx_motion_gap(&m, m.end_axis[e], side, l, l_sign, &m.end[e].n);
+    tbx_num_flip(&m.calc, &m.end[e].d, side);
+    tbx_fraction_orient(&m.calc, &m.end[e], m.end[e].d.sign);
+    tbx_num_flip(&m.calc, &m.end[e].n, -1);
+    return tbx_motion_round(&m, e, format);
 }
 
 /* ---- ray and triangle */
 
-/* The usual case in double: the line crosses the plane of T at one point, strictly inside or outside of T.
- * det_i is six times the volume of the tetrahedron dir, v_i - o, v_i+1 - o. If two differ in sign, the
- * line misses T, also if it lies in T's plane (then all are 0) or T is a segment (then a line that meets
- * it makes all 0). */
-TBX_NOINLINE int tbx_ray_triangle_fast(tbx_calc *c, const tbx_motion *m, double t_min, double t_max,
-                                       float *out_t)
+typedef struct tbx_shot {
+    tbx_ray ray;
+    tbx_real v[3][3];
+} tbx_shot;
+
+/* When the line crosses the plane of T: n.(v0 - o) / n.dir. Returns the sign of the denominator; 0: never, or
+ * always. */
+TBX_FN int tbx_shot_time(tbx_calc *c, const tbx_shot *s, tbx_fraction *t)
 {
+    const int mark = c->used;
+    tbx_num n[3];
+    tbx_num x[3];
+    int sign;
+    int k;
+    tbx_num_normal(c, n, s->v[0], s->v[1], s->v[2]);
+    for (k = 0; k < 3; k++) {
+        tbx_num_of(c, &x[k], &s->ray.dir[k]);
+    }
+    tbx_num_dot(c, &t->d, n, x);
+    tbx_num_difference3(c, x, s->v[0], s->ray.origin);
+    tbx_num_dot(c, &t->n, n, x);
+    sign = tbx_num_sign(c, &t->d);
+    tbx_fraction_orient(c, t, sign);
+    if (c->exact) {
+        tbx_num both[2];
+        both[0] = t->d;
+        both[1] = t->n;
+        tbx_num_keep(c, mark, both, 2);
+        t->d = both[0];
+        t->n = both[1];
+    }
+    return sign;
+}
+
+/* On which sides of the triangle's edges does the line pass? det_i is six times the volume of the tetrahedron
+ * dir, v_i - o, v_i+1 - o. Returns 1 if two differ in sign: then the line misses T, also if it lies in T's
+ * plane (then all are 0) or T is a segment (then a line that meets it makes all 0). */
+TBX_FN int tbx_shot_passes(tbx_calc *c, const tbx_shot *s)
+{
+    const int mark = c->used;
     tbx_num a[3][3];
     tbx_num d[3];
-    tbx_num n[3];
-    tbx_num det[3];
-    tbx_fraction t;
-    tbx_fraction end;
     int above = 0;
     int below = 0;
     int i;
     for (i = 0; i < 3; i++) {
-        tbx_num_difference3(c, a[i], m->v[i], m->lo);
-        tbx_num_set(c, &d[i], m->velocity[i]);
+        tbx_num_difference3(c, a[i], s->v[i], s->ray.origin);
+        tbx_num_of(c, &d[i], &s->ray.dir[i]);
     }
     for (i = 0; i < 3; i++) {
+        const int here = c->used;
+        tbx_num n[3];
+        tbx_num det;
         int sign;
         tbx_num_cross(c, n, a[i], a[(i + 1) % 3]);
-        tbx_num_dot(c, &det[i], d, n);
-        sign = tbx_num_sign(c, &det[i]);
+        tbx_num_dot(c, &det, d, n);
+        sign = tbx_num_sign(c, &det);
         above += sign > 0;
         below += sign < 0;
+        c->used = here;
     }
-    if (above > 0 && below > 0) {
-        c->unsure = 0;
-        return 0;
-    }
-    tbx_num_normal(c, n, m->v[0], m->v[1], m->v[2]);
-    tbx_num_dot(c, &t.d, n, d);
-    tbx_num_dot(c, &t.n, n, a[0]);
-    i = tbx_num_sign(c, &t.d);
-    if (i == 0 || c->unsure) {
-        c->unsure = 1;
-        return 0;
-    }
-    tbx_num_flip(c, &t.n, i);
-    tbx_num_flip(c, &t.d, i);
-    tbx_fraction_set(c, &end, t_min);
-    if (tbx_fraction_compare(c, &t, &end) < 0) {
-        return 0;
-    }
-    tbx_fraction_set(c, &end, t_max);
-    if (tbx_fraction_compare(c, &t, &end) > 0) {
-        return 0;
-    }
-    if (out_t != NULL && !c->unsure) {
-        const float rounded = tbx_fraction_round(c, &t, TBX_DOWN);
-        if (!c->unsure) {
-            *out_t = rounded;
-        }
-    }
-    return 1;
+    c->used = mark;
+    return above > 0 && below > 0;
 }
 
-TBX_COLD int tbx_ray_triangle_exact(tbx_motion *m, double t_min, double t_max, float *out_t)
+/* The usual case: the line crosses the plane of T at one point. UNSURE: it does not, or nobody knows in
+ * double. */
+TBX_FN int tbx_shot_run(tbx_calc *c, const tbx_shot *s, tbx_fraction *t)
 {
-    m->open = 0;
-    if (!tbx_motion_run(m, TBX_AXES, t_min, t_max, 1)) {
+    tbx_fraction end;
+    int e;
+    if (tbx_shot_passes(c, s)) {
+        c->unsure = 0; /* of those two signs we are sure */
+        return TBX_MISS;
+    }
+    if (tbx_shot_time(c, s, t) == 0 || c->unsure) {
+        return TBX_UNSURE;
+    }
+    for (e = 0; e < 2; e++) {
+        const int mark = c->used;
+        tbx_fraction_of(c, &end, &s->ray.t[e]);
+        if (tbx_fraction_compare(c, t, &end) * (e == 0 ? 1 : -1) < 0) {
+            return c->unsure ? TBX_UNSURE : TBX_MISS;
+        }
+        c->used = mark;
+    }
+    return c->unsure ? TBX_UNSURE : TBX_HIT;
+}
+
+/* In integers; a line in the plane of T, or a T without a plane, by the 13 axes. */
+TBX_COLD int tbx_shot_run_exact(const tbx_shot *s, int format, int64_t *out_key)
+{
+    tbx_limb store[TBX_STORE];
+    tbx_motion m;
+    tbx_fraction t;
+    int verdict;
+    m.calc.exact = 1;
+    m.calc.unsure = 0;
+    m.calc.used = 0;
+    m.calc.store = store;
+    verdict = tbx_shot_run(&m.calc, s, &t);
+    if (verdict == TBX_HIT) {
+        *out_key = tbx_fraction_round(&m.calc, &t, format, TBX_DOWN);
+    } else if (verdict == TBX_UNSURE) {
+        int k;
+        for (k = 0; k < 3; k++) {
+            m.v[0][k] = s->v[0][k];
+            m.v[1][k] = s->v[1][k];
+            m.v[2][k] = s->v[2][k];
+            m.lo[k] = s->ray.origin[k];
+            m.hi[k] = s->ray.origin[k];
+            m.velocity[k] = s->ray.dir[k];
+        }
+        m.axes = TBX_AXES;
+        m.open = 0;
+        m.t[0] = s->ray.t[0];
+        m.t[1] = s->ray.t[1];
+        verdict = tbx_motion_run(&m);
+        *out_key = verdict ? tbx_motion_round(&m, 0, format) : 0;
+    }
+    return verdict;
+}
+
+/* The time of a hit that was found in double. */
+TBX_COLD int64_t tbx_shot_round_exact(const tbx_shot *s, int format)
+{
+    tbx_limb store[TBX_STORE];
+    tbx_calc c = { 1, 0, 0, NULL };
+    tbx_fraction t;
+    c.store = store;
+    (void)tbx_shot_time(&c, s, &t);
+    return tbx_fraction_round(&c, &t, format, TBX_DOWN);
+}
+
+/* The answer for a shot that was read; odd: it is beyond the range of double. */
+TBX_NOINLINE int tbx_shot_answer(const tbx_shot *s, int odd, int format, void *out_t)
+{
+    tbx_calc c = { 0, 0, 0, NULL };
+    tbx_fraction t;
+    int64_t key = 0;
+    int verdict = TBX_UNSURE;
+    if (!tbx_ray_valid(&s->ray) || !tbx_finite(s->v[0], 9)) {
         return 0;
     }
-    tbx_motion_round(m, out_t, NULL);
-    return 1;
+    if (!odd) {
+        verdict = tbx_shot_run(&c, s, &t);
+    }
+    if (verdict == TBX_UNSURE) {
+        verdict = tbx_shot_run_exact(s, format, &key);
+    } else if (verdict == TBX_HIT && out_t != NULL) {
+        key = tbx_fraction_round(&c, &t, format, TBX_DOWN);
+        key = c.unsure ? tbx_shot_round_exact(s, format) : key;
+    }
+    if (verdict == TBX_HIT && out_t != NULL) {
+        tbx_write(out_t, 0, format, key);
+    }
+    return verdict;
 }
 
 TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], float t_min, float t_max,
                                   const float v0[3], const float v1[3], const float v2[3], float *out_t)
 {
-    tbx_motion m;
-    tbx_calc c = { 0, 0 };
-    double t0;
-    double t1;
-    int hit;
-    tbx_widen(&t0, &t_min);
-    tbx_widen(&t1, &t_max);
-    /* cppcheck-suppress uninitvar ; it is written there */
-    tbx_widen3(m.v[0], v0);
-    tbx_widen3(m.v[1], v1);
-    tbx_widen3(m.v[2], v2);
-    tbx_widen3(m.lo, origin);
-    tbx_widen3(m.hi, origin);
-    tbx_widen3(m.velocity, dir);
-    if (!tbx_ray_valid(m.lo, m.velocity, t0, t1) || !tbx_corners_finite(m.v[0], m.v[1], m.v[2])) {
-        return 0;
-    }
-    hit = tbx_ray_triangle_fast(&c, &m, t0, t1, out_t);
-    return c.unsure ? tbx_ray_triangle_exact(&m, t0, t1, out_t) : hit;
+    tbx_shot s;
+    float t[2];
+    TBX_COPY(&t[0], &t_min, sizeof t_min);
+    TBX_COPY(&t[1], &t_max, sizeof t_max);
+    tbx_ray_read(&s.ray, origin, dir, t, TBX_FLOAT);
+    tbx_read(s.v[0], v0, 3, TBX_FLOAT);
+    tbx_read(s.v[1], v1, 3, TBX_FLOAT);
+    tbx_read(s.v[2], v2, 3, TBX_FLOAT);
+    return tbx_shot_answer(&s, 0, TBX_FLOAT, out_t);
+}
+
+TRIBOX_FN int tribox_ray_triangle_f64(const double origin[3], const double dir[3], double t_min, double t_max,
+                                      const double v0[3], const double v1[3], const double v2[3],
+                                      double *out_t)
+{
+    tbx_shot s;
+    double t[2];
+    int odd;
+    TBX_COPY(&t[0], &t_min, sizeof t_min);
+    TBX_COPY(&t[1], &t_max, sizeof t_max);
+    odd = tbx_ray_read(&s.ray, origin, dir, t, TBX_DOUBLE) | tbx_read(s.v[0], v0, 3, TBX_DOUBLE) |
+          tbx_read(s.v[1], v1, 3, TBX_DOUBLE) | tbx_read(s.v[2], v2, 3, TBX_DOUBLE);
+    return tbx_shot_answer(&s, odd, TBX_DOUBLE, out_t);
 }
 
 /* ---- sweep */
+
+/* The number's value, to a few ulp of double. Numbers of degree 2 from floats neither overflow nor vanish. */
+TBX_FN double tbx_num_value(const tbx_calc *c, const tbx_num *a)
+{
+    double value = a->mid;
+    if (c->exact) {
+        int exponent = 0;
+        value = 0.0;
+        if (a->sign != 0) {
+            exponent = tbx_num_value_exact(c, a, &value);
+        }
+        value *= tbx_from_bits64((uint64_t)(1023 + exponent) << 52);
+        value = a->sign < 0 ? -value : value;
+    }
+    return value;
+}
 
 /* side * x / |x|. The first guess of 1/sqrt is off by less than 4 %; each step squares that, times 1.5:
  * 2^-9, 2^-17, 2^-34, 2^-50. Squares of degree 2 neither overflow nor underflow. */
@@ -5801,6 +6593,7 @@ TBX_FN void tbx_unit(const double x[3], int side, float out[3])
 /* The axis as a unit vector, times side. In double, unsure unless it is known to 2^-30 of its length. */
 TBX_FN void tbx_motion_unit(tbx_motion *m, int axis, int side, float out_axis[3])
 {
+    const int mark = m->calc.used;
     tbx_num l[3];
     double x[3];
     double rad = 0.0;
@@ -5811,9 +6604,10 @@ TBX_FN void tbx_motion_unit(tbx_motion *m, int axis, int side, float out_axis[3]
         x[k] = tbx_num_value(&m->calc, &l[k]);
         if (!m->calc.exact) {
             rad += l[k].rad;
-            longest = tbx_max(longest, tbx_abs(x[k]));
+            longest = tbx_abs(x[k]) > longest ? tbx_abs(x[k]) : longest;
         }
     }
+    m->calc.used = mark;
     m->calc.unsure |= rad > longest * (1.0 / 4294967296.0);
     tbx_unit(x, side, out_axis);
 }
@@ -5830,33 +6624,52 @@ TBX_FN void tbx_motion_contact(tbx_motion *m, float out_axis[3])
     }
 }
 
-/* Everything about the sweep in one of the two runs. In double, nothing is to be trusted if unsure. */
-TBX_NOINLINE int tbx_sweep(tbx_motion *m, int axes, int exact, float out_t[2], float out_axis[3])
+/* Everything about the sweep in one of the two runs. */
+TBX_FN int tbx_sweep_run(tbx_motion *m, int64_t out_t[2], float out_axis[3])
 {
-    if (!tbx_motion_run(m, axes, 0.0, 1.0, exact)) {
-        return 0;
-    }
-    if (!m->calc.unsure) {
-        tbx_motion_round(m, &out_t[0], &out_t[1]);
+    const int hit = tbx_motion_run(m);
+    int e;
+    if (hit && !m->calc.unsure) {
         tbx_motion_contact(m, out_axis);
     }
-    return 1;
+    for (e = 0; e < 2 && hit && !m->calc.unsure; e++) {
+        out_t[e] = tbx_motion_round(m, e, TBX_FLOAT);
+        if (m->calc.unsure) { /* of the last digit only */
+            out_t[e] = tbx_motion_round_exact(m, e, TBX_FLOAT);
+            m->calc.unsure = 0;
+        }
+    }
+    return hit;
+}
+
+TBX_COLD int tbx_sweep_exact(tbx_motion *m, int64_t out_t[2], float out_axis[3])
+{
+    tbx_limb store[TBX_STORE];
+    m->calc.exact = 1;
+    m->calc.store = store;
+    return tbx_sweep_run(m, out_t, out_axis);
 }
 
 /* Both runs as far as needed, by the first so many axes; what the caller wants of the outputs. */
-TBX_NOINLINE int tbx_sweep_ask(tbx_motion *m, int axes, float *out_t0, float *out_t1, float out_axis[3])
+TBX_NOINLINE int tbx_sweep_answer(tbx_motion *m, int axes, float *out_t0, float *out_t1, float out_axis[3])
 {
-    float t[2];
+    const float t[2] = { 0.0f, 1.0f };
+    int64_t key[2] = { 0, 0 };
     float axis[3];
-    int hit = tbx_sweep(m, axes, 0, t, axis);
+    int hit;
+    tbx_read(m->t, t, 2, TBX_FLOAT);
+    m->axes = axes;
+    m->calc.exact = 0;
+    m->calc.store = NULL;
+    hit = tbx_sweep_run(m, key, axis);
     if (m->calc.unsure) {
-        hit = tbx_sweep(m, axes, 1, t, axis);
+        hit = tbx_sweep_exact(m, key, axis);
     }
     if (hit && out_t0 != NULL) {
-        *out_t0 = t[0];
+        tbx_write(out_t0, 0, TBX_FLOAT, key[0]);
     }
     if (hit && out_t1 != NULL) {
-        *out_t1 = t[1];
+        tbx_write(out_t1, 0, TBX_FLOAT, key[1]);
     }
     if (hit && out_axis != NULL) {
         TBX_COPY(out_axis, axis, sizeof axis);
@@ -5873,13 +6686,13 @@ TBX_FN int tbx_sweep_box_valid(tbx_motion *m, const float box_min[3], const floa
     int flat = 0;
     int k;
     m->open = (flags & (TRIBOX_OPEN | TRIBOX_THIN)) == TRIBOX_OPEN;
-    tbx_widen3(m->lo, box_min);
-    tbx_widen3(m->hi, box_max);
-    tbx_widen3(m->velocity, velocity);
+    tbx_read(m->lo, box_min, 3, TBX_FLOAT);
+    tbx_read(m->hi, box_max, 3, TBX_FLOAT);
+    tbx_read(m->velocity, velocity, 3, TBX_FLOAT);
     for (k = 0; k < 3; k++) {
-        flat |= tbx_key64(&m->lo[k]) == tbx_key64(&m->hi[k]);
+        flat |= m->lo[k].key == m->hi[k].key;
     }
-    return tbx_finite3(m->velocity) && tbx_box_valid(m->lo, m->hi) && !(m->open && flat);
+    return tbx_finite(m->velocity, 3) && tbx_box_valid(m->lo, m->hi) && !(m->open && flat);
 }
 
 TRIBOX_FN int tribox_sweep_rule(const float v0[3], const float v1[3], const float v2[3],
@@ -5887,15 +6700,13 @@ TRIBOX_FN int tribox_sweep_rule(const float v0[3], const float v1[3], const floa
                                 unsigned flags, float *out_t0, float *out_t1, float out_axis[3])
 {
     tbx_motion m;
-    /* cppcheck-suppress uninitvar ; it is written there */
-    tbx_widen3(m.v[0], v0);
-    tbx_widen3(m.v[1], v1);
-    tbx_widen3(m.v[2], v2);
-    if (!tbx_corners_finite(m.v[0], m.v[1], m.v[2]) ||
-        !tbx_sweep_box_valid(&m, box_min, box_max, velocity, flags)) {
+    tbx_read(m.v[0], v0, 3, TBX_FLOAT);
+    tbx_read(m.v[1], v1, 3, TBX_FLOAT);
+    tbx_read(m.v[2], v2, 3, TBX_FLOAT);
+    if (!tbx_finite(m.v[0], 9) || !tbx_sweep_box_valid(&m, box_min, box_max, velocity, flags)) {
         return 0;
     }
-    return tbx_sweep_ask(&m, TBX_AXES, out_t0, out_t1, out_axis);
+    return tbx_sweep_answer(&m, TBX_AXES, out_t0, out_t1, out_axis);
 }
 
 TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
@@ -5911,14 +6722,13 @@ TRIBOX_FN int tribox_sweep_box(const float a_min[3], const float a_max[3], const
                                float *out_t1, float out_axis[3])
 {
     tbx_motion m;
-    /* cppcheck-suppress uninitvar ; it is written there */
-    tbx_widen3(m.v[0], b_min);
-    tbx_widen3(m.v[1], b_max);
-    tbx_widen3(m.v[2], b_max);
+    tbx_read(m.v[0], b_min, 3, TBX_FLOAT);
+    tbx_read(m.v[1], b_max, 3, TBX_FLOAT);
+    tbx_read(m.v[2], b_max, 3, TBX_FLOAT);
     if (!tbx_box_valid(m.v[0], m.v[1]) || !tbx_sweep_box_valid(&m, a_min, a_max, velocity, flags)) {
         return 0;
     }
-    return tbx_sweep_ask(&m, TBX_AXIS_NORMAL, out_t0, out_t1, out_axis);
+    return tbx_sweep_answer(&m, TBX_AXIS_NORMAL, out_t0, out_t1, out_axis);
 }
 
 /* ---- closest point
@@ -5928,91 +6738,171 @@ TRIBOX_FN int tribox_sweep_box(const float a_min[3], const float a_max[3], const
  * inside the edge iff D_ij > 0 and D_ji > 0, and divides it as D_ij : D_ji; it is nearest iff the third
  * corner is not on q's side of the edge, that is, iff the third weight W_k of q's foot in the plane is <=
  * 0; W_k = n.((v_i - q) x (v_j - q)), 0 if T is a segment. Otherwise the foot in the plane is in T. */
-TBX_FN void tbx_closest_dot(const tbx_calc *c, tbx_num *r, const double q[3], const double vi[3],
-                            const double vj[3])
+typedef struct tbx_nearest {
+    tbx_real v[3][3];
+    tbx_real q[3];
+} tbx_nearest;
+
+/* Differences that all are made of: from corner i to q, and edge i, from corner i to i + 1. */
+typedef struct tbx_nearest_work {
+    tbx_num to_q[3][3];
+    tbx_num edge[3][3];
+    tbx_num n[3]; /* normal */
+} tbx_nearest_work;
+
+/* D_ij; edge j leads to corner i, against its direction, where i is not before j. */
+TBX_FN void tbx_nearest_dot(tbx_calc *c, const tbx_nearest_work *w, int i, int j, tbx_num *r)
 {
-    tbx_num x[3];
-    tbx_num y[3];
-    tbx_num_difference3(c, x, q, vi);
-    tbx_num_difference3(c, y, vj, vi);
-    tbx_num_dot(c, r, x, y);
+    const int ahead = j == (i + 1) % 3;
+    tbx_num_dot(c, r, w->to_q[i], w->edge[ahead ? i : j]);
+    tbx_num_flip(c, r, ahead ? 1 : -1);
 }
 
-/* W_k of the face's foot */
-TBX_FN void tbx_closest_face(const tbx_calc *c, tbx_num *r, const tbx_num n[3], const double vi[3],
-                             const double vj[3], const double q[3])
+/* W_k: (v_i - q) x (v_j - q) is that of the differences to q, too */
+TBX_FN void tbx_nearest_face(tbx_calc *c, const tbx_nearest_work *w, int k, tbx_num *r)
 {
+    const int mark = c->used;
     tbx_num x[3];
-    tbx_num_normal(c, x, q, vi, vj);
-    tbx_num_dot(c, r, n, x);
+    tbx_num_cross(c, x, w->to_q[(k + 1) % 3], w->to_q[(k + 2) % 3]);
+    tbx_num_dot(c, r, w->n, x);
+    tbx_num_keep(c, mark, r, 1);
 }
 
-TBX_NOINLINE void tbx_closest(tbx_calc *c, double v[3][3], const double q[3], float out_weights[3])
+/* Rounds weights that are parts of the same whole. */
+TBX_FN int64_t tbx_nearest_weight(tbx_calc *c, tbx_fraction *w, int format)
 {
-    tbx_num n[3];
-    tbx_num dots[3][3];
-    tbx_fraction w;
+    const int mark = c->used;
+    const int64_t key = tbx_fraction_round(c, w, format, TBX_NEAREST);
+    c->used = mark;
+    return key;
+}
+
+/* Which corner (its number), edge (3 + the corner across it) or face (6) is nearest? */
+TBX_FN int tbx_nearest_feature(tbx_calc *c, tbx_nearest_work *w)
+{
     int along[3][3];
     int i;
     int j;
     int k;
-    out_weights[0] = out_weights[1] = out_weights[2] = 0.0f;
     for (i = 0; i < 3; i++) {
         for (j = 0; j < 3; j++) {
+            const int mark = c->used;
+            tbx_num dot;
             along[i][j] = 0;
             if (j != i) {
-                tbx_closest_dot(c, &dots[i][j], q, v[i], v[j]);
-                along[i][j] = tbx_num_sign(c, &dots[i][j]);
+                tbx_nearest_dot(c, w, i, j, &dot);
+                along[i][j] = tbx_num_sign(c, &dot);
             }
+            c->used = mark;
         }
     }
     for (i = 0; i < 3; i++) {
         if (along[i][(i + 1) % 3] <= 0 && along[i][(i + 2) % 3] <= 0) {
-            out_weights[i] = 1.0f;
-            return;
+            return i;
         }
     }
-    tbx_num_normal(c, n, v[0], v[1], v[2]);
+    tbx_num_cross(c, w->n, w->edge[0], w->edge[1]);
     for (k = 2; k >= 0; k--) { /* edges 01, 02, 12 */
-        i = k == 0 ? 1 : 0;
-        j = 3 - i - k;
-        tbx_closest_face(c, &dots[k][k], n, v[(k + 1) % 3], v[(k + 2) % 3], q);
-        if (tbx_num_sign(c, &dots[k][k]) <= 0 && along[i][j] > 0 && along[j][i] > 0) {
-            tbx_num_add(c, &w.d, &dots[i][j], &dots[j][i], 1);
-            tbx_num_copy(c, &w.n, &dots[j][i]);
-            out_weights[i] = tbx_fraction_round(c, &w, TBX_NEAREST);
-            tbx_num_copy(c, &w.n, &dots[i][j]);
-            out_weights[j] = tbx_fraction_round(c, &w, TBX_NEAREST);
-            return;
+        const int mark = c->used;
+        tbx_num face;
+        i = (k + 1) % 3;
+        j = (k + 2) % 3;
+        tbx_nearest_face(c, w, k, &face);
+        c->used = mark;
+        if (tbx_num_sign(c, &face) <= 0 && along[i][j] > 0 && along[j][i] > 0) {
+            return 3 + k;
         }
     }
-    tbx_num_dot(c, &w.d, n, n);
+    return 6;
+}
+
+/* The weights as keys of the format, which has them 0 to begin with; `one` is the key of 1. */
+TBX_FN void tbx_nearest_run(tbx_calc *c, const tbx_nearest *p, int format, int64_t one, int64_t weights[3])
+{
+    tbx_nearest_work work;
+    tbx_fraction w;
+    int feature;
+    int k;
     for (k = 0; k < 3; k++) {
-        tbx_num_copy(c, &w.n, &dots[k][k]);
-        out_weights[k] = tbx_fraction_round(c, &w, TBX_NEAREST);
+        tbx_num_difference3(c, work.to_q[k], p->q, p->v[k]);
+        tbx_num_difference3(c, work.edge[k], p->v[(k + 1) % 3], p->v[k]);
+    }
+    feature = tbx_nearest_feature(c, &work);
+    if (c->unsure) {
+        return;
+    }
+    if (feature < 3) {
+        weights[feature] = one;
+    } else if (feature < 6) {
+        const int i = (feature + 1) % 3;
+        const int j = (feature + 2) % 3;
+        tbx_num other;
+        tbx_nearest_dot(c, &work, i, j, &other);
+        tbx_nearest_dot(c, &work, j, i, &w.n);
+        tbx_num_add(c, &w.d, &w.n, &other, 1);
+        weights[i] = tbx_nearest_weight(c, &w, format);
+        w.n = other;
+        weights[j] = tbx_nearest_weight(c, &w, format);
+    } else {
+        tbx_num_dot(c, &w.d, work.n, work.n);
+        for (k = 0; k < 3; k++) {
+            const int mark = c->used;
+            tbx_nearest_face(c, &work, k, &w.n);
+            weights[k] = tbx_nearest_weight(c, &w, format);
+            c->used = mark;
+        }
+    }
+}
+
+TBX_COLD void tbx_nearest_exact(const tbx_nearest *p, int format, int64_t one, int64_t weights[3])
+{
+    tbx_limb store[TBX_STORE];
+    tbx_calc c = { 1, 0, 0, NULL };
+    c.store = store;
+    tbx_nearest_run(&c, p, format, one, weights);
+}
+
+/* The answer for a question that was read; odd: it is beyond the range of double. */
+TBX_NOINLINE void tbx_nearest_answer(const tbx_nearest *p, int odd, int format, void *out_weights)
+{
+    const int64_t one = format == TBX_FLOAT ? (int64_t)127 << 23 : (int64_t)1023 << 52;
+    tbx_calc c = { 0, 0, 0, NULL };
+    int64_t weights[3] = { 0, 0, 0 };
+    int k;
+    if (!tbx_finite(p->v[0], 9) || !tbx_finite(p->q, 3)) {
+        weights[0] = one;
+    } else {
+        if (!odd) {
+            tbx_nearest_run(&c, p, format, one, weights);
+        }
+        if (odd || c.unsure) {
+            weights[0] = weights[1] = weights[2] = 0;
+            tbx_nearest_exact(p, format, one, weights);
+        }
+    }
+    for (k = 0; k < 3; k++) {
+        tbx_write(out_weights, k, format, weights[k]);
     }
 }
 
 TRIBOX_FN void tribox_closest(const float v0[3], const float v1[3], const float v2[3], const float q[3],
                               float out_weights[3])
 {
-    tbx_calc c = { 0, 0 };
-    double v[3][3];
-    double q_wide[3];
-    tbx_widen3(v[0], v0);
-    tbx_widen3(v[1], v1);
-    tbx_widen3(v[2], v2);
-    tbx_widen3(q_wide, q);
-    if (!tbx_corners_finite(v[0], v[1], v[2]) || !tbx_finite3(q_wide)) {
-        out_weights[0] = 1.0f;
-        out_weights[1] = out_weights[2] = 0.0f;
-        return;
-    }
-    tbx_closest(&c, v, q_wide, out_weights);
-    if (c.unsure) {
-        c.exact = 1;
-        tbx_closest(&c, v, q_wide, out_weights);
-    }
+    tbx_nearest p;
+    tbx_read(p.v[0], v0, 3, TBX_FLOAT);
+    tbx_read(p.v[1], v1, 3, TBX_FLOAT);
+    tbx_read(p.v[2], v2, 3, TBX_FLOAT);
+    tbx_read(p.q, q, 3, TBX_FLOAT);
+    tbx_nearest_answer(&p, 0, TBX_FLOAT, out_weights);
+}
+
+TRIBOX_FN void tribox_closest_f64(const double v0[3], const double v1[3], const double v2[3],
+                                  const double q[3], double out_weights[3])
+{
+    tbx_nearest p;
+    const int odd = tbx_read(p.v[0], v0, 3, TBX_DOUBLE) | tbx_read(p.v[1], v1, 3, TBX_DOUBLE) |
+                    tbx_read(p.v[2], v2, 3, TBX_DOUBLE) | tbx_read(p.q, q, 3, TBX_DOUBLE);
+    tbx_nearest_answer(&p, odd, TBX_DOUBLE, out_weights);
 }
 
 /* ---- clip
@@ -6030,15 +6920,16 @@ typedef struct tbx_vertex {
 
 typedef struct tbx_polygon {
     int count;
+    int first; /* the least vertex */
     tbx_vertex vertex[9];
     int line[9]; /* from this vertex to the next */
 } tbx_polygon;
 
 typedef struct tbx_cut {
     tbx_calc calc;
-    double v[3][3];
-    double face[2][3]; /* of the box: lower, upper */
-    tbx_num n[3];      /* normal of T */
+    tbx_real v[3][3];
+    tbx_real face[2][3]; /* of the box: lower, upper */
+    tbx_num n[3];        /* normal of T */
 } tbx_cut;
 
 TBX_FN int tbx_line_axis(int line)
@@ -6046,19 +6937,31 @@ TBX_FN int tbx_line_axis(int line)
     return (line - 3) / 2;
 }
 
-TBX_FN double tbx_line_face(const tbx_cut *t, int line)
+TBX_FN const tbx_real *tbx_line_face(const tbx_cut *t, int line)
 {
-    return t->face[(line - 3) % 2][tbx_line_axis(line)];
+    return &t->face[(line - 3) % 2][tbx_line_axis(line)];
 }
 
 /* r += n_axis * (v0_axis - face), of a line that is a face */
-TBX_FN void tbx_cut_add_face(const tbx_cut *t, tbx_num *r, int line)
+TBX_FN void tbx_cut_add_face(tbx_cut *t, tbx_num *r, int line)
 {
     const int axis = tbx_line_axis(line);
     tbx_num x;
-    tbx_num_difference(&t->calc, &x, t->v[0][axis], tbx_line_face(t, line));
+    tbx_num_difference(&t->calc, &x, &t->v[0][axis], tbx_line_face(t, line));
     tbx_num_mul(&t->calc, &x, &x, &t->n[axis]);
     tbx_num_add(&t->calc, r, r, &x, 1);
+}
+
+/* Coordinate k of a vertex, if that is a number that came in; else NULL. */
+TBX_FN const tbx_real *tbx_cut_given(const tbx_cut *t, tbx_vertex x, int k)
+{
+    if (x.b < 0) {
+        return &t->v[x.a][k];
+    }
+    if (tbx_line_axis(x.b) == k) {
+        return tbx_line_face(t, x.b);
+    }
+    return x.a >= 3 && tbx_line_axis(x.a) == k ? tbx_line_face(t, x.a) : NULL;
 }
 
 /* Coordinate k of a vertex. Edge pq and face f across axis a: (p_k (q_a - f) + q_k (f - p_a)) / (q_a -
@@ -6066,50 +6969,54 @@ TBX_FN void tbx_cut_add_face(const tbx_cut *t, tbx_num *r, int line)
 TBX_FN void tbx_cut_coordinate(tbx_cut *t, tbx_vertex x, int k, tbx_fraction *r)
 {
     tbx_calc *c = &t->calc;
-    if (x.b < 0) {
-        tbx_fraction_set(c, r, t->v[x.a][k]);
-    } else if (tbx_line_axis(x.b) == k) {
-        tbx_fraction_set(c, r, tbx_line_face(t, x.b));
-    } else if (x.a < 3) {
+    const tbx_real *given = tbx_cut_given(t, x, k);
+    tbx_num y;
+    tbx_num z;
+    if (given != NULL) {
+        tbx_fraction_of(c, r, given);
+        return;
+    }
+    if (x.a < 3) {
         const int a = tbx_line_axis(x.b);
-        const double f = tbx_line_face(t, x.b);
-        const double *p = t->v[x.a];
-        const double *q = t->v[(x.a + 1) % 3];
-        tbx_num y;
-        tbx_num z;
-        tbx_num_difference(c, &r->d, q[a], p[a]);
-        tbx_num_difference(c, &y, q[a], f);
-        tbx_num_set(c, &z, p[k]);
+        const tbx_real *f = tbx_line_face(t, x.b);
+        const tbx_real *p = t->v[x.a];
+        const tbx_real *q = t->v[(x.a + 1) % 3];
+        tbx_num_difference(c, &r->d, &q[a], &p[a]);
+        tbx_num_difference(c, &y, &q[a], f);
+        tbx_num_of(c, &z, &p[k]);
         tbx_num_mul(c, &r->n, &y, &z);
-        tbx_num_difference(c, &y, f, p[a]);
-        tbx_num_set(c, &z, q[k]);
+        tbx_num_difference(c, &y, f, &p[a]);
+        tbx_num_of(c, &z, &q[k]);
         tbx_num_mul(c, &y, &y, &z);
         tbx_num_add(c, &r->n, &r->n, &y, 1);
-    } else if (tbx_line_axis(x.a) == k) {
-        tbx_fraction_set(c, r, tbx_line_face(t, x.a));
     } else {
-        tbx_num v0;
-        tbx_num_copy(c, &r->d, &t->n[k]);
-        tbx_num_set(c, &v0, t->v[0][k]);
-        tbx_num_mul(c, &r->n, &v0, &t->n[k]);
+        r->d = t->n[k];
+        tbx_num_of(c, &z, &t->v[0][k]);
+        tbx_num_mul(c, &r->n, &z, &t->n[k]);
         tbx_cut_add_face(t, &r->n, x.a);
         tbx_cut_add_face(t, &r->n, x.b);
     }
-    {
-        const int sign = tbx_num_sign(c, &r->d);
-        tbx_num_flip(c, &r->n, sign);
-        tbx_num_flip(c, &r->d, sign);
-    }
+    tbx_fraction_orient(c, r, tbx_num_sign(c, &r->d));
 }
 
 /* The sign of the vertex's distance to the face, positive inside the box. */
 TBX_FN int tbx_cut_side(tbx_cut *t, tbx_vertex x, int line)
 {
+    const int inward = (line - 3) % 2 == 0 ? 1 : -1;
+    const tbx_real *given = tbx_cut_given(t, x, tbx_line_axis(line));
+    const tbx_real *f = tbx_line_face(t, line);
+    const int mark = t->calc.used;
     tbx_fraction at;
     tbx_fraction face;
+    int order;
+    if (given != NULL) {
+        return (given->key > f->key) - (given->key < f->key) == 0 ? 0 : given->key > f->key ? inward : -inward;
+    }
     tbx_cut_coordinate(t, x, tbx_line_axis(line), &at);
-    tbx_fraction_set(&t->calc, &face, tbx_line_face(t, line));
-    return tbx_fraction_compare(&t->calc, &at, &face) * ((line - 3) % 2 == 0 ? 1 : -1);
+    tbx_fraction_of(&t->calc, &face, f);
+    order = tbx_fraction_compare(&t->calc, &at, &face);
+    t->calc.used = mark;
+    return order * inward;
 }
 
 TBX_FN void tbx_polygon_add(tbx_polygon *p, int a, int b, int line)
@@ -6152,11 +7059,19 @@ TBX_FN int tbx_cut_compare(tbx_cut *t, tbx_vertex x, tbx_vertex y)
     int order = 0;
     int k;
     for (k = 0; k < 3 && order == 0; k++) {
-        tbx_fraction x_k;
-        tbx_fraction y_k;
-        tbx_cut_coordinate(t, x, k, &x_k);
-        tbx_cut_coordinate(t, y, k, &y_k);
-        order = tbx_fraction_compare(&t->calc, &x_k, &y_k);
+        const tbx_real *x_given = tbx_cut_given(t, x, k);
+        const tbx_real *y_given = tbx_cut_given(t, y, k);
+        if (x_given != NULL && y_given != NULL) {
+            order = (x_given->key > y_given->key) - (x_given->key < y_given->key);
+        } else {
+            const int mark = t->calc.used;
+            tbx_fraction x_k;
+            tbx_fraction y_k;
+            tbx_cut_coordinate(t, x, k, &x_k);
+            tbx_cut_coordinate(t, y, k, &y_k);
+            order = tbx_fraction_compare(&t->calc, &x_k, &y_k);
+            t->calc.used = mark;
+        }
     }
     return order;
 }
@@ -6170,6 +7085,7 @@ TBX_FN void tbx_cut_start(tbx_cut *t, tbx_polygon *p)
     int most = 0;
     int i;
     p->count = 0;
+    p->first = 0;
     for (i = 0; i < 3; i++) {
         flat &= tbx_num_sign(&t->calc, &t->n[i]) == 0;
     }
@@ -6192,41 +7108,93 @@ TBX_FN void tbx_cut_start(tbx_cut *t, tbx_polygon *p)
     }
 }
 
-/* All of it, in one of the two runs. */
-TBX_NOINLINE int tbx_cut_all(tbx_cut *t, int exact, float out_polygon[9][3])
+/* The polygon, in one of the two runs. */
+TBX_FN void tbx_cut_run(tbx_cut *t, tbx_polygon *p)
 {
-    tbx_polygon p;
-    int first = 0;
-    int count = 0;
     int line;
     int i;
-    int k;
-    t->calc.exact = exact;
-    t->calc.unsure = 0;
     tbx_num_normal(&t->calc, t->n, t->v[0], t->v[1], t->v[2]);
-    tbx_cut_start(t, &p);
+    tbx_cut_start(t, p);
     for (line = 3; line < 9 && !t->calc.unsure; line++) {
-        if (tbx_is_finite(&t->face[(line - 3) % 2][tbx_line_axis(line)])) {
-            tbx_cut_by(t, &p, line);
+        if (tbx_key_is_finite(tbx_line_face(t, line)->key)) {
+            tbx_cut_by(t, p, line);
         }
     }
-    for (i = 1; i < p.count && !t->calc.unsure; i++) {
-        first = tbx_cut_compare(t, p.vertex[i], p.vertex[first]) < 0 ? i : first;
+    for (i = 1; i < p->count && !t->calc.unsure; i++) {
+        p->first = tbx_cut_compare(t, p->vertex[i], p->vertex[p->first]) < 0 ? i : p->first;
     }
-    for (i = 0; i < p.count && !t->calc.unsure; i++) {
+}
+
+/* Its corners as keys of the format, in one of the two runs. */
+TBX_FN int tbx_cut_round(tbx_cut *t, const tbx_polygon *p, int format, int64_t out[9][3])
+{
+    int count = 0;
+    int i;
+    for (i = 0; i < p->count && !t->calc.unsure; i++) {
+        const tbx_vertex at = p->vertex[(p->first + i) % p->count];
         int same = 0;
         int j;
+        int k;
         for (k = 0; k < 3; k++) {
-            tbx_fraction x;
-            tbx_cut_coordinate(t, p.vertex[(first + i) % p.count], k, &x);
-            out_polygon[count][k] = tbx_fraction_round(&t->calc, &x, TBX_NEAREST);
+            const tbx_real *given = tbx_cut_given(t, at, k);
+            if (given != NULL) {
+                out[count][k] = tbx_format_key(given->key, format);
+            } else {
+                const int mark = t->calc.used;
+                tbx_fraction x;
+                tbx_cut_coordinate(t, at, k, &x);
+                out[count][k] = tbx_fraction_round(&t->calc, &x, format, TBX_NEAREST);
+                t->calc.used = mark;
+            }
         }
         for (j = 0; j < count; j++) {
-            same |= tbx_key32(&out_polygon[j][0]) == tbx_key32(&out_polygon[count][0]) &&
-                    tbx_key32(&out_polygon[j][1]) == tbx_key32(&out_polygon[count][1]) &&
-                    tbx_key32(&out_polygon[j][2]) == tbx_key32(&out_polygon[count][2]);
+            same |= out[j][0] == out[count][0] && out[j][1] == out[count][1] && out[j][2] == out[count][2];
         }
         count += !same;
+    }
+    return count;
+}
+
+/* In integers: all of it, or the corners of a polygon that was found in double. */
+TBX_COLD int tbx_cut_exact(tbx_cut *t, tbx_polygon *p, int found, int format, int64_t out[9][3])
+{
+    tbx_limb store[TBX_STORE];
+    t->calc.exact = 1;
+    t->calc.unsure = 0;
+    t->calc.store = store;
+    if (found) {
+        tbx_num_normal(&t->calc, t->n, t->v[0], t->v[1], t->v[2]);
+    } else {
+        tbx_cut_run(t, p);
+    }
+    return tbx_cut_round(t, p, format, out);
+}
+
+/* The answer for a question that was read; odd: it is beyond the range of double. */
+TBX_NOINLINE int tbx_cut_answer(tbx_cut *t, int odd, int format, void *out_polygon)
+{
+    tbx_polygon p;
+    int64_t corner[9][3];
+    int found = 0;
+    int count = 0;
+    int i;
+    if (!tbx_finite(t->v[0], 9) || !tbx_box_valid(t->face[0], t->face[1])) {
+        return 0;
+    }
+    t->calc.exact = 0;
+    t->calc.unsure = odd;
+    t->calc.used = 0;
+    t->calc.store = NULL;
+    if (!odd) {
+        tbx_cut_run(t, &p);
+        found = !t->calc.unsure;
+        count = tbx_cut_round(t, &p, format, corner);
+    }
+    if (t->calc.unsure) {
+        count = tbx_cut_exact(t, &p, found, format, corner);
+    }
+    for (i = 0; i < 3 * count; i++) {
+        tbx_write(out_polygon, i, format, corner[i / 3][i % 3]);
     }
     return count;
 }
@@ -6235,76 +7203,145 @@ TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3
                           const float box_max[3], float out_polygon[9][3])
 {
     tbx_cut t;
-    int count;
-    /* cppcheck-suppress uninitvar ; it is written there */
-    tbx_widen3(t.v[0], v0);
-    tbx_widen3(t.v[1], v1);
-    tbx_widen3(t.v[2], v2);
-    tbx_widen3(t.face[0], box_min);
-    tbx_widen3(t.face[1], box_max);
-    if (!tbx_corners_finite(t.v[0], t.v[1], t.v[2]) || !tbx_box_valid(t.face[0], t.face[1])) {
-        return 0;
-    }
-    count = tbx_cut_all(&t, 0, out_polygon);
-    return t.calc.unsure ? tbx_cut_all(&t, 1, out_polygon) : count;
+    tbx_read(t.v[0], v0, 3, TBX_FLOAT);
+    tbx_read(t.v[1], v1, 3, TBX_FLOAT);
+    tbx_read(t.v[2], v2, 3, TBX_FLOAT);
+    tbx_read(t.face[0], box_min, 3, TBX_FLOAT);
+    tbx_read(t.face[1], box_max, 3, TBX_FLOAT);
+    return tbx_cut_answer(&t, 0, TBX_FLOAT, out_polygon);
+}
+
+TRIBOX_FN int tribox_clip_f64(const double v0[3], const double v1[3], const double v2[3],
+                              const double box_min[3], const double box_max[3], double out_polygon[9][3])
+{
+    tbx_cut t;
+    const int odd = tbx_read(t.v[0], v0, 3, TBX_DOUBLE) | tbx_read(t.v[1], v1, 3, TBX_DOUBLE) |
+                    tbx_read(t.v[2], v2, 3, TBX_DOUBLE) | tbx_read(t.face[0], box_min, 3, TBX_DOUBLE) |
+                    tbx_read(t.face[1], box_max, 3, TBX_DOUBLE);
+    return tbx_cut_answer(&t, odd, TBX_DOUBLE, out_polygon);
 }
 
 /* ---- meshes */
 
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if TBX_GNU && !defined(__CUDACC__)
 #define TBX_QUERY TBX_FN __attribute__((always_inline))
 #else
 #define TBX_QUERY TBX_FN
 #endif
 
-/* Are three corners all below lo or all above hi on one axis? Where subnormals are read as zero, a face of
- * the box and a corner may seem equal, and do not part then: the answer only ever errs to 0. */
-TBX_FN int tbx_beyond(const char *a, const char *b, const char *c, size_t at, float lo, float hi)
+/* A mesh of floats or doubles, and what is asked of it. */
+typedef struct tbx_query {
+    const char *positions;
+    size_t stride;
+    const uint32_t *index;
+    size_t triangles;
+    const void *box_min;
+    const void *box_max;
+    uint32_t *out_triangles;
+    size_t capacity;
+} tbx_query;
+
+/* A face of the box: a number x lies beyond it iff the integer of its bits, xor `flip`, is less than `at`.
+ * Positive numbers order as the integers of their bits, above all negative ones, which order the other way
+ * round: where the face is negative, or a lower face at 0, the magnitudes are flipped; for an upper face all
+ * bits are, which turns the order round. Both zeros lie on a face at 0. */
+typedef struct tbx_query_face {
+    size_t offset; /* of the coordinate */
+    int64_t flip;
+    int64_t at;
+} tbx_query_face;
+
+TBX_QUERY int64_t tbx_query_bits(const char *x, int format)
 {
-    float x;
-    float y;
-    float z;
-    TBX_COPY(&x, a + at, sizeof x);
-    TBX_COPY(&y, b + at, sizeof y);
-    TBX_COPY(&z, c + at, sizeof z);
-    return tbx_maxf(tbx_maxf(x, y), z) < lo || tbx_minf(tbx_minf(x, y), z) > hi;
+    if (format == TBX_FLOAT) {
+        int32_t bits;
+        TBX_COPY(&bits, x, sizeof bits);
+        return bits;
+    } else {
+        int64_t bits;
+        TBX_COPY(&bits, x, sizeof bits);
+        return bits;
+    }
+}
+
+TBX_QUERY void tbx_query_set_face(tbx_query_face *face, const void *box, int axis, int is_upper, int format)
+{
+    const int64_t magnitudes = format == TBX_FLOAT ? 0x7fffffff : (int64_t)0x7fffffffffffffffu;
+    int64_t bits;
+    face->offset = (size_t)axis * (format == TBX_FLOAT ? sizeof(float) : sizeof(double));
+    bits = tbx_query_bits((const char *)box + face->offset, format);
+    if ((bits & magnitudes) == 0) {
+        bits = is_upper ? 0 : -magnitudes - 1;
+    }
+    face->flip = (bits < 0 ? magnitudes : 0) ^ (is_upper ? -1 : 0);
+    face->at = bits ^ face->flip;
+}
+
+/* Do all three corners lie beyond the face? NaN and infinite corners may: they touch nothing. */
+TBX_QUERY int tbx_beyond(const char *const corner[3], const tbx_query_face *face, int format)
+{
+    const int64_t a = tbx_query_bits(corner[0] + face->offset, format) ^ face->flip;
+    const int64_t b = tbx_query_bits(corner[1] + face->offset, format) ^ face->flip;
+    const int64_t c = tbx_query_bits(corner[2] + face->offset, format) ^ face->flip;
+    if (format == TBX_FLOAT) { /* differences of 33 bits */
+        return ((a - face->at) & (b - face->at) & (c - face->at)) < 0;
+    }
+    return (a < face->at) & (b < face->at) & (c < face->at);
 }
 
 /* Out of line, so that the loop below keeps its constants in registers. */
-TBX_NOINLINE int tbx_query_touches(const char *a, const char *b, const char *c, const float lo[3],
-                                   const float hi[3])
+TBX_NOINLINE int tbx_query_touches(const char *v0, const char *v1, const char *v2, const tbx_query *q,
+                                   int format)
 {
-    float v[3][3];
-    TBX_COPY(v[0], a, sizeof v[0]);
-    TBX_COPY(v[1], b, sizeof v[1]);
-    TBX_COPY(v[2], c, sizeof v[2]);
-    return tribox_overlap(v[0], v[1], v[2], lo, hi);
+    if (format == TBX_FLOAT) {
+        float x[5][3];
+        TBX_COPY(x[0], v0, sizeof x[0]);
+        TBX_COPY(x[1], v1, sizeof x[1]);
+        TBX_COPY(x[2], v2, sizeof x[2]);
+        TBX_COPY(x[3], q->box_min, sizeof x[3]);
+        TBX_COPY(x[4], q->box_max, sizeof x[4]);
+        return tribox_overlap(x[0], x[1], x[2], x[3], x[4]);
+    } else {
+        double x[5][3];
+        TBX_COPY(x[0], v0, sizeof x[0]);
+        TBX_COPY(x[1], v1, sizeof x[1]);
+        TBX_COPY(x[2], v2, sizeof x[2]);
+        TBX_COPY(x[3], q->box_min, sizeof x[3]);
+        TBX_COPY(x[4], q->box_max, sizeof x[4]);
+        return tribox_overlap_f64(x[0], x[1], x[2], x[3], x[4]);
+    }
 }
 
-/* Neighbours in a mesh lie beyond the same face, so asking axis by axis is foreseen, and reads a third of
- * the corners. */
-TBX_QUERY size_t tbx_query(const tribox_mesh *mesh, const uint32_t *index, size_t stride,
-                           const float box_min[3], const float box_max[3], uint32_t *out_triangles,
-                           size_t capacity)
+/* Neighbours in a mesh lie beyond the same face: the one that served last is asked first. */
+TBX_QUERY size_t tbx_query_run(const tbx_query *q, const uint32_t *index, size_t stride, int format)
 {
-    const char *positions = (const char *)mesh->positions;
-    const size_t triangles = mesh->triangles;
-    const float lo[3] = { box_min[0], box_min[1], box_min[2] };
-    const float hi[3] = { box_max[0], box_max[1], box_max[2] };
+    const char *positions = q->positions;
+    const size_t triangles = q->triangles;
+    tbx_query_face faces[6];
+    tbx_query_face last;
     size_t count = 0;
     size_t i;
+    int f;
+    for (f = 0; f < 6; f++) {
+        tbx_query_set_face(&faces[f], f % 2 == 0 ? q->box_min : q->box_max, f / 2, f % 2, format);
+    }
+    last = faces[0];
     for (i = 0; i < triangles; i++) {
         const size_t at = 3 * i;
-        const char *a = positions + (index != NULL ? index[at] : at) * stride;
-        const char *b = positions + (index != NULL ? index[at + 1] : at + 1) * stride;
-        const char *c = positions + (index != NULL ? index[at + 2] : at + 2) * stride;
-        if (tbx_beyond(a, b, c, 0, lo[0], hi[0]) || tbx_beyond(a, b, c, sizeof(float), lo[1], hi[1]) ||
-            tbx_beyond(a, b, c, 2 * sizeof(float), lo[2], hi[2])) {
+        const char *corner[3];
+        corner[0] = positions + (index != NULL ? index[at] : at) * stride;
+        corner[1] = positions + (index != NULL ? index[at + 1] : at + 1) * stride;
+        corner[2] = positions + (index != NULL ? index[at + 2] : at + 2) * stride;
+        if (tbx_beyond(corner, &last, format)) {
             continue;
         }
-        if (tbx_query_touches(a, b, c, lo, hi)) {
-            if (count < capacity) {
-                out_triangles[count] = (uint32_t)i;
+        for (f = 0; f < 6 && !tbx_beyond(corner, &faces[f], format); f++) {
+        }
+        if (f < 6) {
+            last = faces[f];
+        } else if (tbx_query_touches(corner[0], corner[1], corner[2], q, format)) {
+            if (count < q->capacity) {
+                q->out_triangles[count] = (uint32_t)i;
             }
             count++;
         }
@@ -6313,16 +7350,43 @@ TBX_QUERY size_t tbx_query(const tribox_mesh *mesh, const uint32_t *index, size_
 }
 
 /* Packed vertices with indices, the usual mesh, need no multiplication by the stride. */
+TBX_NOINLINE size_t tbx_query_float(const tbx_query *q)
+{
+    const size_t packed = 3 * sizeof(float);
+    if (q->index != NULL && q->stride == packed) {
+        return tbx_query_run(q, q->index, packed, TBX_FLOAT);
+    }
+    return tbx_query_run(q, q->index, q->stride, TBX_FLOAT);
+}
+
 TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[3], const float box_max[3],
                                    uint32_t *out_triangles, size_t capacity)
 {
-    const size_t packed = 3 * sizeof(float);
-    const size_t stride = mesh->stride != 0 ? mesh->stride : packed;
-    const uint32_t *index = mesh->indices;
-    if (index != NULL && stride == packed) {
-        return tbx_query(mesh, index, packed, box_min, box_max, out_triangles, capacity);
-    }
-    return tbx_query(mesh, index, stride, box_min, box_max, out_triangles, capacity);
+    tbx_query q;
+    q.positions = (const char *)mesh->positions;
+    q.stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
+    q.index = mesh->indices;
+    q.triangles = mesh->triangles;
+    q.box_min = box_min;
+    q.box_max = box_max;
+    q.out_triangles = out_triangles;
+    q.capacity = capacity;
+    return tbx_query_float(&q);
+}
+
+TRIBOX_FN size_t tribox_mesh_query_f64(const tribox_mesh_f64 *mesh, const double box_min[3],
+                                       const double box_max[3], uint32_t *out_triangles, size_t capacity)
+{
+    tbx_query q;
+    q.positions = (const char *)mesh->positions;
+    q.stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(double);
+    q.index = mesh->indices;
+    q.triangles = mesh->triangles;
+    q.box_min = box_min;
+    q.box_max = box_max;
+    q.out_triangles = out_triangles;
+    q.capacity = capacity;
+    return tbx_query_run(&q, q.index, q.stride, TBX_DOUBLE);
 }
 
 #endif /* TRIBOX_NO_COMPANIONS */
@@ -8900,239 +9964,192 @@ TBX_FN size_t tbx_fill_quick(const tribox_grid *grid, const tbx_fine *fine, cons
 /* ---- 11.5 Companions */
 
 #ifndef TRIBOX_NO_COMPANIONS
-/* The key of the float at or below (up = 0) or above (1) every number within 64 ulp of t, 1e-6 < |t| < 2^82;
- * 0 where these have several. */
-TBX_FN int32_t tbx_slab_round(double t, int up)
+/* The end of the interval inside on axis k alone, read anew. */
+TBX_COLD int64_t tbx_ray_end_again(const float origin[3], const float dir[3], const float box_min[3],
+                                   const float box_max[3], int k, int e)
 {
-    const uint64_t bits = tbx_bits64(&t);
-    const uint64_t rest = bits & 0x1fffffffu;
-    const int64_t bias = (int64_t)(1023 - 127) << 23;
-    const int32_t magnitude = (int32_t)((int64_t)((bits & 0x7fffffffffffffffu) >> 29) - bias);
-    const int32_t negative = (int32_t)(bits >> 63);
-    const int32_t key = magnitude + (negative ^ up);
-    if (TBX_RARELY(rest - 128u > 0x1fffffffu - 256u)) {
-        return 0;
-    }
-    return (key ^ -negative) + negative;
+    const float t[2] = { 0.0f, 0.0f };
+    tbx_slabs s;
+    tbx_slabs_read(&s, origin, dir, t, box_min, box_max, TBX_FLOAT);
+    s.axis[e] = k;
+    return tbx_slabs_round(&s, e, TBX_FLOAT);
 }
 
-/* The same of a / d, t being about that: where t is too close to a float f, f * d, which is exact in double,
- * is compared with a = face - origin; 0 where that difference is not exact. The float sought is not three
- * away from f, as t is within an ulp of a / d, and f of t. */
-TBX_NOINLINE int32_t tbx_slab_exact(float origin, float dir, float face, double t, int up)
+/* Where the ray enters (e = 0) or leaves (1) the slab of axis k, rounded outward. The difference of floats errs
+ * by 2^-52 of itself, the quotient is checked to 2^-48 and 2^-51: less than 2^-47. What was read as zero moves an
+ * end by 2^-85 (2^-125 * 2^40), so ends below 1e-6 are left to the integers. */
+TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const float box_min[3],
+                           const float box_max[3], int k, int e)
 {
-    double d;
-    double from;
-    double to;
-    double a;
-    const float narrow = (float)t;
-    int32_t key = tbx_key32(&narrow) + (up ? -2 : 2);
-    int before = 1; /* is the key's float on the wrong side? */
-    tbx_widen(&d, &dir);
-    tbx_widen(&from, &origin);
-    tbx_widen(&to, &face);
-    a = to - from;
-    if (!tbx_sum_is_exact(to, from)) {
-        return 0;
-    }
-    while (before) {
-        const double product = tbx_key32_value(key) * d;
-        before = up != (d < 0.0) ? product < a : product > a;
-        key += before ? (up ? 1 : -1) : 0;
+    const double d = (double)dir[k];
+    const float *face = (d < 0.0) ^ e ? box_max : box_min;
+    double a = (double)face[k] - (double)origin[k];
+    double t;
+    int64_t key;
+    TBX_KEEP_SCALAR(a);
+    t = a / d;
+    TBX_KEEP_SCALAR(t);
+    key = tbx_slab_round(t, e);
+    if (TBX_RARELY(key == 0 || !(tbx_abs(t * d - a) < tbx_abs(a) * TBX_SLAB_INVERSE_ERROR && tbx_abs(t) > 1e-6))) {
+        return tbx_ray_end_again(origin, dir, box_min, box_max, k, e);
     }
     return key;
 }
 
-/* Where the ray enters (up = 0) or leaves (1) the slab of one axis, rounded outward. The difference of
- * floats errs by 2^-52 of itself, the quotient is checked to 2^-48 and 2^-51: less than 2^-47, which is at
- * most 64 ulp. What was read as zero moves an end by 2^-85 (2^-125 * 2^40), so ends below 1e-6 are left
- * open. */
-TBX_FN int32_t tbx_slab_end(float origin, float dir, float lo, float hi, int up)
+/* Bounds of the filter in float. */
+#define TBX_RAY_ERROR 1.9073486328125e-06f     /* 2^-19 */
+#define TBX_RAY_NOTHING 8.271806125530277e-25f /* 2^-80 */
+
+/* The bits of t as a float, moved into [-2^100, 2^100], past every time in a box. */
+TBX_FN float tbx_ray_limit(uint32_t bits)
 {
-    /* no branch: dir's sign is a coin toss */
-    const uint32_t to_hi = 0u - ((tbx_bits32(&dir) >> 31) ^ (uint32_t)up);
-    const uint32_t bits_lo = tbx_bits32(&lo);
-    const float face = tbx_from_bits32(bits_lo ^ ((bits_lo ^ tbx_bits32(&hi)) & to_hi));
-    const double d = (double)dir;
-    double a = (double)face - (double)origin;
-    double t;
-    int32_t key;
-    TBX_KEEP_VECTOR(a);
-    t = a / d;
-    TBX_KEEP_VECTOR(t);
-    if (!(tbx_abs(t * d - a) < tbx_abs(a) * (1.0 / 281474976710656.0) && /* 2^-48 */
-          tbx_abs(t) > 1e-6)) {
-        return 0;
-    }
-    key = tbx_slab_round(t, up);
-    return TBX_RARELY(key == 0) ? tbx_slab_exact(origin, dir, face, t, up) : key;
+    const uint32_t most = 0x71800000u;
+    const uint32_t magnitude = bits & 0x7fffffffu;
+    return tbx_from_bits32((magnitude < most ? magnitude : most) | (bits & 0x80000000u));
 }
 
-/* Slabs in float, x, y, z in three lanes, t_min and t_max in the fourth. Differences are at most 2^41,
- * reciprocals 2^40, so every t in a box is at most 2^81. A difference errs by 2^-23 of itself, a reciprocal
- * is checked to 2^-20, a product errs by 2^-23: 2^-19 in all, and 2^-80 for what was flushed or read as zero
- * (2^-125 * 2^40). The largest lower and the least upper end are no farther from the exact ones than that. */
-TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], float t_min, float t_max,
-                          const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
+TBX_FN int64_t tbx_float_key(uint32_t bits)
 {
-    const float beyond = 1.2676506002282294e+30f;  /* 2^100 */
-    const float relative = 1.9073486328125e-06f;   /* 2^-19 */
-    const float absolute = 8.271806125530277e-25f; /* 2^-80 */
-    const float from_t = t_min > -beyond ? t_min : -beyond;
-    const float to_t = t_max < beyond ? t_max : beyond;
+    const int64_t magnitude = (int64_t)(bits & 0x7fffffffu);
+    return (bits >> 31) != 0 ? -magnitude : magnitude;
+}
+
+/* Slabs in float, x, y, z in three lanes, t_min and t_max in the fourth. Coordinates are at most 2^40, so
+ * differences are at most 2^41, and components of dir within [2^-40, 2^40], so every t in a box is at most 2^81. A
+ * difference errs by 2^-23 of itself, a reciprocal is checked to 2^-20, a product errs by 2^-23: 2^-19 in all,
+ * and 2^-80 for what was flushed or read as zero (2^-125 * 2^40). The largest lower and the least upper end are
+ * no farther from the exact ones than that. */
+TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float t[2], const float box_min[3],
+                          const float box_max[3], float *out_t0, float *out_t1)
+{
     const tbx_i4 last_one = { 0, 0, 0, 0x3f800000 };
-    const tbx_f4 o = tbx_load3(origin);
-    const tbx_f4 d = (tbx_f4)((tbx_i4)tbx_load3(dir) | last_one);
-    const tbx_f4 lo = tbx_load3(box_min);
-    const tbx_f4 hi = tbx_load3(box_max);
+    const tbx_i4 most = tbx_splat_int(0x53800000);  /* 2^40 */
+    const tbx_i4 least = tbx_splat_int(0x2b800000); /* 2^-40 */
     const tbx_f4 one = tbx_splat(1.0f);
-    const tbx_i4 most = tbx_splat_int(0x54000000); /* 2^41 */
-    tbx_f4 inverse = one / d;
-    tbx_f4 a = lo - o;
-    tbx_f4 b = hi - o;
+    uint32_t t_bits[2];
+    tbx_f4 o = tbx_load3(origin);
+    tbx_f4 d = (tbx_f4)((tbx_i4)tbx_load3(dir) | last_one);
+    tbx_f4 lo = tbx_load3(box_min);
+    const tbx_f4 hi = tbx_load3(box_max);
+    tbx_f4 inverse;
+    tbx_f4 a;
+    tbx_f4 b;
     tbx_f4 lower;
     tbx_f4 upper;
     tbx_f4 ends;
-    tbx_i4 doubt;
     float first;
     float last;
     float error;
-    int32_t key0 = 0;
-    int32_t key1 = 0;
+    int64_t key0 = 0;
+    int64_t key1 = 0;
     int reached0;
     int reached1;
+    TBX_COPY(t_bits, t, sizeof t_bits);
+    t_bits[0] = tbx_opaque32(t_bits[0]);
+    t_bits[1] = tbx_opaque32(t_bits[1]);
+    /* by sign bits: out of range, also NaN and infinities */
+    if (TBX_RARELY(tbx_any((most - tbx_magnitude(o)) | (most - tbx_magnitude(lo)) | (most - tbx_magnitude(hi)) |
+                           (most - tbx_magnitude(d)) | (tbx_magnitude(d) - least)) ||
+                   (t_bits[0] & 0x7fffffffu) > 0x7f800000u || (t_bits[1] & 0x7fffffffu) > 0x7f800000u)) {
+        return TBX_UNSURE;
+    }
+    TBX_KEEP_VECTOR(o);
+    TBX_KEEP_VECTOR(d);
+    TBX_KEEP_VECTOR(lo);
+    inverse = one / d;
+    a = lo - o;
+    b = hi - o;
     TBX_KEEP_VECTOR(inverse);
     TBX_KEEP_VECTOR(a);
     TBX_KEEP_VECTOR(b);
-    /* by their sign bits: too large, also from NaN and infinities; a reciprocal off by 2^-20; lo > hi */
-    doubt = (most - tbx_magnitude(a)) | (most - tbx_magnitude(b)) |
-            (tbx_splat_int(0x53800000) - tbx_magnitude(inverse)) |
-            (tbx_splat_int(0x35800000) - tbx_magnitude(inverse * d - one)) | (tbx_i4)(hi - lo);
-    if (TBX_RARELY(tbx_any(doubt))) {
+    /* by their sign bits: a reciprocal off by 2^-20; lo > hi */
+    if (TBX_RARELY(tbx_any((tbx_splat_int(0x35800000) - tbx_magnitude(inverse * d - one)) | (tbx_i4)(hi - lo)))) {
         return TBX_UNSURE;
     }
     a = a * inverse;
     b = b * inverse;
     lower = tbx_min4(a, b);
     upper = tbx_max4(a, b);
-    lower[3] = from_t;
-    upper[3] = to_t;
+    lower[3] = tbx_ray_limit(t_bits[0]);
+    upper[3] = tbx_ray_limit(t_bits[1]);
     ends = tbx_min4(TBX_LANES(-lower, upper, 0, 1, 4, 5), TBX_LANES(-lower, upper, 2, 3, 6, 7));
     ends = tbx_min4(ends, TBX_LANES(ends, ends, 1, 0, 3, 2));
     first = -ends[0];
     last = ends[2];
-    error = relative * (tbx_absf(first) + tbx_absf(last)) + absolute;
+    error = TBX_RAY_ERROR * (tbx_absf(first) + tbx_absf(last)) + TBX_RAY_NOTHING;
     if (first - last > error) {
         return TBX_MISS;
     }
     if (!(last - first > error)) {
         return TBX_UNSURE;
     }
-    error = 2.0f * relative * tbx_absf(first) + 2.0f * absolute;
+    error = 2.0f * TBX_RAY_ERROR * tbx_absf(first) + 2.0f * TBX_RAY_NOTHING;
     reached0 = tbx_signs(lower >= tbx_splat(first - error));
-    error = 2.0f * relative * tbx_absf(last) + 2.0f * absolute;
+    error = 2.0f * TBX_RAY_ERROR * tbx_absf(last) + 2.0f * TBX_RAY_NOTHING;
     reached1 = tbx_signs(upper <= tbx_splat(last + error));
     if (TBX_RARELY(((reached0 & (reached0 - 1)) | (reached1 & (reached1 - 1))) != 0)) {
         return TBX_UNSURE; /* more than one axis may be the first or last */
     }
-    if (reached0 < 8 && out_t0 != NULL) {
-        const int k = reached0 >> 1; /* 1, 2, 4: 0, 1, 2 */
-        key0 = tbx_slab_end(origin[k], dir[k], box_min[k], box_max[k], 0);
-        if (key0 == 0) {
-            return TBX_UNSURE;
-        }
-    }
-    if (reached1 < 8 && out_t1 != NULL) {
-        const int k = reached1 >> 1;
-        key1 = tbx_slab_end(origin[k], dir[k], box_min[k], box_max[k], 1);
-        if (key1 == 0) {
-            return TBX_UNSURE;
-        }
-    }
     if (out_t0 != NULL) {
-        *out_t0 = tbx_from_key32(key0 != 0 ? key0 : tbx_key32(&t_min)); /* never -0 */
+        key0 = reached0 < 8 ? tbx_ray_end(origin, dir, box_min, box_max, reached0 >> 1, 0) /* 1, 2, 4: 0, 1, 2 */
+                            : tbx_float_key(t_bits[0]);
+        tbx_write(out_t0, 0, TBX_FLOAT, key0);
     }
     if (out_t1 != NULL) {
-        *out_t1 = tbx_from_key32(key1 != 0 ? key1 : tbx_key32(&t_max));
+        key1 = reached1 < 8 ? tbx_ray_end(origin, dir, box_min, box_max, reached1 >> 1, 1)
+                            : tbx_float_key(t_bits[1]);
+        tbx_write(out_t1, 0, TBX_FLOAT, key1);
     }
     return TBX_HIT;
 }
 
-/* Again, where components of dir are 0: such an axis either has no t at all, or all, which is decided by the
- * bits. In the latter case it may as well be met by a slab so long that its ends, 2^81, are not nearer than
- * those of any slab that the filter takes; it takes no part unless others end there too, which is unsure. */
-TBX_NOINLINE int tbx_ray_flat(const float origin[3], const float dir[3], float t_min, float t_max,
-                              const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
-{
-    float x[4][3];
-    int zeros = 0;
-    int k;
-    for (k = 0; k < 3; k++) {
-        x[0][k] = origin[k];
-        x[1][k] = dir[k];
-        x[2][k] = box_min[k];
-        x[3][k] = box_max[k];
-        if (tbx_bits32(dir + k) << 1 == 0) {
-            const int32_t infinity = 0x7f800000;
-            const int32_t at = tbx_key32(origin + k);
-            const int32_t lo = tbx_key32(box_min + k);
-            const int32_t hi = tbx_key32(box_max + k);
-            if (lo > at || at > hi || lo < -infinity || hi > infinity || at <= -infinity || at >= infinity) {
-                return TBX_MISS; /* outside; NaN, whose keys lie past infinity */
-            }
-            x[0][k] = 0.0f;
-            x[1][k] = 9.094947017729282e-13f; /* 2^-40 */
-            x[2][k] = -2199023255552.0f;      /* 2^41 */
-            x[3][k] = 2199023255552.0f;
-            zeros++;
-        }
-    }
-    if (zeros == 0 || zeros == 3) {
-        return TBX_UNSURE;
-    }
-    return tbx_ray_filter(x[0], x[1], t_min, t_max, x[2], x[3], out_t0, out_t1);
-}
-
-/* tbx_filter4 for a segment: two equal corners leave n = 0, so no plane, and for each axis one
- * condition r - |c| >= 0, c = m x (q - p). Errors in units of u X_b X_c: c: two products of 2 + 1 + 1, and 2
- * for their difference: 10; r: 8; r - |c|: 3 more: within ULPS. Where X_b or X_c is 0, value and bound are
- * 0. */
+/* The segment's conditions in float ("segment and box"), x, y, z in three lanes. */
 TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float box_min[3],
                               const float box_max[3])
 {
     const tbx_f4 half = tbx_splat(0.5f);
     const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f }; /* 2^-149 */
-    const tbx_f4 p0 = tbx_load3(p);
-    const tbx_f4 p1 = tbx_load3(q);
-    const tbx_f4 lo = tbx_load3(box_min);
-    const tbx_f4 hi = tbx_load3(box_max);
-    const tbx_f4 lower = tbx_max4(lo, tbx_min4(p0, p1));
-    const tbx_f4 upper = tbx_min4(hi, tbx_max4(p0, p1));
-    const tbx_i4 faces = lower > upper; /* a face parts them, or min > max */
-    tbx_f4 a = p1 - p0;
-    tbx_f4 l = lower - p0;
-    tbx_f4 u = upper - p0;
-    TBX_KEEP_VECTOR(a);
-    TBX_KEEP_VECTOR(l);
-    TBX_KEEP_VECTOR(u);
+    const tbx_i4 most = tbx_splat_int(0x53800000);                     /* 2^40 */
+    tbx_f4 p0 = tbx_load3(p);
+    tbx_f4 p1 = tbx_load3(q);
+    tbx_f4 lo = tbx_load3(box_min);
+    tbx_f4 hi = tbx_load3(box_max);
+    if (TBX_RARELY(tbx_any((most - tbx_magnitude(p0)) | (most - tbx_magnitude(p1)) |
+                           (most - tbx_magnitude(lo)) | (most - tbx_magnitude(hi))))) {
+        return TBX_UNSURE;
+    }
+    TBX_KEEP_VECTOR(p0);
+    TBX_KEEP_VECTOR(p1);
+    TBX_KEEP_VECTOR(lo);
+    TBX_KEEP_VECTOR(hi);
     {
-        const tbx_f4 x = tbx_abs4(a);
-        const tbx_f4 m = (l + u) * half;
-        const tbx_f4 h = (u - l) * half;
-        const tbx_f4 c = m * tbx_yzx(a) - tbx_yzx(m) * a;
-        const tbx_f4 value = tbx_radius4(x, h, tbx_yzx(h)) - tbx_abs4(c);
-        const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * x * tbx_yzx(x);
-        const int refused = tbx_signs(tbx_above(x, 0x53000000) | tbx_above(tbx_abs4(lo), 0x7f800000) |
-                                      tbx_above(tbx_abs4(hi), 0x7f800000) | tbx_below(x + tiny, 0x30800000));
-        const int miss = tbx_signs(faces | (value < -bound)) != 0;
-        const int open = (tbx_signs(value < bound) != 0) & !miss;
-        if (TBX_RARELY((refused != 8) | open)) {
-            if (open || (refused & 7) != 0 || tbx_may_flush(p) || tbx_may_flush(q) ||
-                tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
-                return TBX_UNSURE;
+        const tbx_f4 lower = tbx_max4(lo, tbx_min4(p0, p1));
+        const tbx_f4 upper = tbx_min4(hi, tbx_max4(p0, p1));
+        const tbx_i4 faces = lower > upper; /* a face parts them, or min > max */
+        tbx_f4 a = p1 - p0;
+        tbx_f4 l = lower - p0;
+        tbx_f4 u = upper - p0;
+        TBX_KEEP_VECTOR(a);
+        TBX_KEEP_VECTOR(l);
+        TBX_KEEP_VECTOR(u);
+        {
+            const tbx_f4 x = tbx_abs4(a);
+            const tbx_f4 m = (l + u) * half;
+            const tbx_f4 h = (u - l) * half;
+            const tbx_f4 c = m * tbx_yzx(a) - tbx_yzx(m) * a;
+            const tbx_f4 value = tbx_radius4(x, h, tbx_yzx(h)) - tbx_abs4(c);
+            const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * x * tbx_yzx(x);
+            const int refused = tbx_signs(tbx_below(x + tiny, 0x30800000));
+            const int miss = tbx_signs(faces | (value < -bound)) != 0;
+            const int open = (tbx_signs(value < bound) != 0) & !miss;
+            if (TBX_RARELY((refused != 8) | open)) {
+                if (open || (refused & 7) != 0 || tbx_may_flush(p) || tbx_may_flush(q) ||
+                    tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
+                    return TBX_UNSURE;
+                }
             }
+            return !miss;
         }
-        return !miss;
     }
 }
 #endif
@@ -9212,9 +10229,18 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
 #undef TBX_SOLID_EDGE_ERROR
 #undef TBX_SOLID_NORMAL_ERROR
 #undef TBX_SOLID_PLANE_ERROR
-#undef TBX_NUM_LIMBS
-#undef TBX_NUM_U
 #undef TBX_KEY_INFINITY
+#undef TBX_FLOAT_INFINITY
+#undef TBX_LIMB_BITS
+#undef TBX_MOTION_SLOT
+#undef TBX_NUM_ERROR
+#undef TBX_RAY_ERROR
+#undef TBX_RAY_NOTHING
+#undef TBX_SLAB_BEYOND
+#undef TBX_SLAB_ERROR
+#undef TBX_SLAB_ERROR_ULPS
+#undef TBX_SLAB_INVERSE_ERROR
+#undef TBX_STORE
 
 #pragma pack(pop)
 

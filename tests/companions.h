@@ -17,7 +17,7 @@ enum {
     COMPANION_SWEEP,        /* velocity w */
     COMPANION_CLIP,
     COMPANION_CLOSEST, /* to o */
-    COMPANION_OCTANTS, /* p and size for the box; first set up with size w; in doubles if f64 */
+    COMPANION_OCTANTS, /* p and size for the box; first set up with size w */
     COMPANION_QUERY,   /* triangles among v0 v1 v2 w o, see companion_mesh */
     COMPANIONS
 };
@@ -36,17 +36,17 @@ enum {
 
 typedef struct companion {
     int which;
-    int f64;        /* only octants take doubles */
+    int f64;        /* in doubles; never for planes and sweeps */
     unsigned flags; /* of the prepared triangle, for octants */
     uint64_t x[COMPANION_NUMBERS];
 } companion;
 
-/* value: what the function returns. word: bits of the floats (or the indices) written, n of them; what is
- * not written stays 0. The sweep's axis stands apart: its last bits are the compiler's. */
+/* value: what the function returns. word: bits of the floats or doubles (or the indices) written, n of them;
+ * what is not written stays 0. The sweep's axis stands apart: its last bits are the compiler's. */
 typedef struct companion_answer {
     int value;
     int n;
-    uint32_t word[27];
+    uint64_t word[27];
     uint32_t axis[3];
 } companion_answer;
 
@@ -60,6 +60,12 @@ typedef struct companion_answer {
 #define COMPANION_FN static inline
 #endif
 #endif
+
+/* Has the function a version for doubles? */
+COMPANION_FN int companion_has_f64(int which)
+{
+    return which != COMPANION_PLANE_BOX && which != COMPANION_SWEEP;
+}
 
 /* The indexed mesh: which of v0 v1 v2 w o are the corners of each triangle. */
 COMPANION_FN void companion_mesh(uint32_t indices[3 * COMPANION_MESH])

@@ -27,6 +27,16 @@ COMPANION_FN void companion_floats(float *out, const uint64_t *bits, int n)
 
 COMPANION_FN void companion_wrote(companion_answer *out, const float *x, int n)
 {
+    int i;
+    for (i = 0; i < n; ++i) {
+        uint32_t word;
+        companion_copy(&word, x + i, sizeof word);
+        out->word[out->n++] = word;
+    }
+}
+
+COMPANION_FN void companion_wrote_f64(companion_answer *out, const double *x, int n)
+{
     companion_copy(out->word + out->n, x, sizeof *x * (size_t)n);
     out->n += n;
 }
@@ -54,6 +64,7 @@ COMPANION_FN int companion_octants(const companion *c)
 COMPANION_FN void companion_query(const float x[COMPANION_NUMBERS], companion_answer *out)
 {
     uint32_t indices[3 * COMPANION_MESH];
+    uint32_t found[COMPANION_CAPACITY];
     float corners[5][4];
     tribox_mesh mesh;
     int i;
@@ -66,14 +77,94 @@ COMPANION_FN void companion_query(const float x[COMPANION_NUMBERS], companion_an
     mesh.stride = sizeof corners[0];
     mesh.indices = indices;
     mesh.triangles = COMPANION_MESH;
-    touching = tribox_mesh_query(&mesh, x + COMPANION_LO, x + COMPANION_HI, out->word, COMPANION_CAPACITY);
+    touching = tribox_mesh_query(&mesh, x + COMPANION_LO, x + COMPANION_HI, found, COMPANION_CAPACITY);
     out->n = touching < COMPANION_CAPACITY ? (int)touching : COMPANION_CAPACITY;
+    for (i = 0; i < out->n; ++i) {
+        out->word[i] = found[i];
+    }
     mesh.positions = x + COMPANION_HI;
     mesh.stride = 0;
     mesh.indices = NULL;
     mesh.triangles = 1;
     out->value = (int)touching;
     out->value += 256 * (int)tribox_mesh_query(&mesh, x + COMPANION_LO, x + COMPANION_HI, NULL, 0);
+}
+
+COMPANION_FN void companion_query_f64(const double x[COMPANION_NUMBERS], companion_answer *out)
+{
+    uint32_t indices[3 * COMPANION_MESH];
+    uint32_t found[COMPANION_CAPACITY];
+    double corners[5][4];
+    tribox_mesh_f64 mesh;
+    int i;
+    size_t touching;
+    for (i = 0; i < 5; ++i) {
+        companion_copy(corners[i], x + (i < 3 ? 3 * i : COMPANION_W + 3 * (i - 3)), 3 * sizeof(double));
+    }
+    companion_mesh(indices);
+    mesh.positions = corners[0];
+    mesh.stride = sizeof corners[0];
+    mesh.indices = indices;
+    mesh.triangles = COMPANION_MESH;
+    touching =
+        tribox_mesh_query_f64(&mesh, x + COMPANION_LO, x + COMPANION_HI, found, COMPANION_CAPACITY);
+    out->n = touching < COMPANION_CAPACITY ? (int)touching : COMPANION_CAPACITY;
+    for (i = 0; i < out->n; ++i) {
+        out->word[i] = found[i];
+    }
+    mesh.positions = x + COMPANION_HI;
+    mesh.stride = 0;
+    mesh.indices = NULL;
+    mesh.triangles = 1;
+    out->value = (int)touching;
+    out->value += 256 * (int)tribox_mesh_query_f64(&mesh, x + COMPANION_LO, x + COMPANION_HI, NULL, 0);
+}
+
+COMPANION_FN void companion_ask_f64(const companion *c, companion_answer *out)
+{
+    double x[COMPANION_NUMBERS];
+    double polygon[9][3];
+    double t[2];
+    double three[3];
+    const double *v = x;
+    const double *lo = x + COMPANION_LO;
+    const double *hi = x + COMPANION_HI;
+    const double *w = x + COMPANION_W;
+    const double *o = x + COMPANION_O;
+    int i;
+    companion_copy(x, c->x, sizeof x);
+    switch (c->which) {
+    case COMPANION_BOX_BOX:
+        out->value = tribox_box_box_f64(lo, hi, w, o);
+        break;
+    case COMPANION_SEGMENT_BOX:
+        out->value = tribox_segment_box_f64(w, o, lo, hi);
+        break;
+    case COMPANION_RAY_BOX:
+        out->value = tribox_ray_box_f64(o, w, x[COMPANION_T0], x[COMPANION_T1], lo, hi, &t[0], &t[1]);
+        companion_wrote_f64(out, t, out->value ? 2 : 0);
+        break;
+    case COMPANION_RAY_TRIANGLE:
+        out->value = tribox_ray_triangle_f64(o, w, x[COMPANION_T0], x[COMPANION_T1], v, v + 3, v + 6, t);
+        companion_wrote_f64(out, t, out->value ? 1 : 0);
+        break;
+    case COMPANION_CLIP:
+        out->value = tribox_clip_f64(v, v + 3, v + 6, lo, hi, polygon);
+        for (i = 0; i < out->value; ++i) {
+            companion_wrote_f64(out, polygon[i], 3);
+        }
+        break;
+    case COMPANION_CLOSEST:
+        tribox_closest_f64(v, v + 3, v + 6, o, three);
+        companion_wrote_f64(out, three, 3);
+        break;
+    case COMPANION_OCTANTS:
+        out->value = companion_octants(c);
+        break;
+    default:
+        companion_query_f64(x, out);
+        break;
+    }
 }
 
 COMPANION_FN void companion_ask(const companion *c, companion_answer *out)
@@ -95,6 +186,10 @@ COMPANION_FN void companion_ask(const companion *c, companion_answer *out)
     }
     for (i = 0; i < 3; ++i) {
         out->axis[i] = 0;
+    }
+    if (c->f64) {
+        companion_ask_f64(c, out);
+        return;
     }
     companion_floats(x, c->x, COMPANION_NUMBERS);
     switch (c->which) {

@@ -124,11 +124,15 @@ static inline int companion_mutant_applies(int which, int mutant)
     }
 }
 
-#define FAR_TIME 400   /* an infinite t as a power of two: every finite contact is before 2^278 */
-#define FAR_FACE 1000  /* an infinite face: a normal's least component, 2^-298, times it is past all */
+/* An infinite t as a power of two: finite contacts of floats are before 2^278, of doubles, whose edges and
+ * normals have components down to 2^-2148 and differences up to 2^2100 units of them, before 2^7000. */
+#define FAR_TIME(f64) ((f64) ? 16000 : 400)
+/* An infinite face: a normal's least component (2^-298, 2^-2148) times it is past all. */
+#define FAR_FACE(f64) ((f64) ? 9000 : 1000)
 #define POLYGON_MAX 64 /* candidates for extreme points */
 
 typedef struct companion_work {
+    int f64;
     double x[COMPANION_NUMBERS];
     exact_judge overlap;
     /* a motion: T stands still, the box moves by t * u; all lengths times 2^-scale */
@@ -215,22 +219,27 @@ static inline void companion_rational(mpq_t out, double d)
 
 enum { ROUND_DOWN, ROUND_NEAREST, ROUND_UP, ROUND_ZERO };
 
-/* the bits of the rational rounded to a float: magnitudes as m * 2^e with 24 bits, or e = -149 */
-static inline uint32_t companion_float(companion_work *c, const mpq_t x, int rounding)
+/* the bits of the rational rounded to the question's format: magnitudes as m * 2^e with 24 (53) bits, or
+ * e = -149 (-1074) */
+static inline uint64_t companion_round(companion_work *c, const mpq_t x, int rounding)
 {
     mpz_ptr m = c->z[10];
     mpz_ptr rest = c->z[11];
+    const int digits = c->f64 ? 53 : 24;
+    const int least = c->f64 ? -1074 : -149;
+    const int most = c->f64 ? 971 : 104;
+    const uint64_t infinity = c->f64 ? (uint64_t)0x7ff << 52 : 0x7f800000u;
     const int negative = mpq_sgn(x) < 0;
-    const uint32_t sign = negative ? 0x80000000u : 0u;
+    const uint64_t sign = negative ? (uint64_t)1 << (c->f64 ? 63 : 31) : 0u;
     long e;
     int up;
-    uint32_t bits;
+    uint64_t bits;
     if (mpq_sgn(x) == 0) {
         return 0;
     }
-    e = (long)mpz_sizeinbase(mpq_numref(x), 2) - (long)mpz_sizeinbase(mpq_denref(x), 2) - 24;
-    for (;;) { /* the quotient has 24 bits, or 25: then once more */
-        e = e < -149 ? -149 : e;
+    e = (long)mpz_sizeinbase(mpq_numref(x), 2) - (long)mpz_sizeinbase(mpq_denref(x), 2) - digits;
+    for (;;) { /* the quotient has as many bits, or one more: then once more */
+        e = e < least ? least : e;
         mpz_abs(m, mpq_numref(x));
         mpz_set(rest, mpq_denref(x));
         if (e < 0) {
@@ -240,7 +249,7 @@ static inline uint32_t companion_float(companion_work *c, const mpq_t x, int rou
         }
         mpz_set(c->z[9], rest);
         mpz_fdiv_qr(m, rest, m, rest);
-        if (mpz_sizeinbase(m, 2) <= 24) {
+        if (mpz_sizeinbase(m, 2) <= (size_t)digits) {
             break;
         }
         ++e;
@@ -252,14 +261,14 @@ static inline uint32_t companion_float(companion_work *c, const mpq_t x, int rou
     } else {
         up = mpz_sgn(rest) != 0 && (rounding == ROUND_UP ? !negative : rounding == ROUND_DOWN && negative);
     }
-    if (e > 104) { /* too large: the largest float, or beyond it */
+    if (e > most) { /* too large: the largest number, or beyond it */
         up = rounding == ROUND_NEAREST ||
              (rounding == ROUND_UP ? !negative : rounding == ROUND_DOWN && negative);
-        return sign | (up ? 0x7f800000u : 0x7f7fffffu);
+        return sign | (infinity - !up);
     }
-    bits = (uint32_t)mpz_get_ui(m);
-    bits = bits < 0x800000u ? bits : bits + ((uint32_t)(e + 149) << 23);
-    bits += (uint32_t)up;
+    bits = (uint64_t)mpz_get_ui(m);
+    bits = bits >> (digits - 1) == 0 ? bits : bits + ((uint64_t)(e - least) << (digits - 1));
+    bits += (uint64_t)up;
     return bits == 0 ? 0 : sign | bits;
 }
 
@@ -311,14 +320,14 @@ static inline int companion_scale(const double *x, int n)
     return scale == 2000 ? 0 : scale;
 }
 
-static inline void companion_time(mpq_t out, double t)
+static inline void companion_time(const companion_work *c, mpq_t out, double t)
 {
     if (is_finite(t)) {
         companion_rational(out, t);
         return;
     }
     mpq_set_si(out, sign_of_double(t), 1);
-    mpq_mul_2exp(out, out, FAR_TIME);
+    mpq_mul_2exp(out, out, (mp_bitcnt_t)FAR_TIME(c->f64));
 }
 
 /* T, the box, its velocity; 0 if the motion holds no points */
@@ -349,12 +358,12 @@ static inline int motion_load(companion_work *c, const double v[9], const double
                 set_scaled(face, at, c->scale);
             } else {
                 mpz_set_si(face, sign_of_double(at));
-                mpz_mul_2exp(face, face, (mp_bitcnt_t)(FAR_FACE - c->scale));
+                mpz_mul_2exp(face, face, (mp_bitcnt_t)(FAR_FACE(c->f64) - c->scale));
             }
         }
     }
-    companion_time(c->t_min, t_min);
-    companion_time(c->t_max, t_max);
+    companion_time(c, c->t_min, t_min);
+    companion_time(c, c->t_max, t_max);
     return mpq_cmp(c->t_min, c->t_max) <= 0;
 }
 
@@ -498,11 +507,11 @@ static inline int motion_judge(companion_work *c, int wrong)
     mpq_set(c->last, c->t_max);
     if (wrong == WRONG_NO_START) {
         mpq_set_si(c->first, -1, 1);
-        mpq_mul_2exp(c->first, c->first, FAR_TIME);
+        mpq_mul_2exp(c->first, c->first, FAR_TIME(c->f64));
     }
     if (wrong == WRONG_NO_END) {
         mpq_set_si(c->last, 1, 1);
-        mpq_mul_2exp(c->last, c->last, FAR_TIME);
+        mpq_mul_2exp(c->last, c->last, FAR_TIME(c->f64));
     }
     for (axis = 0; axis < 13; ++axis) {
         c->has_opens[axis] = 0;
@@ -874,11 +883,11 @@ static inline void clip_judge(companion_work *c, int wrong, companion_answer *ou
         least = point_compare(c->points[i], c->points[least]) < 0 ? i : least;
     }
     for (i = 0; i < n && out->value < 9; ++i) {
-        uint32_t *word = out->word + 3 * out->value;
+        uint64_t *word = out->word + 3 * out->value;
         int at = wrong == WRONG_TURN ? (least + n - i) % n : (least + i) % n;
         int same = 0;
         for (k = 0; k < 3; ++k) {
-            word[k] = companion_float(c, c->points[at][k], rounding);
+            word[k] = companion_round(c, c->points[at][k], rounding);
         }
         for (j = 0; j < out->value && wrong != WRONG_NO_MERGE; ++j) {
             same |= memcmp(out->word + 3 * j, word, 3 * sizeof *word) == 0;
@@ -1171,7 +1180,7 @@ static inline void closest_judge(companion_work *c, int wrong, companion_answer 
     int i;
     out->n = 3;
     if (!companion_finite(c->x, 9) || !companion_finite(c->x + COMPANION_O, 3)) {
-        out->word[0] = 0x3f800000u;
+        out->word[0] = c->f64 ? (uint64_t)1023 << 52 : 0x3f800000u;
         return;
     }
     closest_load(c);
@@ -1187,7 +1196,7 @@ static inline void closest_judge(companion_work *c, int wrong, companion_answer 
     }
     closest_weights(c, wrong);
     for (i = 0; i < 3; ++i) {
-        out->word[i] = companion_float(c, c->q[3 + i], wrong == WRONG_TRUNCATED ? ROUND_ZERO : ROUND_NEAREST);
+        out->word[i] = companion_round(c, c->q[3 + i], wrong == WRONG_TRUNCATED ? ROUND_ZERO : ROUND_NEAREST);
     }
 }
 
@@ -1222,13 +1231,13 @@ static inline int closest_confirm(companion_work *c)
 
 /* ---- boxes and planes ------------------------------------------------------------------------- */
 
-static inline void companion_bound(mpq_t out, double d)
+static inline void companion_bound(const companion_work *c, mpq_t out, double d)
 {
     if (is_finite(d)) {
         companion_rational(out, d);
     } else {
         mpq_set_si(out, sign_of_double(d), 1);
-        mpq_mul_2exp(out, out, FAR_FACE);
+        mpq_mul_2exp(out, out, (mp_bitcnt_t)FAR_FACE(c->f64));
     }
 }
 
@@ -1242,10 +1251,10 @@ static inline int boxes_judge(companion_work *c, int wrong)
         return 0;
     }
     for (k = 0; k < 3; ++k) {
-        companion_bound(c->q[0], x[COMPANION_LO + k]);
-        companion_bound(c->q[1], x[COMPANION_W + k]);
-        companion_bound(c->q[2], x[COMPANION_HI + k]);
-        companion_bound(c->q[3], x[COMPANION_O + k]);
+        companion_bound(c, c->q[0], x[COMPANION_LO + k]);
+        companion_bound(c, c->q[1], x[COMPANION_W + k]);
+        companion_bound(c, c->q[2], x[COMPANION_HI + k]);
+        companion_bound(c, c->q[3], x[COMPANION_O + k]);
         order = mpq_cmp(mpq_cmp(c->q[0], c->q[1]) > 0 ? c->q[0] : c->q[1],
                         mpq_cmp(c->q[2], c->q[3]) < 0 ? c->q[2] : c->q[3]);
         if (order > 0 || (order == 0 && wrong == WRONG_OPEN_BOXES)) {
@@ -1265,10 +1274,10 @@ static inline int boxes_confirm(companion_work *c)
         return 0;
     }
     for (k = 0; k < 3; ++k) {
-        companion_bound(c->q[0], x[COMPANION_LO + k]);
-        companion_bound(c->q[1], x[COMPANION_W + k]);
-        companion_bound(c->q[2], x[COMPANION_HI + k]);
-        companion_bound(c->q[3], x[COMPANION_O + k]);
+        companion_bound(c, c->q[0], x[COMPANION_LO + k]);
+        companion_bound(c, c->q[1], x[COMPANION_W + k]);
+        companion_bound(c, c->q[2], x[COMPANION_HI + k]);
+        companion_bound(c, c->q[3], x[COMPANION_O + k]);
         if (!(mpq_cmp(c->q[0], c->q[1]) <= 0 && mpq_cmp(c->q[1], c->q[2]) <= 0) &&
             !(mpq_cmp(c->q[1], c->q[0]) <= 0 && mpq_cmp(c->q[0], c->q[3]) <= 0)) {
             return 0;
@@ -1296,7 +1305,7 @@ static inline int plane_value(companion_work *c, int corner)
     companion_rational(c->q[0], c->x[COMPANION_T0]);
     for (k = 0; k < 3; ++k) {
         companion_rational(c->q[1], c->x[COMPANION_W + k]);
-        companion_bound(c->q[2], c->x[(corner >> k & 1 ? COMPANION_HI : COMPANION_LO) + k]);
+        companion_bound(c, c->q[2], c->x[(corner >> k & 1 ? COMPANION_HI : COMPANION_LO) + k]);
         mpq_mul(c->q[1], c->q[1], c->q[2]);
         mpq_add(c->q[0], c->q[0], c->q[1]);
     }
@@ -1430,6 +1439,7 @@ static inline int companion_moves(int which)
 static inline void companion_read(companion_work *c, const companion *ask)
 {
     int i;
+    c->f64 = ask->f64;
     for (i = 0; i < COMPANION_NUMBERS; ++i) {
         c->x[i] = companion_number(ask->x[i], ask->f64);
     }
@@ -1445,10 +1455,10 @@ static inline void companion_judge(companion_work *c, const companion *ask, int 
         if (out->value && ask->which != COMPANION_SEGMENT_BOX) {
             out->n = ask->which == COMPANION_RAY_TRIANGLE ? 1 : 2;
             out->word[0] =
-                companion_float(c, c->first, wrong == WRONG_START_NEAREST ? ROUND_NEAREST : ROUND_DOWN);
+                companion_round(c, c->first, wrong == WRONG_START_NEAREST ? ROUND_NEAREST : ROUND_DOWN);
             if (out->n == 2) {
                 out->word[1] =
-                    companion_float(c, c->last, wrong == WRONG_END_NEAREST ? ROUND_NEAREST : ROUND_UP);
+                    companion_round(c, c->last, wrong == WRONG_END_NEAREST ? ROUND_NEAREST : ROUND_UP);
             }
         }
         return;

@@ -7,12 +7,12 @@
 #include "fuzz_input.h"
 #include "verify_companions.h"
 
-static void print_answer(const char *who, const companion_answer *a)
+static void print_answer(const char *who, const companion_answer *a, int f64)
 {
     int i;
     printf("\n    %s %d:", who, a->value);
     for (i = 0; i < a->n; ++i) {
-        printf(" %a", companion_number(a->word[i], 0));
+        printf(" %a", companion_number(a->word[i], f64));
     }
     for (i = 0; i < 3; ++i) {
         printf(" %a", companion_number(a->axis[i], 0));
@@ -26,8 +26,8 @@ static void wrong_answer(const companion *c, const companion_answer *got, const 
     for (i = 0; i < COMPANION_NUMBERS; ++i) {
         printf("%s%a", i == COMPANION_T1 || i % 3 != 0 ? ", " : "\n    ", companion_number(c->x[i], c->f64));
     }
-    print_answer("got", got);
-    print_answer("exact", want);
+    print_answer("got", got, c->f64);
+    print_answer("exact", want, c->f64);
     printf("\n");
     fflush(stdout);
     abort();
@@ -51,7 +51,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     memset(&c, 0, sizeof c);
     c.which = take_byte(&b) % COMPANIONS;
     c.flags = take_byte(&b);
-    c.f64 = c.which == COMPANION_OCTANTS && (c.flags & 128u) != 0;
+    c.f64 = companion_has_f64(c.which) && (c.flags & 128u) != 0;
     for (i = 0; i < COMPANION_NUMBERS; ++i) {
         x[i] = take_number(&b, x, i, c.f64);
     }

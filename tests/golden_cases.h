@@ -18,7 +18,7 @@
 #define GOLDEN_CHUNKS 2048 /* a chunk is hashed alone, so that chunks may run in any order */
 #define GOLDEN_EIGHTH 256  /* of them, with a hash of their own, where time is short: emulators */
 #define GOLDEN_SINGLES 32  /* triangles and boxes in a chunk; beside them one grid and one point */
-#define GOLDEN_COMPANIONS 20 /* questions to companions in a chunk */
+#define GOLDEN_COMPANIONS 30 /* questions to companions in a chunk */
 #define GOLDEN_EDGE 8      /* the region of a golden grid is 8 x 8 x 8 */
 #define GOLDEN_HARD 16     /* of either in a chunk: with the numbers that compilers and modes mistake */
 
@@ -480,7 +480,7 @@ GOLDEN_FN void golden_make_companion(uint64_t index, companion *c)
     int nudges = golden_between(&state, -3, 3);
     int endless = golden_between(&state, 0, 7);
     c->which = (int)(index % COMPANIONS);
-    c->f64 = c->which == COMPANION_OCTANTS && (index / COMPANIONS & 1) != 0;
+    c->f64 = companion_has_f64(c->which) && index / COMPANIONS % 3 == 2;
     c->flags = (1u << golden_between(&state, 0, 3)) >> 1;
     plane = c->which == COMPANION_PLANE_BOX;
     if (kind < 2) {
@@ -519,9 +519,9 @@ GOLDEN_FN void golden_make_companion(uint64_t index, companion *c)
         c->x[i] = golden_encode(x[i], scale, c->f64);
     }
     if (endless < 2 && !plane) { /* rays and lines */
-        c->x[COMPANION_T1] = (uint64_t)0xff << 23;
+        c->x[COMPANION_T1] = c->f64 ? (uint64_t)0x7ff << 52 : (uint64_t)0xff << 23;
         if (endless == 0) {
-            c->x[COMPANION_T0] = (uint64_t)0x1ff << 23;
+            c->x[COMPANION_T0] = c->f64 ? (uint64_t)0xfff << 52 : (uint64_t)0x1ff << 23;
         }
     }
     for (; nudges > 0; --nudges) {

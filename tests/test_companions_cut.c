@@ -699,6 +699,28 @@ static void nearest_without_a_question(void)
 
 /* ---- both runs of one algorithm ------------------------------------------------------------------------ */
 
+/* More limbs than any run takes. */
+static tbx_limb test_store[16384];
+
+static void test_exactly(tbx_calc *c)
+{
+    c->exact = 1;
+    c->unsure = 0;
+    c->used = 0;
+    c->store = test_store;
+}
+
+static void test_real(tbx_real *r, double x)
+{
+    tbx_read(r, &x, 1, TBX_DOUBLE);
+}
+
+static void test_real_float(tbx_real *r, double x)
+{
+    const float narrow = (float)x;
+    tbx_read(r, &narrow, 1, TBX_FLOAT);
+}
+
 /* Where the run in double is sure of itself, the run in integers gives the same bits: on random floats,
  * nearly always. */
 static void sure_runs_equal_exact_runs(void)
@@ -710,57 +732,64 @@ static void sure_runs_equal_exact_runs(void)
 
     random_seed(65);
     for (i = 0; i < TEST_LOOPS(10000); i++) {
-        tbx_calc   fast = {0, 0};
-        tbx_calc   exact = {1, 0};
-        tbx_cut    cut;
-        tbx_motion m;
-        double             q[3];
-        float              w[2][3];
-        float              p[2][9][3];
-        float              t[2][2];
-        float              axis[2][3];
-        int                count;
-        int                hit;
+        tbx_calc    fast = {0, 0, 0, NULL};
+        tbx_calc    exact = {1, 0, 0, test_store};
+        tbx_nearest nearest;
+        tbx_cut     cut;
+        tbx_polygon polygon[2];
+        tbx_motion  m;
+        int64_t     w[2][3] = {{0, 0, 0}, {0, 0, 0}};
+        int64_t     p[2][9][3];
+        int64_t     t[2][2];
+        float       axis[2][3];
+        int         count;
+        int         hit;
         for (k = 0; k < 3; k++) {
             double unit = i % 4 ? 1 : power_of_two(random_below(250) - 130);
-            float  q32 = (float)(random_signed() * unit);
-            float  a = (float)(random_signed() * unit);
-            float  b = (float)(random_signed() * unit);
+            double a = (float)(random_signed() * unit);
+            double b = (float)(random_signed() * unit);
             for (j = 0; j < 3; j++) {
-                float x = (float)(random_signed() * unit);
-                tbx_widen(&m.v[j][k], &x);
-                cut.v[j][k] = m.v[j][k];
+                test_real_float(&m.v[j][k], random_signed() * unit);
+                cut.v[j][k] = nearest.v[j][k] = m.v[j][k];
             }
-            tbx_widen(&q[k], &q32);
-            m.velocity[k] = q[k];
-            tbx_widen(&m.lo[k], a < b ? &a : &b);
+            test_real_float(&nearest.q[k], random_signed() * unit);
+            m.velocity[k] = nearest.q[k];
+            test_real_float(&m.lo[k], a < b ? a : b);
+            test_real_float(&m.hi[k], a < b ? b : a);
             cut.face[0][k] = m.lo[k];
-            tbx_widen(&m.hi[k], a < b ? &b : &a);
             cut.face[1][k] = m.hi[k];
         }
+        test_real(&m.t[0], 0);
+        test_real(&m.t[1], 1);
+        m.axes = 13;
         m.open = i & 1;
-        tbx_closest(&fast, cut.v, q, w[0]);
-        tbx_closest(&exact, cut.v, q, w[1]);
-        CHECK(fast.unsure || same_vector(w[0], w[1]));
+        tbx_nearest_run(&fast, &nearest, TBX_FLOAT, 1, w[0]);
+        tbx_nearest_run(&exact, &nearest, TBX_FLOAT, 1, w[1]);
+        CHECK(fast.unsure || memcmp(w[0], w[1], sizeof w[0]) == 0);
         unsure += fast.unsure;
-        hit = tbx_sweep(&m, TBX_AXES, 0, t[0], axis[0]);
+        m.calc = fast;
+        hit = tbx_sweep_run(&m, t[0], axis[0]);
+        unsure += m.calc.unsure;
         if (!m.calc.unsure) {
-            CHECK(hit == tbx_sweep(&m, TBX_AXES, 1, t[1], axis[1]));
-            CHECK(!hit || (same_float(t[0][0], t[1][0]) && same_float(t[0][1], t[1][1])));
+            test_exactly(&m.calc);
+            CHECK(hit == tbx_sweep_run(&m, t[1], axis[1]));
+            CHECK(!hit || memcmp(t[0], t[1], sizeof t[0]) == 0);
             for (k = 0; k < 3; k++) {
                 float apart = hit ? axis[0][k] - axis[1][k] : 0;
                 CHECK(apart < 2.4e-7f && apart > -2.4e-7f);
             }
         }
-        unsure += m.calc.unsure;
-        count = tbx_cut_all(&cut, 0, p[0]);
-        if (!cut.calc.unsure) {
-            CHECK(count == tbx_cut_all(&cut, 1, p[1]));
-            for (j = 0; j < count; j++) {
-                CHECK(same_vector(p[0][j], p[1][j]));
-            }
-        }
+        fast.unsure = 0;
+        cut.calc = fast;
+        tbx_cut_run(&cut, &polygon[0]);
+        count = tbx_cut_round(&cut, &polygon[0], TBX_FLOAT, p[0]);
         unsure += cut.calc.unsure;
+        if (!cut.calc.unsure) {
+            test_exactly(&cut.calc);
+            tbx_cut_run(&cut, &polygon[1]);
+            CHECK(count == tbx_cut_round(&cut, &polygon[1], TBX_FLOAT, p[1]));
+            CHECK(memcmp(p[0], p[1], sizeof p[0][0] * (size_t)count) == 0);
+        }
     }
     CHECK(unsure < i / 50);
 }
@@ -777,38 +806,44 @@ static double any_bits(void)
  * are exact. */
 static void numbers_in_double_hold_their_bound(void)
 {
-    const tbx_calc fast = {0, 0};
-    const tbx_calc exact = {1, 0};
-    int                    exactly = 0;
-    int                    i;
-    int                    side;
+    tbx_calc fast = {0, 0, 0, NULL};
+    tbx_calc exact = {1, 0, 0, test_store};
+    int      exactly = 0;
+    int      i;
+    int      side;
 
     random_seed(68);
     for (i = 0; i < TEST_LOOPS(40000); i++) {
-        double          x = any_bits();
-        double          y = any_bits();
+        tbx_real x;
+        tbx_real y;
+        tbx_real z;
         tbx_num a;
         tbx_num b;
         tbx_num r;
         tbx_num truth;
         tbx_num bound;
-        tbx_num_set(&fast, &a, x);
-        tbx_num_set(&fast, &b, y);
+        test_real(&x, any_bits());
+        test_real(&y, any_bits());
+        tbx_num_of(&fast, &a, &x);
+        tbx_num_of(&fast, &b, &y);
         if (i % 2) {
             tbx_num_mul(&fast, &r, &a, &b);
         } else {
             tbx_num_add(&fast, &r, &a, &b, -1);
         }
-        tbx_num_set(&exact, &a, x);
-        tbx_num_set(&exact, &b, y);
+        exact.used = 0;
+        tbx_num_of(&exact, &a, &x);
+        tbx_num_of(&exact, &b, &y);
         if (i % 2) {
             tbx_num_mul(&exact, &truth, &a, &b);
         } else {
             tbx_num_add(&exact, &truth, &a, &b, -1);
         }
         exactly += !(r.rad > 0);
-        tbx_num_set(&exact, &bound, 2 * r.rad);
-        tbx_num_set(&exact, &a, r.mid);
+        test_real(&z, 2 * r.rad);
+        tbx_num_of(&exact, &bound, &z);
+        test_real(&z, r.mid);
+        tbx_num_of(&exact, &a, &z);
         tbx_num_add(&exact, &truth, &truth, &a, -1);
         for (side = -1; side <= 1; side += 2) {
             tbx_num_add(&exact, &a, &bound, &truth, side);

@@ -828,14 +828,14 @@ static void print_companion(const companion *ask, const companion_answer *got, c
     }
     printf("\n    (v0 v1 v2 box_min box_max w o t_min t_max)\n    got   %d:", got->value);
     for (i = 0; i < got->n; ++i) {
-        printf(" %a", companion_number(got->word[i], 0));
+        printf(" %a", companion_number(got->word[i], ask->f64));
     }
     for (i = 0; i < 3; ++i) {
         printf(" %a", companion_number(got->axis[i], 0));
     }
     printf("\n    exact %d:", want->value);
     for (i = 0; i < want->n; ++i) {
-        printf(" %a", companion_number(want->word[i], 0));
+        printf(" %a", companion_number(want->word[i], ask->f64));
     }
     printf("\n");
 }
@@ -855,11 +855,21 @@ static void companion_report(run *r, const char *what, const companion *ask, con
 static int companion_same_without(run *r, const companion *ask, const companion_answer *got)
 {
     float x[COMPANION_NUMBERS];
+    double y[COMPANION_NUMBERS];
     float t[2] = {0.0f, 0.0f};
+    double u[2] = {0.0, 0.0};
+    uint32_t word = 0;
     int which = dice_below(&r->d, 4);
     int value = got->value;
+    int i;
+    int same = 1;
     companion_floats(x, ask->x, COMPANION_NUMBERS);
-    if (ask->which == COMPANION_RAY_BOX) {
+    memcpy(y, ask->x, sizeof y);
+    if (ask->which == COMPANION_RAY_BOX && ask->f64) {
+        value = tribox_ray_box_f64(y + COMPANION_O, y + COMPANION_W, y[COMPANION_T0], y[COMPANION_T1],
+                                   y + COMPANION_LO, y + COMPANION_HI, which & 1 ? u : NULL,
+                                   which & 2 ? u + 1 : NULL);
+    } else if (ask->which == COMPANION_RAY_BOX) {
         value = tribox_ray_box(x + COMPANION_O, x + COMPANION_W, x[COMPANION_T0], x[COMPANION_T1],
                                x + COMPANION_LO, x + COMPANION_HI, which & 1 ? t : NULL,
                                which & 2 ? t + 1 : NULL);
@@ -868,13 +878,20 @@ static int companion_same_without(run *r, const companion *ask, const companion_
                              which & 1 ? t : NULL, which & 2 ? t + 1 : NULL, NULL);
     } else if (ask->which == COMPANION_RAY_TRIANGLE) {
         which = 0;
-        value = tribox_ray_triangle(x + COMPANION_O, x + COMPANION_W, x[COMPANION_T0], x[COMPANION_T1], x,
-                                    x + 3, x + 6, NULL);
+        value = ask->f64 ? tribox_ray_triangle_f64(y + COMPANION_O, y + COMPANION_W, y[COMPANION_T0],
+                                                   y[COMPANION_T1], y, y + 3, y + 6, NULL)
+                         : tribox_ray_triangle(x + COMPANION_O, x + COMPANION_W, x[COMPANION_T0],
+                                               x[COMPANION_T1], x, x + 3, x + 6, NULL);
     } else {
         return 1;
     }
-    return value == got->value && (!value || which % 2 == 0 || memcmp(t, got->word, sizeof *t) == 0) &&
-           (!value || which < 2 || memcmp(t + 1, got->word + 1, sizeof *t) == 0);
+    for (i = 0; i < 2 && value; ++i) {
+        uint64_t wide;
+        memcpy(&word, t + i, sizeof word);
+        memcpy(&wide, u + i, sizeof wide);
+        same &= !(which >> i & 1) || got->word[i] == (ask->f64 ? wide : word);
+    }
+    return value == got->value && same;
 }
 
 static void companion_question(run *r, const companion *ask)

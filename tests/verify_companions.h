@@ -195,7 +195,7 @@ static inline void companion_make(dice *d, int which, int class, companion *c)
     int i, k;
     memset(c, 0, sizeof *c);
     c->which = which;
-    c->f64 = which == COMPANION_OCTANTS && dice_once_in(d, 2);
+    c->f64 = companion_has_f64(which) && dice_once_in(d, 2);
     case_make(d, class, c->f64, x);
     for (i = COMPANION_W; i < COMPANION_NUMBERS; ++i) {
         x[i] = lattice ? (double)dice_between(d, -8, 8) : 2.0 * dice_signed(d);
@@ -251,7 +251,7 @@ static inline void companion_make(dice *d, int which, int class, companion *c)
         }
     }
     if (class == CASE_EXTREME && dice_once_in(d, 2)) { /* what was added of the same size as the rest */
-        double size = power_of_two(dice_between(d, -140, 120));
+        double size = power_of_two(c->f64 ? dice_between(d, -1060, 1000) : dice_between(d, -140, 120));
         for (i = COMPANION_W; i < COMPANION_T0; ++i) {
             x[i] *= size;
         }
