@@ -119,9 +119,79 @@ static int every_function_solid(void)
     return wrong;
 }
 
+/* The triangle z = 1 over half of the box [0,2]^3, and a ray up its middle. */
+static int every_function_companions(void)
+{
+    static const float t[3][3] = {{0, 0, 1}, {2, 0, 1}, {0, 2, 1}};
+    static const float lo[3] = {0, 0, 0};
+    static const float hi[3] = {2, 2, 2};
+    static const float from[3] = {0.5f, 0.5f, -1};
+    static const float dir[3] = {0, 0, 1};
+    float              at[2] = {0, 0};
+    float              axis[3];
+    float              polygon[9][3];
+    uint32_t           found[1] = {7};
+    tribox_mesh        mesh;
+    tribox_tri         tri;
+    int                wrong = 0;
+
+    mesh.positions = t[0];
+    mesh.stride = 0;
+    mesh.indices = 0;
+    mesh.triangles = 1;
+    wrong += tribox_box_box(lo, hi, t[0], hi) != 1;
+    wrong += tribox_plane_box(dir, -3, lo, hi) != -1;
+    wrong += tribox_segment_box(from, t[0], lo, hi) != 1;
+    wrong += tribox_ray_box(from, dir, 0, 9, lo, hi, &at[0], &at[1]) != 1 || at[0] < 1 || at[1] > 3;
+    wrong += tribox_ray_triangle(from, dir, 0, 9, t[0], t[1], t[2], &at[0]) != 1 || at[0] < 2;
+    wrong += tribox_sweep(t[0], t[1], t[2], lo, hi, dir, &at[0], &at[1], axis) != 1 || at[1] < 1;
+    wrong += tribox_clip(t[0], t[1], t[2], lo, hi, polygon) != 3 || polygon[0][2] < 1;
+    tribox_closest(t[0], t[1], t[2], hi, axis);
+    wrong += axis[1] < 0.5f || axis[2] < 0.5f;
+    wrong += tribox_mesh_query(&mesh, lo, hi, found, 1) != 1 || found[0] != 0;
+    tribox_tri_init(&tri, t[0], t[1], t[2], dir, 0);
+    tribox_tri_resize(&tri, hi);
+    wrong += tribox_tri_octants(&tri, lo) != 15;
+    return wrong;
+}
+
+static int every_function_companions_f64(void)
+{
+    static const double t[3][3] = {{0, 0, 1}, {2, 0, 1}, {0, 2, 1}};
+    static const double lo[3] = {0, 0, 0};
+    static const double hi[3] = {2, 2, 2};
+    static const double from[3] = {0.5, 0.5, -1};
+    static const double dir[3] = {0, 0, 1};
+    double              at[2] = {0, 0};
+    double              weights[3];
+    double              polygon[9][3];
+    uint32_t            found[1] = {7};
+    tribox_mesh_f64     mesh;
+    tribox_tri          tri;
+    int                 wrong = 0;
+
+    mesh.positions = t[0];
+    mesh.stride = 0;
+    mesh.indices = 0;
+    mesh.triangles = 1;
+    wrong += tribox_box_box_f64(lo, hi, t[0], hi) != 1;
+    wrong += tribox_segment_box_f64(from, t[0], lo, hi) != 1;
+    wrong += tribox_ray_box_f64(from, dir, 0, 9, lo, hi, &at[0], &at[1]) != 1 || at[0] < 1 || at[1] > 3;
+    wrong += tribox_ray_triangle_f64(from, dir, 0, 9, t[0], t[1], t[2], &at[0]) != 1 || at[0] < 2;
+    wrong += tribox_clip_f64(t[0], t[1], t[2], lo, hi, polygon) != 3 || polygon[0][2] < 1;
+    tribox_closest_f64(t[0], t[1], t[2], hi, weights);
+    wrong += weights[1] < 0.5 || weights[2] < 0.5;
+    wrong += tribox_mesh_query_f64(&mesh, lo, hi, found, 1) != 1 || found[0] != 0;
+    tribox_tri_init_f64(&tri, t[0], t[1], t[2], dir, 0);
+    tribox_tri_resize_f64(&tri, hi);
+    wrong += tribox_tri_octants_f64(&tri, lo) != 15;
+    return wrong;
+}
+
 static int every_function(void)
 {
-    return every_function_one_box() + every_function_tri() + every_function_grid() + every_function_solid();
+    return every_function_one_box() + every_function_tri() + every_function_grid() + every_function_solid() +
+           every_function_companions() + every_function_companions_f64();
 }
 
 #endif /* EVERY_FUNCTION_H */
