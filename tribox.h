@@ -4751,6 +4751,10 @@ TBX_NOINLINE void tbx_solid_triangle(const tbx_solid *s, double v[3][3])
     }
 }
 
+#if TRIBOX_SIMD /* section 11.6 */
+TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tribox_mesh *mesh);
+#endif
+
 TRIBOX_FN void tribox_grid_fill_solid(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
 {
     tbx_solid s;
@@ -4761,6 +4765,9 @@ TRIBOX_FN void tribox_grid_fill_solid(const tribox_grid *grid, const tribox_mesh
         return;
     }
     tbx_solid_init(&s, grid, bits);
+#if TRIBOX_SIMD
+    t = tbx_solid_quick_fill(&s, mesh);
+#endif
     for (; t < mesh->triangles; t++) {
         for (c = 0; c < 3; c++) {
             tbx_mesh_corner(mesh, t, c, v[c]);
@@ -10154,6 +10161,576 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
 }
 #endif
 
+/* ---- 11.6 Solid
+ *
+ * Seen along x, most triangles of a fine mesh hold no row's centre: their boxes tell, WIDE at a time. Those of
+ * up to SOLID_ROWS rows on each axis wait in groups, and all rows of a group's boxes are decided together, in
+ * float; larger ones go line by line, in double. Whoever comes within the bounds goes the scalar way.
+ *
+ * Boxes. Row centres are whole numbers Y = (v - origin) inverse + rest, origin being the first centre as a
+ * float, rest what that leaves. Y is off by u |Y| for each of the difference, inverse, product and sum, and by
+ * u |rest|: 5 u (n + |rest| + 2) between the region's ends; beyond them it does not come back, since each
+ * operation is monotone. Corners beyond 2^22 voxels go the scalar way.
+ *
+ * Rows. Lengths are scaled by a power of two that takes a voxel's size to [1, 2). A centre i is high + low,
+ * where high = base_high + i * size_high is exact: both are multiples of `spacing`, below 2^24 of it. low is
+ * at most rho = spacing * (n + 34). (v - high) - low, v within m of the centre, is off by
+ * delta(m) = 4 u (m + rho) + u m < 5 u (m + rho). In boxes of c rows all corners and centres are within
+ * R = 2 c + 0.1 of the first centre. With e = delta(R),
+ *   E_i = v_i x v_{i+1}, about the first centre      off by 4 R e + 4 u R^2,
+ *   E_i there + j step_y A + k step_z B              R (2 e + 4 u R) more for each of j and k, and 16 u R^2,
+ *   n_x = E_0 + E_1 + E_2, at the first centre       off by 3 of the first line and 16 u R^2:
+ * all less than error = 16 R e + 64 u R^2. Where all s E_i are above it, s n_x > 0, and the centre is within;
+ * where one is below -2 error, s cannot be wrong: the others would have to add up to less than -error.
+ *
+ * x = x_0 + ((x_1 - x_0) E_2 + (x_2 - x_0) E_0) / n_x, where the weights E / n_x of a centre within are at
+ * most 1 and off by 2 error / n_x + 16 u, also where division is approximate: x is off by
+ * (|x_1 - x_0| + |x_2 - x_0|) (2 error / n_x + 24 u) + 4 delta(m).
+ *
+ * On the lattice, that is where corners and centres are multiples of a PART of the unit of length, all E_i are
+ * exact; half the least step, added where an edge's tie counts and taken off where not, leaves none at 0. */
+#define TBX_SOLID_ROWS 4
+#define TBX_SOLID_PARTS 16
+#define TBX_SOLID_MARGIN 16
+#define TBX_SOLID_ANYWAY 0x40000000 /* an extent: goes the scalar way */
+
+typedef struct tbx_solid_quick {
+    const tbx_solid *solid;
+    const tribox_mesh *mesh;
+    float origin[3];
+    float inverse[3];
+    float rest[3]; /* MARGIN added */
+    float slack[3];
+    int32_t most[3]; /* magnitudes above it, as integers, go the scalar way */
+    float scale[3];
+    float step[3]; /* size * scale */
+    float over_step[3];
+    float base_high[3];
+    float base_low[3];
+    float size_high[3];
+    float size_low[3];
+    float rho; /* scaled, the largest */
+    int lattice;
+    int on; /* 0: this grid's numbers are out of range */
+} tbx_solid_quick;
+
+TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const tribox_mesh *mesh)
+{
+    const double u = (double)TBX_U32;
+    const double parts = (double)TBX_SOLID_PARTS;
+    int k;
+    q->solid = s;
+    q->mesh = mesh;
+    q->rho = 0.0f;
+    q->lattice = 1;
+    q->on = s->fits;
+    for (k = 0; k < 3; k++) {
+        q->on &= s->n[k] <= 65536 && tbx_bits64(&s->grid->size[k]) >= (uint64_t)(1023 - 60) << 52 &&
+                 tbx_bits64(&s->grid->size[k]) < (uint64_t)(1023 + 60) << 52 &&
+                 tbx_bits64(&s->reach[k]) < (uint64_t)(1023 + 80) << 52;
+    }
+    for (k = 0; k < 3 && q->on; k++) {
+        const double size = s->grid->size[k];
+        const double n = (double)s->n[k];
+        const double middle = s->middle[k];
+        const double below = tbx_abs(middle - (n + 17.0) * size);
+        const double above = tbx_abs(middle + (n + 17.0) * size);
+        const double spacing = tbx_floor_pow2(below > above ? below : above) * (1.0 / 4194304.0); /* 2^-22 */
+        const double scale = 1.0 / tbx_floor_pow2(size);
+        const float origin = (float)middle;
+        const double rest = ((double)origin - middle) / size;
+        const double slack = 1.01 * 5.0 * u * (n + 2.0 * TBX_SOLID_MARGIN + tbx_abs(rest)) + 1e-9;
+        const double rho = spacing * (n + 34.0) * scale;
+        const float most = (float)(tbx_abs(middle) + 4194304.0 * size);
+        double base_high = tbx_floor_to(middle, spacing);
+        double size_high = tbx_floor_to(size, spacing);
+        TBX_KEEP(base_high);
+        TBX_KEEP(size_high);
+        q->on &= slack < 0.125 && rho < 2048.0 && tbx_abs(middle) * scale < 67108864.0; /* 2^26 */
+        q->origin[k] = origin;
+        q->inverse[k] = (float)(1.0 / size);
+        q->rest[k] = (float)(rest + (double)TBX_SOLID_MARGIN);
+        q->slack[k] = (float)slack;
+        q->most[k] = (int32_t)tbx_bits32(&most);
+        q->scale[k] = (float)scale;
+        q->step[k] = (float)(size * scale);
+        q->over_step[k] = (float)(1.0 / (size * scale));
+        q->base_high[k] = (float)base_high;
+        q->base_low[k] = (float)(middle - base_high);
+        q->size_high[k] = (float)size_high;
+        q->size_low[k] = (float)(size - size_high);
+        q->rho = (float)rho > q->rho ? (float)rho : q->rho;
+        q->lattice &= q->base_low[k] + q->size_low[k] == 0.0f && tbx_on_lattice(middle, scale * parts) &&
+                      tbx_on_lattice(size, scale * parts) && s->reach[k] * scale * parts < 8388608.0;
+    }
+}
+
+/* Triangles that wait: their first rows. */
+typedef struct tbx_solid_group {
+    size_t triangle[TBX_WIDE];
+    int32_t y[TBX_WIDE];
+    int32_t z[TBX_WIDE];
+    int n;
+} tbx_solid_group;
+
+typedef struct tbx_solid_fill {
+    tbx_solid_quick quick;
+    tbx_solid_group group[TBX_SOLID_ROWS]; /* of up to 1, 2, ... rows on each axis */
+} tbx_solid_fill;
+
+/* What is too large to compute with becomes 0; its lanes of `out` are set. */
+TBX_FORCED tbx_fw tbx_solid_tame(tbx_fw x, int32_t most, tbx_iw *out)
+{
+    const tbx_iw wild = ((tbx_iw)x & tbx_wide_int(0x7fffffff)) > tbx_wide_int(most);
+    *out |= wild;
+    return (tbx_fw)((tbx_iw)x & ~wild);
+}
+
+/* Rows whose centres lie between the corners of WIDE triangles, or are within the bounds of it: the first, and
+ * how many. */
+TBX_FORCED tbx_iw tbx_solid_extent(const tbx_solid_quick *q, int k, tbx_fw x0, tbx_fw x1, tbx_fw x2,
+                                   tbx_iw *out_first, tbx_iw *wild)
+{
+    const tbx_fw origin = tbx_wide_all(q->origin[k]);
+    const tbx_fw inverse = tbx_wide_all(q->inverse[k]);
+    const tbx_fw zero = tbx_wide_all(0.0f);
+    tbx_fw low;
+    tbx_fw high;
+    tbx_iw first;
+    tbx_iw end;
+    tbx_iw off;
+    x0 = tbx_solid_tame(x0, q->most[k], wild);
+    x1 = tbx_solid_tame(x1, q->most[k], wild);
+    x2 = tbx_solid_tame(x2, q->most[k], wild);
+    low = tbx_wide_min(tbx_wide_min(x0, x1), x2) - origin;
+    high = tbx_wide_max(tbx_wide_max(x0, x1), x2) - origin;
+    TBX_KEEP4(low);
+    TBX_KEEP4(high);
+    low = low * inverse + tbx_wide_all(q->rest[k] - q->slack[k]);
+    high = high * inverse + tbx_wide_all(q->rest[k] + q->slack[k]);
+    first = __builtin_convertvector(tbx_wide_max(low, zero), tbx_iw);
+    end = __builtin_convertvector(tbx_wide_max(high, zero), tbx_iw);
+    /* before the region, or behind it */
+    off = (end < tbx_wide_int(TBX_SOLID_MARGIN)) |
+          (first > tbx_wide_int(TBX_SOLID_MARGIN + (int32_t)q->solid->n[k] - 2));
+    *out_first = first - tbx_wide_int(TBX_SOLID_MARGIN - 1);
+    return ~off & ((end - first) | ((first == tbx_wide_int(0)) & tbx_wide_int(TBX_SOLID_ANYWAY)));
+}
+
+/* A group's triangles, in lengths scaled, from their first rows; x from the centre of a voxel near v_0. */
+typedef struct tbx_solid_placed {
+    tbx_points v[3];
+    tbx_iw x_first;
+    tbx_iw unsure;
+    tbx_iw on_lattice;
+} tbx_solid_placed;
+
+/* The corners on axis k, from the centre i. */
+TBX_FORCED void tbx_solid_place(const tbx_solid_quick *q, int k, tbx_iw i, tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
+{
+    const tbx_fw scale = tbx_wide_all(q->scale[k]);
+    const tbx_fw at = __builtin_convertvector(i, tbx_fw);
+    const tbx_fw high = tbx_wide_all(q->base_high[k]) + at * tbx_wide_all(q->size_high[k]);
+    const tbx_fw low = tbx_wide_all(q->base_low[k]) + at * tbx_wide_all(q->size_low[k]);
+    *x0 -= high;
+    *x1 -= high;
+    *x2 -= high;
+    TBX_KEEP4(*x0);
+    TBX_KEEP4(*x1);
+    TBX_KEEP4(*x2);
+    *x0 = (*x0 - low) * scale;
+    *x1 = (*x1 - low) * scale;
+    *x2 = (*x2 - low) * scale;
+}
+
+/* Lanes whose x is a multiple of a PART. What flushing made 0 is not. */
+TBX_FORCED tbx_iw tbx_solid_whole(const tbx_solid_quick *q, int k, tbx_fw x)
+{
+    const tbx_fw parts = x * tbx_wide_all(q->scale[k]) * tbx_wide_all((float)TBX_SOLID_PARTS);
+    const tbx_fw most = tbx_wide_all(8388608.0f); /* 2^23 */
+    const tbx_fw tame = tbx_wide_min(tbx_wide_max(parts, -most), most);
+    const tbx_fw whole = __builtin_convertvector(__builtin_convertvector(tame, tbx_iw), tbx_fw);
+    const tbx_iw zero = ((tbx_iw)parts & tbx_wide_int(0x7fffffff)) < tbx_wide_int(0x00800000);
+    const tbx_iw was = ((tbx_iw)x & tbx_wide_int(0x7fffffff)) == tbx_wide_int(0);
+    return (parts == whole) & (was | ~zero);
+}
+
+TBX_FORCED void tbx_solid_place_all(tbx_solid_placed *p, const tbx_solid_quick *q, const tbx_solid_group *g)
+{
+    const int32_t end = (int32_t)q->solid->n[0] + 16;
+    tbx_iw y;
+    tbx_iw z;
+    tbx_fw x;
+    int c;
+    TBX_COPY(&y, g->y, sizeof y);
+    TBX_COPY(&z, g->z, sizeof z);
+    p->unsure = tbx_wide_int(0);
+    p->on_lattice = tbx_wide_int(0);
+    if (q->mesh->indices != NULL) {
+        tbx_load_corners(p->v, q->mesh, 1, g->triangle, 0);
+    } else {
+        tbx_load_corners(p->v, q->mesh, 0, g->triangle, 0);
+    }
+    for (c = 0; c < 3; c++) {
+        p->v[c].x = tbx_solid_tame(p->v[c].x, q->most[0], &p->unsure);
+    }
+    if (q->lattice) {
+        p->on_lattice = ~p->unsure;
+        for (c = 0; c < 3; c++) {
+            p->on_lattice &= tbx_solid_whole(q, 0, p->v[c].x) & tbx_solid_whole(q, 1, p->v[c].y) &
+                             tbx_solid_whole(q, 2, p->v[c].z);
+        }
+    }
+    x = p->v[0].x - tbx_wide_all(q->origin[0]);
+    TBX_KEEP4(x);
+    x = x * tbx_wide_all(q->inverse[0]);
+    x = tbx_wide_min(tbx_wide_max(x, tbx_wide_all(-16.0f)), tbx_wide_all((float)end));
+    p->x_first = __builtin_convertvector(x, tbx_iw);
+    tbx_solid_place(q, 0, p->x_first, &p->v[0].x, &p->v[1].x, &p->v[2].x);
+    tbx_solid_place(q, 1, y, &p->v[0].y, &p->v[1].y, &p->v[2].y);
+    tbx_solid_place(q, 2, z, &p->v[0].z, &p->v[1].z, &p->v[2].z);
+}
+
+/* Half the least step of an edge function on the lattice, up where a tie counts, else down: a = -d_z and
+ * b = d_y after the normal's sign. */
+TBX_FORCED tbx_fw tbx_solid_tie(tbx_fw a, tbx_fw b, tbx_iw on_lattice)
+{
+    const tbx_fw half = tbx_wide_all(0.5f / (TBX_SOLID_PARTS * TBX_SOLID_PARTS));
+    const tbx_fw zero = tbx_wide_all(0.0f);
+    const tbx_iw counts = (a > zero) | ((a == zero) & (b > zero));
+    return tbx_wide_where(on_lattice, tbx_wide_choose(counts, half, -half));
+}
+
+/* What the rows of a group have: bit j + n*k of within, the first voxels behind the crossings. */
+typedef struct tbx_solid_rows_of {
+    tbx_uw within;
+    tbx_iw unsure;
+    tbx_iw voxel[TBX_SOLID_ROWS * TBX_SOLID_ROWS];
+} tbx_solid_rows_of;
+
+TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *q, const tbx_solid_placed *p,
+                                 int n)
+{
+    const float u = TBX_U32;
+    const float reach = 2.0f * (float)n + 0.1f;
+    const float e = 5.0f * u * (reach + q->rho);
+    const float error_all = 16.0f * reach * e + 64.0f * u * reach * reach;
+    const tbx_fw zero = tbx_wide_all(0.0f);
+    tbx_fw error = tbx_wide_all(error_all);
+    tbx_fw e0 = p->v[0].y * p->v[1].z - p->v[0].z * p->v[1].y;
+    tbx_fw e1 = p->v[1].y * p->v[2].z - p->v[1].z * p->v[2].y;
+    tbx_fw e2 = p->v[2].y * p->v[0].z - p->v[2].z * p->v[0].y;
+    tbx_fw area = e0 + e1 + e2;
+    const tbx_iw sign = (tbx_iw)area & tbx_wide_int(TBX_SIGN_BIT);
+    const tbx_fw step_y = tbx_wide_all(q->step[1]);
+    const tbx_fw step_z = tbx_wide_all(q->step[2]);
+    const tbx_fw a0 = tbx_wide_flip(p->v[0].z - p->v[1].z, sign);
+    const tbx_fw a1 = tbx_wide_flip(p->v[1].z - p->v[2].z, sign);
+    const tbx_fw a2 = tbx_wide_flip(p->v[2].z - p->v[0].z, sign);
+    const tbx_fw b0 = tbx_wide_flip(p->v[1].y - p->v[0].y, sign);
+    const tbx_fw b1 = tbx_wide_flip(p->v[2].y - p->v[1].y, sign);
+    const tbx_fw b2 = tbx_wide_flip(p->v[0].y - p->v[2].y, sign);
+    const tbx_fw dx1 = p->v[1].x - p->v[0].x;
+    const tbx_fw dx2 = p->v[2].x - p->v[0].x;
+    const tbx_fw spread = tbx_wide_abs(dx1) + tbx_wide_abs(dx2);
+    const tbx_fw m = tbx_wide_abs(p->v[0].x) + spread;
+    tbx_fw over_area;
+    tbx_fw x_error;
+    tbx_fw below;
+    tbx_iw tiny;
+    int j;
+    int k;
+    e0 = tbx_wide_flip(e0, sign);
+    e1 = tbx_wide_flip(e1, sign);
+    e2 = tbx_wide_flip(e2, sign);
+    area = tbx_wide_flip(area, sign);
+    tiny = area <= error;
+    over_area = tbx_wide_all(1.0f) / tbx_wide_choose(tiny, tbx_wide_all(1.0f), area);
+    x_error = spread * (tbx_wide_all(2.0f * error_all) * over_area + tbx_wide_all(24.0f * u)) +
+              tbx_wide_all(20.0f * u) * (m + tbx_wide_all(q->rho));
+    x_error = x_error * tbx_wide_all(q->over_step[0]);
+    out->unsure = p->unsure;
+    out->within = (tbx_uw)tbx_wide_int(0);
+    if (q->lattice && tbx_wide_any(p->on_lattice)) {
+        e0 += tbx_solid_tie(a0, b0, p->on_lattice);
+        e1 += tbx_solid_tie(a1, b1, p->on_lattice);
+        e2 += tbx_solid_tie(a2, b2, p->on_lattice);
+        error = tbx_wide_where(~p->on_lattice, error);
+        x_error = tbx_wide_where(~p->on_lattice, x_error);
+        tiny = area <= error;
+    }
+    below = error * tbx_wide_all(-2.0f);
+    for (k = 0; k < n; k++) {
+        for (j = 0; j < n; j++) {
+            const tbx_fw to_y = tbx_wide_all((float)j) * step_y;
+            const tbx_fw to_z = tbx_wide_all((float)k) * step_z;
+            const tbx_fw r0 = j + k == 0 ? e0 : e0 + to_y * a0 + to_z * b0;
+            const tbx_fw r1 = j + k == 0 ? e1 : e1 + to_y * a1 + to_z * b1;
+            const tbx_fw r2 = j + k == 0 ? e2 : e2 + to_y * a2 + to_z * b2;
+            const tbx_fw least = tbx_wide_min(tbx_wide_min(r0, r1), r2);
+            const tbx_iw within = least > error;
+            const tbx_iw row = within & tbx_wide_int(1 << (j + n * k));
+            tbx_fw x = (p->v[0].x + (dx1 * r2 + dx2 * r0) * over_area) * tbx_wide_all(q->over_step[0]);
+            tbx_fw past;
+            tbx_iw voxel;
+            x = tbx_wide_min(tbx_wide_max(x, tbx_wide_all(-8388608.0f)), tbx_wide_all(8388608.0f));
+            voxel = __builtin_convertvector(x, tbx_iw);
+            voxel += __builtin_convertvector(voxel, tbx_fw) > x; /* the voxel below: -1 if the lane is set */
+            past = x - __builtin_convertvector(voxel, tbx_fw);
+            out->within |= (tbx_uw)row;
+            out->unsure |=
+                (within & ((past <= x_error) | (past >= tbx_wide_all(1.0f) - x_error)) & ~p->on_lattice) |
+                (~within & (least >= below) & (error > zero));
+            out->voxel[j + n * k] = p->x_first + voxel + tbx_wide_int(1);
+        }
+    }
+    out->within &= (tbx_uw)~tiny; /* on the lattice: a segment, whatever the ties say */
+}
+
+/* The first voxel behind a crossing on the lattice: N / D rounded up, both of them multiples of 1 / PARTS^3. */
+TBX_FN int64_t tbx_solid_lattice_voxel(const tbx_solid_quick *q, const tbx_points v[3], int lane, int j,
+                                       int k)
+{
+    const double half = 0.5 / ((double)TBX_SOLID_PARTS * TBX_SOLID_PARTS * TBX_SOLID_PARTS);
+    const double to_y = (double)j * (double)q->step[1];
+    const double to_z = (double)k * (double)q->step[2];
+    double y[3];
+    double z[3];
+    double weight[3];
+    double top;
+    double bottom;
+    double x;
+    int64_t voxel;
+    int i;
+    for (i = 0; i < 3; i++) {
+        y[i] = (double)v[i].y[lane] - to_y;
+        z[i] = (double)v[i].z[lane] - to_z;
+    }
+    TBX_KEEP(y);
+    TBX_KEEP(z);
+    for (i = 0; i < 3; i++) {
+        const int a = i < 2 ? i + 1 : 0;
+        const int b = i > 0 ? i - 1 : 2;
+        weight[i] = y[a] * z[b] - z[a] * y[b];
+    }
+    top = (double)v[0].x[lane] * weight[0] + (double)v[1].x[lane] * weight[1] +
+          (double)v[2].x[lane] * weight[2];
+    bottom = weight[0] + weight[1] + weight[2];
+    top = bottom < 0.0 ? -top : top;
+    bottom = (bottom < 0.0 ? -bottom : bottom) * (double)q->step[0];
+    x = (top - half) / bottom;
+    voxel = (int64_t)x;
+    return voxel + ((double)voxel <= x);
+}
+
+TBX_FN void tbx_solid_scalar(const tbx_solid_quick *q, size_t t)
+{
+    double v[3][3];
+    int c;
+    for (c = 0; c < 3; c++) {
+        tbx_mesh_corner(q->mesh, t, c, v[c]);
+    }
+    tbx_solid_triangle(q->solid, v);
+}
+
+TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, tbx_solid_group *g, int n)
+{
+    const tbx_solid_quick *q = &fill->quick;
+    const tbx_solid *s = q->solid;
+    const uint32_t rows_y = (uint32_t)s->n[1];
+    const uint32_t rows_z = (uint32_t)s->n[2];
+    tbx_solid_placed p;
+    tbx_solid_rows_of rows;
+    uint32_t within[TBX_WIDE];
+    int32_t unsure[TBX_WIDE];
+    int32_t on_lattice[TBX_WIDE];
+    int32_t x_first[TBX_WIDE];
+    int i;
+    if (g->n == 0) {
+        return;
+    }
+    for (i = g->n; i < TBX_WIDE; i++) {
+        g->triangle[i] = g->triangle[0];
+        g->y[i] = g->y[0];
+        g->z[i] = g->z[0];
+    }
+    tbx_solid_place_all(&p, q, g);
+    tbx_solid_decide(&rows, q, &p, n);
+    TBX_COPY(within, &rows.within, sizeof within);
+    TBX_COPY(unsure, &rows.unsure, sizeof unsure);
+    TBX_COPY(on_lattice, &p.on_lattice, sizeof on_lattice);
+    TBX_COPY(x_first, &p.x_first, sizeof x_first);
+    for (i = 0; i < g->n; i++) {
+        uint32_t left = within[i];
+        if (TBX_RARELY(unsure[i] != 0)) {
+            tbx_solid_scalar(q, g->triangle[i]);
+            continue;
+        }
+        for (; left != 0; left &= left - 1) {
+            const int row = __builtin_ctz(left);
+            const int32_t y = g->y[i] + row % n;
+            const int32_t z = g->z[i] + row / n;
+            int64_t x;
+            if ((uint32_t)y >= rows_y || (uint32_t)z >= rows_z) {
+                continue;
+            }
+            if (on_lattice[i] != 0) {
+                x = x_first[i] + tbx_solid_lattice_voxel(q, p.v, i, row % n, row / n);
+            } else {
+                x = rows.voxel[row][i];
+            }
+            if (x < s->n[0]) {
+                tbx_solid_flip(s, x > 0 ? x : 0, y, z);
+            }
+        }
+    }
+    g->n = 0;
+}
+
+TBX_NOINLINE void tbx_solid_flush1(tbx_solid_fill *fill)
+{
+    tbx_solid_flush(fill, &fill->group[0], 1);
+}
+
+TBX_NOINLINE void tbx_solid_flush2(tbx_solid_fill *fill)
+{
+    tbx_solid_flush(fill, &fill->group[1], 2);
+}
+
+TBX_NOINLINE void tbx_solid_flush3(tbx_solid_fill *fill)
+{
+    tbx_solid_flush(fill, &fill->group[2], 3);
+}
+
+TBX_NOINLINE void tbx_solid_flush4(tbx_solid_fill *fill)
+{
+    tbx_solid_flush(fill, &fill->group[3], 4);
+}
+
+/* A triangle whose box has rows. */
+TBX_FORCED void tbx_solid_add(tbx_solid_fill *fill, size_t t, int32_t y, int32_t z, int32_t extent)
+{
+    tbx_solid_group *g = &fill->group[extent <= TBX_SOLID_ROWS ? extent - 1 : 0];
+    const int n = g->n;
+    if (extent > TBX_SOLID_ROWS) {
+        tbx_solid_scalar(&fill->quick, t);
+        return;
+    }
+    g->triangle[n] = t;
+    g->y[n] = y;
+    g->z[n] = z;
+    g->n = n + 1;
+    if (n + 1 == TBX_WIDE) {
+        switch (extent) {
+        case 1: tbx_solid_flush1(fill); break;
+        case 2: tbx_solid_flush2(fill); break;
+        case 3: tbx_solid_flush3(fill); break;
+        default: tbx_solid_flush4(fill); break;
+        }
+    }
+}
+
+/* y and z of corner c of WIDE triangles, as tbx_load_corner. */
+TBX_FORCED void tbx_solid_load(tbx_points *out, const tribox_mesh *mesh, int indexed, size_t stride,
+                               const size_t *list, size_t first, size_t c)
+{
+    const char *positions = (const char *)mesh->positions + sizeof(float);
+    tbx_f4 y[TBX_WIDE / 4];
+    tbx_f4 z[TBX_WIDE / 4];
+    int i;
+#define TBX_AT(i) (3 * (list != NULL ? list[i] : first + (size_t)(i)) + c)
+#define TBX_POINT(i) (positions + stride * (indexed ? (size_t)mesh->indices[TBX_AT(i)] : TBX_AT(i)))
+    for (i = 0; i < TBX_WIDE / 4; i++) {
+        const tbx_f4 ab = tbx_load_xy(TBX_POINT(4 * i), TBX_POINT(4 * i + 1));
+        const tbx_f4 cd = tbx_load_xy(TBX_POINT(4 * i + 2), TBX_POINT(4 * i + 3));
+        y[i] = TBX_LANES(ab, cd, 0, 2, 4, 6);
+        z[i] = TBX_LANES(ab, cd, 1, 3, 5, 7);
+    }
+#undef TBX_POINT
+#undef TBX_AT
+    out->y = tbx_wide_of(y);
+    out->z = tbx_wide_of(z);
+}
+
+/* WIDE triangles: those listed, or from the first on. */
+TBX_FORCED void tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t stride, const size_t *list,
+                                size_t first, int count)
+{
+    const tbx_solid_quick *q = &fill->quick;
+    tbx_points v[3];
+    tbx_iw y;
+    tbx_iw z;
+    tbx_iw n_y;
+    tbx_iw n_z;
+    tbx_iw some;
+    tbx_iw wild = tbx_wide_int(0);
+    tbx_solid_load(&v[0], q->mesh, indexed, stride, list, first, 0);
+    tbx_solid_load(&v[1], q->mesh, indexed, stride, list, first, 1);
+    tbx_solid_load(&v[2], q->mesh, indexed, stride, list, first, 2);
+    n_y = tbx_solid_extent(q, 1, v[0].y, v[1].y, v[2].y, &y, &wild);
+    n_z = tbx_solid_extent(q, 2, v[0].z, v[1].z, v[2].z, &z, &wild);
+    some = ((n_y > tbx_wide_int(0)) & (n_z > tbx_wide_int(0))) | wild;
+    if (tbx_wide_any(some)) {
+        const tbx_iw larger = n_y > n_z;
+        const tbx_iw extent =
+            some & (tbx_wide_select(larger, n_y, n_z) | (wild & tbx_wide_int(TBX_SOLID_ANYWAY)));
+        int32_t extents[TBX_WIDE];
+        int32_t rows_y[TBX_WIDE];
+        int32_t rows_z[TBX_WIDE];
+        int i;
+        TBX_COPY(extents, &extent, sizeof extents);
+        TBX_COPY(rows_y, &y, sizeof rows_y);
+        TBX_COPY(rows_z, &z, sizeof rows_z);
+        for (i = 0; i < count; i++) {
+            if (extents[i] != 0) {
+                tbx_solid_add(fill, list != NULL ? list[i] : first + (size_t)i, rows_y[i], rows_z[i],
+                              extents[i]);
+            }
+        }
+    }
+}
+
+/* All triangles. Returns how many are done: 0 if the grid's numbers are out of range. */
+TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tribox_mesh *mesh)
+{
+    const size_t packed = 3 * sizeof(float);
+    const size_t stride = mesh->stride != 0 ? mesh->stride : packed;
+    tbx_solid_fill fill;
+    size_t list[TBX_WIDE];
+    size_t t = 0;
+    size_t i;
+    tbx_solid_quick_init(&fill.quick, s, mesh);
+    if (!fill.quick.on) {
+        return 0;
+    }
+    for (i = 0; i < TBX_SOLID_ROWS; i++) {
+        fill.group[i].n = 0;
+    }
+    if (mesh->indices == NULL) {
+        for (; mesh->triangles - t >= TBX_WIDE; t += TBX_WIDE) {
+            tbx_solid_boxes(&fill, 0, stride, NULL, t, TBX_WIDE);
+        }
+    } else if (stride == packed) {
+        for (; mesh->triangles - t >= TBX_WIDE; t += TBX_WIDE) {
+            tbx_solid_boxes(&fill, 1, packed, NULL, t, TBX_WIDE);
+        }
+    } else {
+        for (; mesh->triangles - t >= TBX_WIDE; t += TBX_WIDE) {
+            tbx_solid_boxes(&fill, 1, stride, NULL, t, TBX_WIDE);
+        }
+    }
+    if (t < mesh->triangles) {
+        for (i = 0; i < TBX_WIDE; i++) {
+            list[i] = t + i < mesh->triangles ? t + i : t;
+        }
+        tbx_solid_boxes(&fill, mesh->indices != NULL, stride, list, 0, (int)(mesh->triangles - t));
+    }
+    tbx_solid_flush1(&fill);
+    tbx_solid_flush2(&fill);
+    tbx_solid_flush3(&fill);
+    tbx_solid_flush4(&fill);
+    return mesh->triangles;
+}
 #endif /* TRIBOX_SIMD */
 
 /* ---- 12. Undefine private macros ----------------------------------------------------------------------- */
@@ -10222,6 +10799,10 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
 #undef TBX_ROWS
 #undef TBX_WIDE
 #undef TBX_SOLID_FILTER
+#undef TBX_SOLID_ROWS
+#undef TBX_SOLID_PARTS
+#undef TBX_SOLID_MARGIN
+#undef TBX_SOLID_ANYWAY
 #undef TBX_SOLID_TINY
 #undef TBX_CROSS_EDGE_ERROR
 #undef TBX_CROSS_PLANE_ERROR

@@ -134,7 +134,7 @@ static double bench_job(const bench_options *options, const char *name, int n, c
     bench_add(rows, &count, "sort", BENCH_RIVAL, run_sort);
     bench_add(rows, &count, "fill", BENCH_NOTE, run_fill);
     bench_add(rows, &count, "solid", BENCH_OURS, run_solid);
-    bench_add(rows, &count, "solid of doubles", BENCH_NOTE, run_solid_f64);
+    bench_add(rows, &count, "doubles", BENCH_NOTE, run_solid_f64);
     count = bench_keep(options, rows, count);
     for (i = 0; i < count; i++) {
         rows[i].prepare = clear;
