@@ -4228,26 +4228,16 @@ TBX_FN void tbx_exact_point(tbx_exact *f, int k, double base, double step, int64
     f->x[TBX_LO][k] = f->x[TBX_MID][k] = f->x[TBX_HI][k] = tbx_at(&base, &step, half);
 }
 
-/* Filters of the solid bound sums of doubles by u = 2^-52. Where doubles may be rounded otherwise (x87, whose
- * precision is anybody's choice), there is no filter. */
-#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD == 0
-#define TBX_SOLID_FILTER 1
-#elif defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 0
-#define TBX_SOLID_FILTER 1
-#else
-#define TBX_SOLID_FILTER 0
-#endif
-
 /* Below 2^150, 0 included. Products of three such numbers, and sums of those, are far from overflow; what
  * underflow takes (2^-1022 of a coordinate, or of a product) is, after two more factors, below TINY. */
-#define TBX_SOLID_TINY tbx_from_bits64((uint64_t)(1023 - 700) << 52) /* 2^-700 > 8 * 2^(-1022 + 2 * 151) */
+#define TBX_SOLID_TINY TBX_POW2(-700) /* 2^-700 > 8 * 2^(-1022 + 2 * 151) */
 
 TBX_FN int tbx_solid_in_range(const double *x)
 {
     return (tbx_bits64(x) & 0x7fffffffffffffffu) < (uint64_t)(1023 + 150) << 52;
 }
 
-/* u = 2^-52. t_i = v_i - p is off by u of itself; E_i = t_i x t_{i+1}, a sum of two products, by
+/* u = 2^-52; where doubles may be rounded otherwise there is no filter. t_i = v_i - p is off by u of itself; E_i = t_i x t_{i+1}, a sum of two products, by
  * (2 + 1 + 1) u of their magnitudes; E_0 + E_1 + E_2 = n_x. So where all E_i are sure and of one sign, p is
  * within, and s n.(p - v0) = -sum of t_i.x |E_{i+1}|, since n.t0 = t0.(t1 x t2): off by (4 + 1 + 1 + 2) u. */
 #define TBX_CROSS_EDGE_ERROR (5.0 * TBX_U64)
@@ -4263,7 +4253,7 @@ TBX_FN int tbx_crosses_filter(double v[3][3], const double p[3])
     double error = TBX_SOLID_TINY;
     int positive = 0;
     int negative = 0;
-    int fits = TBX_SOLID_FILTER;
+    int fits = TBX_DOUBLE_IS_53_BITS;
     int i;
     int k;
     for (k = 0; k < 3; k++) {
@@ -4301,15 +4291,12 @@ TBX_FN int tbx_crosses_filter(double v[3][3], const double p[3])
     return value > error ? 1 : value < -error ? 0 : -1;
 }
 
-/* tribox_ray_crosses, the point finite. */
+/* tribox_ray_crosses, corners and point finite. */
 TBX_FN int tbx_crosses(double v[3][3], const double p[3])
 {
     tbx_exact f;
     int sure;
     int k;
-    if (!tbx_corners_finite(v[0], v[1], v[2])) {
-        return 0;
-    }
     for (k = 0; k < 3; k++) { /* off the triangle's box */
         const int64_t at = tbx_key64(&p[k]);
         const int64_t k0 = tbx_key64(&v[0][k]);
@@ -4340,46 +4327,32 @@ TRIBOX_FN int tribox_ray_crosses(const float v0[3], const float v1[3], const flo
         tbx_widen(&v[1][k], v1 + k);
         tbx_widen(&v[2][k], v2 + k);
     }
-    return tbx_finite3(point) && tbx_crosses(v, point);
+    return tbx_finite3(point) && tbx_corners_finite(v[0], v[1], v[2]) && tbx_crosses(v, point);
 }
 
-/* Corner c of triangle t of a mesh of doubles. */
-TBX_FN void tbx_mesh_corner_f64(const tribox_mesh_f64 *mesh, size_t t, int c, double out_v[3])
+TBX_FN int tbx_contains(const tbx_source *source, const double point[3])
 {
-    const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(double);
-    const size_t at = 3 * t + (size_t)c;
-    const size_t index = mesh->indices != NULL ? (size_t)mesh->indices[at] : at;
-    TBX_COPY(out_v, (const char *)mesh->positions + index * stride, 3 * sizeof(double));
+    double v[3][3];
+    int inside = 0;
+    size_t t;
+    for (t = 0; tbx_finite3(point) && t < source->triangles; t++) {
+        inside ^= tbx_source_triangle(source, t, v) != TBX_NO_POINTS && tbx_crosses(v, point);
+    }
+    return inside;
 }
 
 TRIBOX_FN int tribox_mesh_contains(const tribox_mesh *mesh, const double point[3])
 {
-    double v[3][3];
-    int inside = 0;
-    size_t t;
-    int c;
-    for (t = 0; tbx_finite3(point) && t < mesh->triangles; t++) {
-        for (c = 0; c < 3; c++) {
-            tbx_mesh_corner(mesh, t, c, v[c]);
-        }
-        inside ^= tbx_crosses(v, point);
-    }
-    return inside;
+    tbx_source source;
+    tbx_source_float(&source, mesh);
+    return tbx_contains(&source, point);
 }
 
 TRIBOX_FN int tribox_mesh_contains_f64(const tribox_mesh_f64 *mesh, const double point[3])
 {
-    double v[3][3];
-    int inside = 0;
-    size_t t;
-    int c;
-    for (t = 0; tbx_finite3(point) && t < mesh->triangles; t++) {
-        for (c = 0; c < 3; c++) {
-            tbx_mesh_corner_f64(mesh, t, c, v[c]);
-        }
-        inside ^= tbx_crosses(v, point);
-    }
-    return inside;
+    tbx_source source;
+    tbx_source_double(&source, mesh);
+    return tbx_contains(&source, point);
 }
 
 /* The fill goes triangle by triangle, row by row. In a layer z each edge that is not level bounds y: where
@@ -4420,7 +4393,7 @@ TBX_FN void tbx_solid_init(tbx_solid *s, const tribox_grid *grid, uint64_t *bits
     int k;
     s->grid = grid;
     s->bits = bits;
-    s->fits = TBX_SOLID_FILTER;
+    s->fits = TBX_DOUBLE_IS_53_BITS;
     for (k = 0; k < 3; k++) {
         const double lo = (double)grid->lo[k];
         const double hi = (double)grid->hi[k];
@@ -4566,14 +4539,11 @@ TBX_FN void tbx_solid_range(const tbx_solid_tri *t, int k, int64_t out_range[2])
     }
 }
 
-/* Corners, and what depends on them alone. Returns 0 where the triangle is never crossed. */
-TBX_FN int tbx_solid_tri_set(tbx_solid_tri *t, const tbx_solid *s, double v[3][3])
+/* Corners, finite, and what depends on them alone. */
+TBX_FN void tbx_solid_tri_set(tbx_solid_tri *t, const tbx_solid *s, double v[3][3])
 {
     int i;
     int k;
-    if (!tbx_corners_finite(v[0], v[1], v[2])) {
-        return 0;
-    }
     t->solid = s;
     t->fits = s->fits;
     for (k = 0; k < 3; k++) {
@@ -4584,7 +4554,6 @@ TBX_FN int tbx_solid_tri_set(tbx_solid_tri *t, const tbx_solid *s, double v[3][3
         t->least[k] = tbx_min(tbx_min(v[0][k], v[1][k]), v[2][k]);
         t->most[k] = tbx_max(tbx_max(v[0][k], v[1][k]), v[2][k]);
     }
-    return 1;
 }
 
 /* Large enough to divide by, 2^-400 or more: quotients of values, below 2^460, are finite. */
@@ -4707,95 +4676,103 @@ TBX_FN void tbx_solid_rows(const tbx_solid_tri *t, int64_t z, int64_t rows[2])
     }
 }
 
+/* The first voxel of row y of layer z on or beyond the plane. */
+TBX_FN int64_t tbx_solid_voxel(const tbx_solid_tri *t, int64_t y, int64_t z)
+{
+    const tbx_solid *s = t->solid;
+    int64_t index[3];
+    tbx_growing g;
+    index[0] = 0;
+    index[1] = y;
+    index[2] = z;
+    g.axis = 0;
+    g.id = 3;
+    g.rest = g.step = g.error = 1.0;
+    if (t->fits) {
+        const double to_y = t->at[0][1] + (double)y * s->grid->size[1];
+        const double to_z = t->at[0][2] + (double)z * s->grid->size[2];
+        g.rest = t->n[0] * t->at[0][0] + t->n[1] * to_y + t->n[2] * to_z;
+        g.step = t->n[0] * s->grid->size[0];
+        g.error = t->plane_error;
+    }
+    return tbx_solid_least(t, &g, index, 0, s->n[0]);
+}
+
+/* A triangle, and the rows and layers of its box. Returns 0 where it crosses nothing. */
+TBX_FN int tbx_solid_begin(tbx_solid_tri *t, const tbx_solid *s, double v[3][3], int64_t y_range[2],
+                           int64_t z_range[2])
+{
+    tbx_solid_tri_set(t, s, v);
+    tbx_solid_range(t, 2, z_range);
+    if (z_range[0] == z_range[1]) {
+        return 0;
+    }
+    tbx_solid_range(t, 1, y_range);
+    return y_range[0] < y_range[1] && tbx_solid_tri_edges(t) != 0;
+}
+
 /* Flips what one triangle crosses. */
 TBX_NOINLINE void tbx_solid_triangle(const tbx_solid *s, double v[3][3])
 {
     tbx_solid_tri t;
-    tbx_growing g;
     int64_t y_range[2];
     int64_t z_range[2];
-    int64_t index[3] = { 0, 0, 0 };
-    if (!tbx_solid_tri_set(&t, s, v)) {
+    int64_t y;
+    int64_t z;
+    if (!tbx_solid_begin(&t, s, v, y_range, z_range)) {
         return;
     }
-    tbx_solid_range(&t, 2, z_range);
-    if (z_range[0] == z_range[1]) {
-        return;
-    }
-    tbx_solid_range(&t, 1, y_range);
-    if (y_range[0] == y_range[1] || tbx_solid_tri_edges(&t) == 0) {
-        return;
-    }
-    g.axis = 0;
-    g.id = 3;
-    g.rest = g.step = g.error = 1.0;
-    for (index[2] = z_range[0]; index[2] < z_range[1]; index[2]++) {
+    for (z = z_range[0]; z < z_range[1]; z++) {
         int64_t rows[2];
         rows[0] = y_range[0];
         rows[1] = y_range[1];
-        tbx_solid_rows(&t, index[2], rows);
-        for (index[1] = rows[0]; index[1] < rows[1]; index[1]++) {
-            int64_t x;
-            if (t.fits) {
-                const double to_y = t.at[0][1] + (double)index[1] * s->grid->size[1];
-                const double to_z = t.at[0][2] + (double)index[2] * s->grid->size[2];
-                g.rest = t.n[0] * t.at[0][0] + t.n[1] * to_y + t.n[2] * to_z;
-                g.step = t.n[0] * s->grid->size[0];
-                g.error = t.plane_error;
-            }
-            x = tbx_solid_least(&t, &g, index, 0, s->n[0]);
+        tbx_solid_rows(&t, z, rows);
+        for (y = rows[0]; y < rows[1]; y++) {
+            const int64_t x = tbx_solid_voxel(&t, y, z);
             if (x < s->n[0]) {
-                tbx_solid_flip(s, x, index[1], index[2]);
+                tbx_solid_flip(s, x, y, z);
             }
         }
     }
 }
 
 #if TRIBOX_SIMD /* section 11.6 */
-TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tribox_mesh *mesh);
+TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source);
 #endif
 
-TRIBOX_FN void tribox_grid_fill_solid(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
+TBX_FN void tbx_solid_fill_mesh(const tribox_grid *grid, const tbx_source *source, uint64_t *bits)
 {
     tbx_solid s;
     double v[3][3];
     size_t t = 0;
-    int c;
     if (tribox_grid_words(grid) == 0) {
         return;
     }
     tbx_solid_init(&s, grid, bits);
 #if TRIBOX_SIMD
-    t = tbx_solid_quick_fill(&s, mesh);
+    t = tbx_solid_quick_fill(&s, source);
 #endif
-    for (; t < mesh->triangles; t++) {
-        for (c = 0; c < 3; c++) {
-            tbx_mesh_corner(mesh, t, c, v[c]);
+    for (; t < source->triangles; t++) {
+        if (tbx_source_triangle(source, t, v) != TBX_NO_POINTS) {
+            tbx_solid_triangle(&s, v);
         }
-        tbx_solid_triangle(&s, v);
     }
+}
+
+TRIBOX_FN void tribox_grid_fill_solid(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
+{
+    tbx_source source;
+    tbx_source_float(&source, mesh);
+    tbx_solid_fill_mesh(grid, &source, bits);
 }
 
 TRIBOX_FN void tribox_grid_fill_solid_f64(const tribox_grid *grid, const tribox_mesh_f64 *mesh,
                                           uint64_t *bits)
 {
-    tbx_solid s;
-    double v[3][3];
-    size_t t = 0;
-    int c;
-    if (tribox_grid_words(grid) == 0) {
-        return;
-    }
-    tbx_solid_init(&s, grid, bits);
-    for (; t < mesh->triangles; t++) {
-        for (c = 0; c < 3; c++) {
-            tbx_mesh_corner_f64(mesh, t, c, v[c]);
-        }
-        tbx_solid_triangle(&s, v);
-    }
+    tbx_source source;
+    tbx_source_double(&source, mesh);
+    tbx_solid_fill_mesh(grid, &source, bits);
 }
-
-/* ---- 9. Get, locate, fit ------------------------------------------------------------------------------- */
 
 TRIBOX_FN int tribox_grid_get(const tribox_grid *grid, const uint64_t *bits, int x, int y, int z)
 {
@@ -10192,11 +10169,13 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
 #define TBX_SOLID_ROWS 4
 #define TBX_SOLID_PARTS 16
 #define TBX_SOLID_MARGIN 16
+#define TBX_SOLID_RAMP 16           /* words */
 #define TBX_SOLID_ANYWAY 0x40000000 /* an extent: goes the scalar way */
 
 typedef struct tbx_solid_quick {
     const tbx_solid *solid;
-    const tribox_mesh *mesh;
+    const tbx_source *source;
+    tribox_mesh mesh;
     float origin[3];
     float inverse[3];
     float rest[3]; /* MARGIN added */
@@ -10214,16 +10193,20 @@ typedef struct tbx_solid_quick {
     int on; /* 0: this grid's numbers are out of range */
 } tbx_solid_quick;
 
-TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const tribox_mesh *mesh)
+TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const tbx_source *source)
 {
     const double u = (double)TBX_U32;
     const double parts = (double)TBX_SOLID_PARTS;
     int k;
     q->solid = s;
-    q->mesh = mesh;
+    q->source = source;
+    q->mesh.positions = (const float *)(const void *)source->positions;
+    q->mesh.stride = source->stride;
+    q->mesh.indices = source->indices;
+    q->mesh.triangles = source->triangles;
     q->rho = 0.0f;
     q->lattice = 1;
-    q->on = s->fits;
+    q->on = s->fits && !source->is_double;
     for (k = 0; k < 3; k++) {
         q->on &= s->n[k] <= 65536 && tbx_bits64(&s->grid->size[k]) >= (uint64_t)(1023 - 60) << 52 &&
                  tbx_bits64(&s->grid->size[k]) < (uint64_t)(1023 + 60) << 52 &&
@@ -10304,8 +10287,8 @@ TBX_FORCED tbx_iw tbx_solid_extent(const tbx_solid_quick *q, int k, tbx_fw x0, t
     x2 = tbx_solid_tame(x2, q->most[k], wild);
     low = tbx_wide_min(tbx_wide_min(x0, x1), x2) - origin;
     high = tbx_wide_max(tbx_wide_max(x0, x1), x2) - origin;
-    TBX_KEEP4(low);
-    TBX_KEEP4(high);
+    TBX_KEEP_VECTOR(low);
+    TBX_KEEP_VECTOR(high);
     low = low * inverse + tbx_wide_all(q->rest[k] - q->slack[k]);
     high = high * inverse + tbx_wide_all(q->rest[k] + q->slack[k]);
     first = __builtin_convertvector(tbx_wide_max(low, zero), tbx_iw);
@@ -10335,9 +10318,9 @@ TBX_FORCED void tbx_solid_place(const tbx_solid_quick *q, int k, tbx_iw i, tbx_f
     *x0 -= high;
     *x1 -= high;
     *x2 -= high;
-    TBX_KEEP4(*x0);
-    TBX_KEEP4(*x1);
-    TBX_KEEP4(*x2);
+    TBX_KEEP_VECTOR(*x0);
+    TBX_KEEP_VECTOR(*x1);
+    TBX_KEEP_VECTOR(*x2);
     *x0 = (*x0 - low) * scale;
     *x1 = (*x1 - low) * scale;
     *x2 = (*x2 - low) * scale;
@@ -10366,10 +10349,10 @@ TBX_FORCED void tbx_solid_place_all(tbx_solid_placed *p, const tbx_solid_quick *
     TBX_COPY(&z, g->z, sizeof z);
     p->unsure = tbx_wide_int(0);
     p->on_lattice = tbx_wide_int(0);
-    if (q->mesh->indices != NULL) {
-        tbx_load_corners(p->v, q->mesh, 1, g->triangle, 0);
+    if (q->mesh.indices != NULL) {
+        tbx_load_corners(p->v, &q->mesh, 1, g->triangle, 0);
     } else {
-        tbx_load_corners(p->v, q->mesh, 0, g->triangle, 0);
+        tbx_load_corners(p->v, &q->mesh, 0, g->triangle, 0);
     }
     for (c = 0; c < 3; c++) {
         p->v[c].x = tbx_solid_tame(p->v[c].x, q->most[0], &p->unsure);
@@ -10382,7 +10365,7 @@ TBX_FORCED void tbx_solid_place_all(tbx_solid_placed *p, const tbx_solid_quick *
         }
     }
     x = p->v[0].x - tbx_wide_all(q->origin[0]);
-    TBX_KEEP4(x);
+    TBX_KEEP_VECTOR(x);
     x = x * tbx_wide_all(q->inverse[0]);
     x = tbx_wide_min(tbx_wide_max(x, tbx_wide_all(-16.0f)), tbx_wide_all((float)end));
     p->x_first = __builtin_convertvector(x, tbx_iw);
@@ -10523,14 +10506,145 @@ TBX_FN int64_t tbx_solid_lattice_voxel(const tbx_solid_quick *q, const tbx_point
     return voxel + ((double)voxel <= x);
 }
 
-TBX_FN void tbx_solid_scalar(const tbx_solid_quick *q, size_t t)
+/* tbx_solid_flip, some words at a time. */
+TBX_FORCED void tbx_solid_flip_wide(const tbx_solid *s, int64_t x, int64_t y, int64_t z)
 {
-    double v[3][3];
-    int c;
-    for (c = 0; c < 3; c++) {
-        tbx_mesh_corner(q->mesh, t, c, v[c]);
+    const size_t some = TBX_WIDE / 2;
+    const size_t words = s->row_words - ((size_t)x >> 6);
+    uint64_t *row = s->bits + ((size_t)z * (size_t)s->n[1] + (size_t)y + 1) * s->row_words - words;
+    size_t i;
+    row[0] ^= ~(uint64_t)0 << (x & 63);
+    for (i = 1; i + some <= words; i += some) {
+        tbx_uw a;
+        TBX_COPY(&a, row + i, sizeof a);
+        a = ~a;
+        TBX_COPY(row + i, &a, sizeof a);
     }
-    tbx_solid_triangle(q->solid, v);
+    for (; i < words; i++) {
+        row[i] = ~row[i];
+    }
+    row[words - 1] ^= ~s->last_word; /* padding was flipped with the rest */
+}
+
+/* Lines. What tbx_solid_least looks for, in row or layer r, is at + slope * r, rounded up, if that is not
+ * within `error` of a whole number: the value's own bound over its step, and what the quotient and the sum
+ * round off; a division may be off by 4 u. On the lattice half the least step of the value goes on top, and no
+ * quotient is whole. Returns the index, in [0, n]; clears *sure. */
+#define TBX_SOLID_LINE_ERROR (32.0 * TBX_U64)
+
+typedef struct tbx_solid_line {
+    double at;
+    double slope;
+    double error;
+    int is_lower;
+} tbx_solid_line;
+
+TBX_FORCED int32_t tbx_solid_up(double x, double error, double last, int *sure)
+{
+    const double low = x > -0.5 ? x : -0.5;
+    const double y = (low < last ? low : last) + 1.0; /* last: n - 1/2 */
+    const int32_t i = (int32_t)y;
+    const double past = y - (double)i;
+    *sure &= past > error && past < 1.0 - error;
+    return i;
+}
+
+TBX_FN void tbx_solid_line_set(tbx_solid_line *l, double rest, double per_row, double step, double error,
+                               double n)
+{
+    l->at = -rest / step;
+    l->slope = -per_row / step;
+    l->error = 1.01 * error / step + TBX_SOLID_LINE_ERROR * (tbx_abs(l->at) + tbx_abs(l->slope) * n + 1.0);
+}
+
+/* The lines of edges that are not level; returns how many. */
+TBX_FN int tbx_solid_lines_set(tbx_solid_line line[3], const tbx_solid_tri *t)
+{
+    const tbx_solid *s = t->solid;
+    const double half = t->edge_error[0] > 0.0 ? 0.0 : 0.5 / (s->scale[1] * s->scale[2]);
+    const double *size = s->grid->size;
+    int lines = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double d_z = t->d[i][2];
+        const double along = d_z > 0.0 ? -t->d[i][1] : t->d[i][1];
+        const double across = tbx_abs(d_z);
+        if (across > 0.0) {
+            tbx_solid_line_set(&line[lines], along * t->at[i][2] + across * t->at[i][1] + half,
+                               along * size[2], across * size[1], t->edge_error[i], (double)s->n[2]);
+            line[lines++].is_lower = (t->sign > 0) == (d_z < 0.0);
+        }
+    }
+    return lines;
+}
+
+/* A triangle of any size. */
+TBX_NOINLINE void tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
+{
+    const tbx_solid *s = q->solid;
+    const double *size = s->grid->size;
+    tbx_solid_tri t;
+    tbx_solid_line edge[3];
+    tbx_solid_line plane;
+    double slope_z;
+    double v[3][3];
+    int64_t y_range[2];
+    int64_t z_range[2];
+    int64_t z;
+    int edges;
+    if (tbx_source_triangle(q->source, triangle, v) == TBX_NO_POINTS) {
+        return;
+    }
+    if (!tbx_solid_begin(&t, s, v, y_range, z_range)) {
+        return;
+    }
+    if (!t.fits) {
+        tbx_solid_triangle(s, v);
+        return;
+    }
+    edges = tbx_solid_lines_set(edge, &t);
+    {
+        const double half = t.plane_error > 0.0 ? 0.0 : 0.5 / (s->scale[0] * s->scale[1] * s->scale[2]);
+        const double step = t.n[0] * size[0];
+        tbx_solid_line_set(&plane, t.n[0] * t.at[0][0] + t.n[1] * t.at[0][1] + t.n[2] * t.at[0][2] + half,
+                           t.n[1] * size[1], step, t.plane_error, (double)s->n[1]);
+        slope_z = -t.n[2] * size[2] / step;
+        plane.error += TBX_SOLID_LINE_ERROR * tbx_abs(slope_z) * (double)s->n[2];
+    }
+    for (z = z_range[0]; z < z_range[1]; z++) {
+        const double in_layer = plane.at + slope_z * (double)z;
+        int64_t rows[2];
+        int sure = 1;
+        int i;
+        int64_t y;
+        rows[0] = y_range[0];
+        rows[1] = y_range[1];
+        for (i = 0; i < edges; i++) {
+            const int32_t bound = tbx_solid_up(edge[i].at + edge[i].slope * (double)z, edge[i].error,
+                                               (double)s->n[1] - 0.5, &sure);
+            if (edge[i].is_lower) {
+                rows[0] = bound > rows[0] ? bound : rows[0];
+            } else {
+                rows[1] = bound < rows[1] ? bound : rows[1];
+            }
+        }
+        if (TBX_RARELY(!sure)) {
+            rows[0] = y_range[0];
+            rows[1] = y_range[1];
+            tbx_solid_rows(&t, z, rows);
+        }
+        for (y = rows[0]; y < rows[1]; y++) {
+            int64_t x =
+                tbx_solid_up(in_layer + plane.slope * (double)y, plane.error, (double)s->n[0] - 0.5, &sure);
+            if (TBX_RARELY(!sure)) {
+                x = tbx_solid_voxel(&t, y, z);
+                sure = 1;
+            }
+            if (x < s->n[0]) {
+                tbx_solid_flip_wide(s, x, y, z);
+            }
+        }
+    }
 }
 
 TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, tbx_solid_group *g, int n)
@@ -10563,7 +10677,7 @@ TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, tbx_solid_group *g, int n)
     for (i = 0; i < g->n; i++) {
         uint32_t left = within[i];
         if (TBX_RARELY(unsure[i] != 0)) {
-            tbx_solid_scalar(q, g->triangle[i]);
+            tbx_solid_large(q, g->triangle[i]);
             continue;
         }
         for (; left != 0; left &= left - 1) {
@@ -10580,7 +10694,7 @@ TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, tbx_solid_group *g, int n)
                 x = rows.voxel[row][i];
             }
             if (x < s->n[0]) {
-                tbx_solid_flip(s, x > 0 ? x : 0, y, z);
+                tbx_solid_flip_wide(s, x > 0 ? x : 0, y, z);
             }
         }
     }
@@ -10613,7 +10727,7 @@ TBX_FORCED void tbx_solid_add(tbx_solid_fill *fill, size_t t, int32_t y, int32_t
     tbx_solid_group *g = &fill->group[extent <= TBX_SOLID_ROWS ? extent - 1 : 0];
     const int n = g->n;
     if (extent > TBX_SOLID_ROWS) {
-        tbx_solid_scalar(&fill->quick, t);
+        tbx_solid_large(&fill->quick, t);
         return;
     }
     g->triangle[n] = t;
@@ -10664,9 +10778,9 @@ TBX_FORCED void tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t stride
     tbx_iw n_z;
     tbx_iw some;
     tbx_iw wild = tbx_wide_int(0);
-    tbx_solid_load(&v[0], q->mesh, indexed, stride, list, first, 0);
-    tbx_solid_load(&v[1], q->mesh, indexed, stride, list, first, 1);
-    tbx_solid_load(&v[2], q->mesh, indexed, stride, list, first, 2);
+    tbx_solid_load(&v[0], &q->mesh, indexed, stride, list, first, 0);
+    tbx_solid_load(&v[1], &q->mesh, indexed, stride, list, first, 1);
+    tbx_solid_load(&v[2], &q->mesh, indexed, stride, list, first, 2);
     n_y = tbx_solid_extent(q, 1, v[0].y, v[1].y, v[2].y, &y, &wild);
     n_z = tbx_solid_extent(q, 2, v[0].z, v[1].z, v[2].z, &z, &wild);
     some = ((n_y > tbx_wide_int(0)) & (n_z > tbx_wide_int(0))) | wild;
@@ -10691,45 +10805,46 @@ TBX_FORCED void tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t stride
 }
 
 /* All triangles. Returns how many are done: 0 if the grid's numbers are out of range. */
-TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tribox_mesh *mesh)
+TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 {
     const size_t packed = 3 * sizeof(float);
-    const size_t stride = mesh->stride != 0 ? mesh->stride : packed;
+    const size_t stride = source->stride;
+    const size_t triangles = source->triangles;
     tbx_solid_fill fill;
     size_t list[TBX_WIDE];
     size_t t = 0;
     size_t i;
-    tbx_solid_quick_init(&fill.quick, s, mesh);
+    tbx_solid_quick_init(&fill.quick, s, source);
     if (!fill.quick.on) {
         return 0;
     }
     for (i = 0; i < TBX_SOLID_ROWS; i++) {
         fill.group[i].n = 0;
     }
-    if (mesh->indices == NULL) {
-        for (; mesh->triangles - t >= TBX_WIDE; t += TBX_WIDE) {
+    if (source->indices == NULL) {
+        for (; triangles - t >= TBX_WIDE; t += TBX_WIDE) {
             tbx_solid_boxes(&fill, 0, stride, NULL, t, TBX_WIDE);
         }
     } else if (stride == packed) {
-        for (; mesh->triangles - t >= TBX_WIDE; t += TBX_WIDE) {
+        for (; triangles - t >= TBX_WIDE; t += TBX_WIDE) {
             tbx_solid_boxes(&fill, 1, packed, NULL, t, TBX_WIDE);
         }
     } else {
-        for (; mesh->triangles - t >= TBX_WIDE; t += TBX_WIDE) {
+        for (; triangles - t >= TBX_WIDE; t += TBX_WIDE) {
             tbx_solid_boxes(&fill, 1, stride, NULL, t, TBX_WIDE);
         }
     }
-    if (t < mesh->triangles) {
+    if (t < triangles) {
         for (i = 0; i < TBX_WIDE; i++) {
-            list[i] = t + i < mesh->triangles ? t + i : t;
+            list[i] = t + i < triangles ? t + i : t;
         }
-        tbx_solid_boxes(&fill, mesh->indices != NULL, stride, list, 0, (int)(mesh->triangles - t));
+        tbx_solid_boxes(&fill, source->indices != NULL, stride, list, 0, (int)(triangles - t));
     }
     tbx_solid_flush1(&fill);
     tbx_solid_flush2(&fill);
     tbx_solid_flush3(&fill);
     tbx_solid_flush4(&fill);
-    return mesh->triangles;
+    return triangles;
 }
 #endif /* TRIBOX_SIMD */
 
@@ -10798,10 +10913,10 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tribox_mesh *mesh)
 #undef TBX_NOWHERE
 #undef TBX_ROWS
 #undef TBX_WIDE
-#undef TBX_SOLID_FILTER
 #undef TBX_SOLID_ROWS
 #undef TBX_SOLID_PARTS
 #undef TBX_SOLID_MARGIN
+#undef TBX_SOLID_LINE_ERROR
 #undef TBX_SOLID_ANYWAY
 #undef TBX_SOLID_TINY
 #undef TBX_CROSS_EDGE_ERROR
