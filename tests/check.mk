@@ -10,7 +10,7 @@ FUZZ_FLAGS       := -std=c99 -I. -O1 -g -fno-sanitize-recover=all \
                     -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow
 CHECK_PARTS      := verify golden-check platforms headers sanitize proofs errors mutate cuda fuzz coverage
 
-.PHONY: check verify golden golden-check platforms headers sanitize proofs errors mutate cuda fuzz coverage
+.PHONY: check verify golden golden-check platforms platforms-all headers sanitize proofs errors mutate cuda fuzz coverage
 
 check: ## all checks below, one after the other, and their sum
 	@bash tests/check.sh $(CHECK_PARTS)
@@ -33,8 +33,11 @@ golden: $(B)/gen_golden ## write tests/golden_overlap.h anew, with answers from 
 golden-check: $(B)/gen_golden ## the committed golden answers are those of GMP
 	$(B)/gen_golden | cmp - tests/golden_overlap.h
 
-platforms: ## one hash of all answers: compilers, flags, modes, emulated machines, Windows, WebAssembly
+platforms: ## one hash of all answers: compilers, flags, modes, emulated machines, Windows, WebAssembly; traps
 	@bash tests/check_platforms.sh
+
+platforms-all: ## the same, with more builds of each kind
+	@PLATFORMS=all bash tests/check_platforms.sh
 
 headers: ## warnings, includes, macros, symbols, stack, static analysis
 	@bash tests/check_header.sh

@@ -1,16 +1,28 @@
 #!/usr/bin/env bash
-# The same answers everywhere: golden.c built and run by every compiler, flag, mode and platform at hand.
-# Each line is one build; its runs must all print the hash in golden_overlap.h. Run from the repository's
-# root.
+# The same answers everywhere: golden.c built and run by every compiler, flag, mode and platform at hand; traps.c,
+# which lets no function raise a flag that somebody may trap; and the whole suite where arithmetic is least to be
+# trusted. Each line is one build; its runs must all print the hash in golden_overlap.h.
+#
+#   tests/check_platforms.sh [pattern]     only the builds whose line matches the extended regular expression
+#   PLATFORMS=all                          more builds of the same kinds (`make platforms-all`)
+#
+# Run from the repository's root.
 set -u
 . tests/check_lib.sh
 
-modes="nearest up down zero flush"
-mkdir -p "$CHECK_DIR/golden"
+pattern=${1:-.}
+PLATFORMS=${PLATFORMS:-}
+dir=$CHECK_DIR/golden
+mkdir -p "$dir"
 export WINEPREFIX=$PWD/$CHECK_DIR/wine WINEDEBUG=-all
 
+gccs="gcc-11 gcc-12"
+clangs="clang-14 clang-16 clang-19 clang-22"
+modes="nearest up down zero daz ftz flush"
+before="-include tests/compile/before.h"
+
 # in a job: builds and runs; the runner is "" for none
-golden_run() { # runner, program, arguments, compiler and flags...
+built_and_run() { # runner, program, arguments, compiler and flags...
     local runner=$1 program=$2 arguments=$3
     shift 3
     "$@" -o "$program" || return 1
@@ -20,118 +32,297 @@ golden_run() { # runner, program, arguments, compiler and flags...
     rm -f "$program"
     return $status
 }
-export -f golden_run
+export -f built_and_run
 
 builds=0
-golden() { # runner, arguments, compiler and flags...
-    local runner=$1 arguments=$2 name
-    shift 2
-    have "$1" || return 0
-    if [ -n "$runner" ]; then
-        have "${runner%% *}" || return 0
-    fi
+suffix=
+build() { # kind, runner, arguments, compiler and flags...
+    local kind=$1 runner=$2 arguments=$3 name tool
+    shift 3
+    name="$kind: $* ${arguments:+[$arguments]}"
+    name=${name//-I. tests\/$kind.c /}
+    name=${name// -lm/}
+    [[ $name =~ $pattern ]] || return 0
+    for tool in "$1" ${runner%% *}; do
+        have "$tool" || return 0
+    done
     builds=$((builds + 1))
-    name="$* ${arguments:+[$arguments]}"
-    job "golden: ${name//-I. tests\/golden.c /}" \
-        golden_run "$runner" "$CHECK_DIR/golden/$builds$suffix" "$arguments" "$@"
+    job "$name" built_and_run "$runner" "$dir/$builds$suffix" "$arguments" "$@"
 }
+golden() { build golden "$@"; }
+# shellcheck disable=SC2086 # flags are lists of words
+c() { golden "" "$1" "$2" -I. tests/golden.c ${3:-} -lm; } # arguments, compiler, flags
+# shellcheck disable=SC2086
+traps() { build traps "" "$1" "$2" -I. -w tests/traps.c ${3:-} -lm; }
 
-# the header of this file, then flags; -lm for fesetround
-c() { golden "" "$1" "$2" -I. tests/golden.c "${@:3}" -lm; }
-suffix=""
-
+more() { # is this the long run?
+    [ "$PLATFORMS" = all ]
+}
 cpu_has() {
     grep -qw "$1" /proc/cpuinfo 2>/dev/null
 }
 
-for cc in gcc clang; do
-    c "$modes" $cc -std=c99 -O2
-    c "$modes" $cc -std=c99 -O3 -march=native
-    c "$modes" $cc -O3 -march=native
-    c "$modes" $cc -Ofast
-    c "$modes" $cc -Ofast -march=native
-    c "$modes" $cc -O2 -frounding-math
-    for flags in -O0 -O1 -O3 -Os "-O2 -funsafe-math-optimizations" "-O3 -ffast-math" "-O2 -std=gnu99" \
-        "-O2 -std=c11" "-O2 -std=c17" "-O2 -DTRIBOX_SIMD=0" "-O3 -march=native -DTRIBOX_SIMD=0" \
-        "-O2 -fno-strict-aliasing -fwrapv" "-O2 -ffp-contract=fast" "-O2 -ffp-contract=off" "-O2 -msse4.2"; do
-        # shellcheck disable=SC2086
-        c "" $cc $flags
-    done
-    if cpu_has fma; then
-        for flags in "-O2 -mfma" "-O2 -mfma -ffp-contract=fast" "-O2 -mfma -ffp-contract=off" \
-            "-O3 -mavx2 -mfma -ffast-math"; do
-            # shellcheck disable=SC2086
-            c "up flush" $cc $flags
+# ---- every compiler at every level, with vectors and without; an eighth of the questions in every mode
+
+for cc in $gccs $clangs; do
+    for simd in "" " -DTRIBOX_SIMD=0"; do
+        c "eighth up flush" $cc "-O0$simd"
+        for flags in -O1 -O2 -O3 "-O3 -march=native" -Os -Oz -Ofast "-O2 -ffast-math"; do
+            [ "$cc $flags" = "gcc-11 -Oz" ] || c "eighth $modes" $cc "$flags$simd" # gcc 12 was the first
         done
-    fi
-    c "$modes" $cc -m32 -O2 -msse2 -mfpmath=sse
-    c "" $cc -m32 -Ofast -msse2 -mfpmath=sse
+    done
+    c "up flush" $cc "-O3 -ffast-math -march=native -std=gnu99" # and all questions
 done
 
-# x87: every intermediate in 80 bits, or not, as the compiler likes
-for flags in -O0 -O2 -O3 -Os -Ofast; do
-    c "nearest up down zero" gcc -m32 -mfpmath=387 -mno-sse $flags
+# ---- every standard
+
+for std in c99 gnu99 c11 c17 c2x; do
+    c eighth gcc-12 "-O1 -std=$std"
+    c eighth clang-22 "-O1 -std=$std"
 done
-c "" gcc -mfpmath=387 -O2
-c "" gcc -m32 -mfpmath=387 -mno-sse -O2 -ffloat-store
-c "" clang -m32 -mno-sse -O2
+for std in c++98 c++11 c++14 c++17 c++20 c++23 c++26; do
+    [ $std = c++26 ] || golden "" eighth g++-12 -I. -x c++ tests/golden.c -x none -std=$std -O1 -lm
+    golden "" eighth clang++-22 -I. -x c++ tests/golden.c -x none -std=$std -O1 -lm
+done
 
-c "" tcc
-c "" tcc -DTRIBOX_SIMD=0
+# ---- flags that let a compiler take liberties, one by one
 
-for std in c++98 c++11 c++17 c++20; do
-    for cc in g++ clang++; do
-        golden "" "" $cc -I. -x c++ tests/golden.c -x none -std=$std -O2 -lm
+for flags in -ffinite-math-only "-fno-honor-nans -fno-honor-infinities" -funsafe-math-optimizations \
+    "-fassociative-math -fno-signed-zeros -fno-trapping-math" -freciprocal-math -frounding-math \
+    -ffp-contract=fast -ffp-contract=off "-fno-strict-aliasing -fwrapv" -ftrapv -flto; do
+    for cc in clang-19 clang-22 gcc-12; do
+        case "$cc $flags" in
+        "gcc-12 -fno-honor-nans"* | "clang-19 -flto") ;; # not gcc's word; its plugin is another version's
+        "clang-22 -flto") c "eighth $modes" $cc "-O2 $flags -fuse-ld=lld-22" ;;
+        *) c "eighth $modes" $cc "-O2 $flags" ;;
+        esac
     done
 done
+c "eighth $modes" clang-22 "-O2 -ffp-model=aggressive"
+c "eighth $modes" clang-22 "-O2 -ffp-model=strict"
+c "eighth $modes" clang-22 "-O2 -ffast-math -mdaz-ftz"
+c "eighth $modes" clang-22 "-O2 -mrecip=all -ffast-math"
+for flags in -fsingle-precision-constant "-fsingle-precision-constant -ffast-math" -fexcess-precision=standard \
+    "-mrecip -ffast-math" -fpack-struct -fpack-struct=4 "-fshort-enums -fsigned-char" -funsigned-char; do
+    c "eighth up flush" gcc-12 "-O2 $flags"
+done
+for cc in gcc-12 clang-22; do
+    c "eighth up flush" $cc "-O2 -msse4.2"
+    cpu_has fma && c "eighth up flush" $cc "-O2 -mfma -ffp-contract=fast"
+    cpu_has avx2 && c "eighth up flush" $cc "-O3 -mavx2 -mfma -ffast-math"
+done
 
-# the whole suite where floating-point arithmetic is least to be trusted
+# ---- 32 bits; x87: every intermediate in 80 bits, or not, as the compiler likes, or cut to 53 or 24
+
+for cc in gcc-12 clang-14 clang-22; do
+    c "eighth $modes" $cc "-m32 -O2 -msse2 -mfpmath=sse"
+    c "eighth up" $cc "-m32 -Ofast -msse2 -mfpmath=sse"
+done
+for flags in -O0 -O2 -O3 -Os -Ofast; do
+    c "eighth nearest up down zero x87-53 x87-24" gcc-12 "-m32 -mfpmath=387 -mno-sse $flags"
+done
+c "x87-24" gcc-12 "-m32 -mfpmath=387 -mno-sse -O2"
+c "eighth x87-24" gcc-12 "-m32 -O2 -mfpmath=387 -mpc32"
+c "eighth x87-24" gcc-12 "-mfpmath=387 -O2"
+c "eighth x87-24" gcc-12 "-m32 -mfpmath=387 -mno-sse -O2 -ffloat-store"
+c "eighth x87-24" clang-14 "-m32 -mno-sse -O2"
+c "eighth x87-24" clang-22 "-m32 -mno-sse -O2 -ffast-math"
+
+# ---- what may stand before the header: other compilers' branches, packing, other people's macros
+
+for cc in gcc-12 clang-19 clang-22; do
+    for flags in -O0 -O2 "-O3 -ffast-math"; do
+        c "eighth up flush" $cc "$flags $before -DBEFORE_MSVC"
+        c "eighth up flush" $cc "$flags $before -DBEFORE_NO_GNU"
+    done
+    c "eighth up" $cc "-O2 $before -DBEFORE_PACK=1"
+    c "eighth up" $cc "-O3 -march=native $before -DBEFORE_PACK=4"
+    c eighth $cc "-O1 $before -DBEFORE_QT"
+    c eighth $cc "-O1 $before -DBEFORE_QT -DTRIBOX_SIMD=0"
+done
+if [ -e /usr/include/term.h ]; then
+    c eighth gcc-12 "-O1 $before -DBEFORE_TERM"
+fi
+
+# ---- small compilers
+
+c eighth tcc
+c eighth pcc "-w"
+chibicc_golden() { # Debian's package has no headers of its own
+    local shim=$CHECK_DIR/chibicc
+    mkdir -p "$shim"
+    printf '%s\n' 'typedef unsigned long size_t;' 'typedef long ptrdiff_t;' '#undef NULL' \
+        '#define NULL ((void *)0)' >"$shim/stddef.h"
+    printf '%s\n' 'typedef struct { unsigned gp, fp; void *overflow, *save; } __va;' 'typedef __va va_list[1];' \
+        'typedef va_list __gnuc_va_list;' >"$shim/stdarg.h"
+    printf '%s\n' '#define FLT_EVAL_METHOD 0' '#define FLT_MANT_DIG 24' '#define DBL_MANT_DIG 53' \
+        '#define FLT_MAX 0x1.fffffep+127f' '#define FLT_MIN 0x1p-126f' '#define DBL_MAX 0x1.fffffffffffffp+1023' \
+        '#define DBL_MIN 0x1p-1022' >"$shim/float.h"
+    chibicc -I"$shim" -I. -c tests/golden.c -o "$shim/golden.o" && gcc -z execstack "$shim/golden.o" \
+        -o "$shim/golden" -lm && "$shim/golden" eighth up flush
+}
+export -f chibicc_golden
+if [[ "golden: chibicc" =~ $pattern ]] && have chibicc; then
+    job "golden: chibicc" chibicc_golden
+fi
+
+# ---- HIP, compiled for a device by clang, and for the host, with the few words of its runtime that there are here
+
+hip() { # flags
+    printf '%s\n' '#define __host__ __attribute__((host))' '#define __device__ __attribute__((device))' \
+        '#define __global__ __attribute__((global))' \
+        'typedef struct dim3 { unsigned x, y, z; } dim3;' 'typedef struct ihipStream_t *hipStream_t;' \
+        'extern "C" int hipLaunchKernel(const void *, dim3, dim3, void **, unsigned long, hipStream_t);' \
+        '#include "tribox.h"' '#include "every_function.h"' \
+        '__global__ void ask(int *out) { *out = every_function(); }' >"$CHECK_DIR/device.hip"
+    sed 's/^static /static __host__ __device__ /' tests/compile/every_function.h >"$CHECK_DIR/every_function.h"
+    clang-22 -x hip -nogpulib -nogpuinc -I. -I"$CHECK_DIR" -Werror -Wno-unused-function "$@" -S \
+        "$CHECK_DIR/device.hip" -o /dev/null
+}
+export -f hip
+if have clang-22; then
+    for flags in "--cuda-device-only --offload-arch=gfx90a -O2" "--cuda-device-only --offload-arch=gfx1100 -O3 -ffast-math" \
+        "--cuda-host-only -O2"; do
+        # shellcheck disable=SC2086
+        [[ "hip: $flags" =~ $pattern ]] && job "hip: compiled, clang-22 $flags" hip $flags
+    done
+fi
+
+# ---- traps: invalid, divide-by-zero and overflow are raised by nothing
+
+for cc in gcc-12 clang-14 clang-19 clang-22; do
+    for simd in "" " -DTRIBOX_SIMD=0"; do
+        for flags in -O1 -O2 "-O3 -march=native" "-O2 -ffast-math"; do
+            traps "eighth up flush" $cc "$flags$simd"
+        done
+    done
+    traps "eighth up" $cc -O0
+done
+traps "" gcc-12 -O2 # all questions
+traps "" clang-22 -O2
+traps "eighth" gcc-12 "-m32 -O2 -mfpmath=387 -mno-sse"
+traps "eighth" clang-22 "-O2 $before -DBEFORE_MSVC"
+traps "eighth" gcc-12 "-O2 $before -DBEFORE_NO_GNU"
+traps "eighth" clang-22 "-Ofast -march=native"
+traps "eighth" gcc-12 "-Ofast -march=native"
+
+# ---- the whole suite where floating-point arithmetic is least to be trusted
+
 suite() { # compiler, flags
     make -s test B="$CHECK_DIR/suite/$1${2//[^[:alnum:]]/}" CC="$1" CFLAGS="$2" # make splits names at spaces
 }
 export -f suite
-for cc in gcc clang; do
-    have $cc && job "make test: $cc -Ofast -march=native" suite $cc "-Ofast -march=native"
-done
-# not -Ofast: the tests' own conversions to float would then round nowhere
-have gcc && job "make test: gcc -O2, x87" suite gcc "-O2 -m32 -mfpmath=387 -mno-sse"
-
-# Emulated machines; static, so that the emulator needs no libraries of theirs. All three fuse by default.
-for arch in aarch64 s390x riscv64; do
-    for flags in -O0 -O2 "-O3 -ffast-math"; do
-        # shellcheck disable=SC2086
-        golden qemu-$arch "" $arch-linux-gnu-gcc -static -I. tests/golden.c $flags -lm
-    done
-    golden qemu-$arch "up down" $arch-linux-gnu-gcc -static -I. tests/golden.c -std=c99 -O2 -lm
-done
-golden qemu-aarch64 "flush" aarch64-linux-gnu-gcc -static -I. tests/golden.c -O2 -lm
-
-# 64-bit Windows
-if have x86_64-w64-mingw32-gcc && have wine; then
-    wait
-    wine wineboot --init </dev/null >/dev/null 2>&1 # once, so that parallel runs find their folder ready
-    suffix=.exe
-    for flags in -O0 -O2 -Ofast "-O3 -march=x86-64-v2"; do
-        # shellcheck disable=SC2086
-        golden wine "up" x86_64-w64-mingw32-gcc -static -I. tests/golden.c $flags
-    done
-    suffix=""
+suites() { # compiler, flags
+    [[ "make test: $*" =~ $pattern ]] && have "$1" && job "make test: $*" suite "$@"
+}
+suites gcc-12 "-Ofast -march=native"
+suites clang-22 "-O2 -ffast-math -DTEST_SCALE=4"
+suites gcc-12 "-O2 -m32 -mfpmath=387 -mno-sse -DTEST_SCALE=4" # not -Ofast: the tests' own conversions would not round
+if more; then
+    suites clang-14 "-Ofast -march=native"
+    suites clang-19 "-O3 -ffast-math -march=native"
+    suites clang-22 "-O2 -DTRIBOX_SIMD=0"
 fi
 
-# WebAssembly without any library, run by node
-wasm() { # flags...
-    have node || return 0
+# ---- emulated machines; static, so that the emulator needs no libraries of theirs
+
+emulated() { # emulator, compiler, flags...
+    local machine=$1 cc=$2 flags=$3 simd
+    golden "qemu-$machine" "eighth" $cc -static -I. tests/golden.c -O2 $flags -lm
+    golden "qemu-$machine" "eighth up down" $cc -static -I. tests/golden.c -O3 -ffast-math $flags -lm
+    simd=${4:-}
+    if [ -n "$simd" ]; then
+        golden "qemu-$machine" "eighth up" $cc -static -I. tests/golden.c -O2 -DTRIBOX_SIMD=1 $flags $simd -lm
+    fi
+    if more; then
+        golden "qemu-$machine" "eighth" $cc -static -I. tests/golden.c -O0 $flags -lm
+        golden "qemu-$machine" "eighth up down zero" $cc -static -I. tests/golden.c -Os $flags -lm
+    fi
+}
+emulated aarch64 aarch64-linux-gnu-gcc "" " "
+emulated s390x s390x-linux-gnu-gcc "" "-march=z14"
+emulated riscv64 riscv64-linux-gnu-gcc "" " "
+emulated ppc64le powerpc64le-linux-gnu-gcc "" " "
+emulated ppc64 powerpc64-linux-gnu-gcc "" "-maltivec"
+emulated ppc powerpc-linux-gnu-gcc "" " "
+emulated mips mips-linux-gnu-gcc "" " "
+emulated mipsel mipsel-linux-gnu-gcc "" " "
+emulated mips64el mips64el-linux-gnuabi64-gcc "" " "
+emulated arm arm-linux-gnueabi-gcc "" " "
+emulated arm arm-linux-gnueabihf-gcc "" "-mfpu=neon"
+emulated hppa hppa-linux-gnu-gcc "" " "
+emulated m68k m68k-linux-gnu-gcc "" " "
+emulated sparc64 sparc64-linux-gnu-gcc "" " "
+emulated alpha alpha-linux-gnu-gcc "" " "
+golden qemu-alpha eighth alpha-linux-gnu-gcc -static -I. tests/golden.c -O2 -mieee -lm
+golden qemu-aarch64 "eighth flush up" aarch64-linux-gnu-gcc -static -I. tests/golden.c -O2 -lm
+golden qemu-arm "eighth flush" arm-linux-gnueabihf-gcc -static -I. tests/golden.c -O2 -mfpu=neon -lm
+for cc in clang-19 clang-22; do # with gcc's C library for that machine
+    golden qemu-aarch64 "eighth flush up" $cc --target=aarch64-linux-gnu -static -I. tests/golden.c -O2 -lm
+    golden qemu-aarch64 "eighth flush up" $cc --target=aarch64-linux-gnu -static -I. tests/golden.c -O3 -ffast-math -lm
+    golden qemu-arm "eighth flush" $cc --target=arm-linux-gnueabihf -mfpu=neon -static -I. tests/golden.c -O2 \
+        -ffast-math -lm
+    golden qemu-riscv64 "eighth up" $cc --target=riscv64-linux-gnu -static -I. tests/golden.c -O2 -ffast-math -lm
+    golden qemu-s390x "eighth up" $cc --target=s390x-linux-gnu -static -I. tests/golden.c -O2 -ffast-math -lm
+    golden qemu-ppc64le "eighth up" $cc --target=powerpc64le-linux-gnu -static -I. tests/golden.c -O2 -ffast-math -lm
+done
+
+# ---- Windows: MinGW, with <windows.h> first, too; clang as MSVC, without Microsoft's SDK
+
+if have wine && [[ "golden: windows msvc mingw /O wine" =~ $pattern || $pattern = . ]]; then
+    wait
+    wine wineboot --init </dev/null >/dev/null 2>&1 # once, so that parallel runs find their folder ready
+fi
+suffix=.exe
+mingw=x86_64-w64-mingw32-gcc
+for flags in -O0 -O2 -Ofast "-O3 -march=x86-64-v2"; do
+    # shellcheck disable=SC2086
+    golden wine "eighth up" $mingw -static -I. tests/golden.c $flags
+done
+# shellcheck disable=SC2086
+golden wine "eighth" $mingw -static -I. tests/golden.c -O1 $before -DBEFORE_WINDOWS
+suffix=
+
+msvc() { # clang-cl's flags... No probes of the stack: their code is Microsoft's
+    local out
+    out=$(mktemp -d "$CHECK_DIR/msvc.XXXXXX")
+    llvm-dlltool -d tests/windows.def -l "$out/kernel32.lib" -m i386:x86-64
+    clang-cl-22 /c /I. /GS- /Gs999999 /W4 /WX -Wno-unused-function /DGOLDEN_FREESTANDING /DGOLDEN_ASK_EIGHTH "$@" \
+        tests/golden.c "/Fo$out/golden.obj" &&
+        lld-link-22 /nodefaultlib /subsystem:console /entry:windows_entry /stack:1048576,1048576 "$out/golden.obj" "$out/kernel32.lib" \
+            "/out:$out/golden.exe" &&
+        wine "$out/golden.exe"
+    local status=$?
+    rm -rf "$out"
+    return $status
+}
+export -f msvc
+if have clang-cl-22 && have lld-link-22 && have wine && have llvm-dlltool; then
+    for flags in /Od /O1 /O2 "/O2 /fp:fast" "/O2 /arch:AVX2" "/O2 /DTRIBOX_SIMD=0" "/O2 /Zp1" "/O2 /fp:fast /DTRIBOX_SIMD=0"; do
+        name="golden: windows msvc: clang-cl-22 $flags"
+        # shellcheck disable=SC2086
+        [[ $name =~ $pattern ]] && job "$name" msvc $flags
+    done
+fi
+
+# ---- WebAssembly without any library, run by node
+
+wasm() { # clang, flags...
+    local cc=$1
+    shift
+    [[ "golden: wasm32 $cc $*" =~ $pattern ]] && have node && have $cc || return 0
     builds=$((builds + 1))
-    job "golden: wasm32 $*" golden_run "node tests/check_wasm.js" "$CHECK_DIR/golden/$builds.wasm" "" \
-        clang --target=wasm32 -nostdlib -ffreestanding -I. -DGOLDEN_FREESTANDING tests/golden.c "$@" \
+    job "golden: wasm32 $cc $*" built_and_run "node tests/check_wasm.js" "$dir/$builds.wasm" "" \
+        "$cc" --target=wasm32 -nostdlib -ffreestanding -I. -DGOLDEN_FREESTANDING -DGOLDEN_ASK_EIGHTH tests/golden.c "$@" \
         -Wl,--no-entry -Wl,--export=golden_hash_high -Wl,--export=golden_hash_low -Wl,--export=golden_wrong \
         -Wl,--export=golden_expected_high -Wl,--export=golden_expected_low
 }
-if have clang && have wasm-ld; then
-    wasm -O0
-    wasm -O2
-    wasm -O3 -ffast-math
-    wasm -O2 -msimd128
-fi
+for cc in clang-14 clang-22; do
+    wasm $cc -O0
+    wasm $cc -O2
+    wasm $cc -O3 -ffast-math
+    wasm $cc -O2 -msimd128
+    wasm $cc -O2 -msimd128 -DTRIBOX_SIMD=1 -ffast-math
+done
 
 check_end
