@@ -90,7 +90,7 @@ static inline void png_match(png_stream *s, unsigned length, unsigned distance) 
     png_bits(s, extra, bits);
 }
 
-enum { PNG_HASHES = 1 << 15, PNG_WINDOW = 32768, PNG_TRIES = 32 };
+enum { PNG_HASHES = 1 << 15, PNG_WINDOW = 32768, PNG_TRIES = 4 };
 
 typedef struct png_matcher {
     /* latest place of each hash, then the place before each place in the window; -1: none */
