@@ -3078,7 +3078,7 @@ TBX_FN double tbx_max3(double a, double b, double c)
  * fixed_lo by 8 u (o + l), the sum by 2 u l: in all less than FIXED_ERROR (o + l) voxels; truncation adds a unit. */
 #define TBX_FIXED 20
 #define TBX_FIXED_ERROR (32.0 * TBX_U64)
-#define TBX_MARGIN_LO 3
+#define TBX_BEFORE 3
 
 typedef struct tbx_frame {
     const tribox_grid *grid;
@@ -3097,17 +3097,21 @@ typedef struct tbx_frame {
     int hi_is_open;
 } tbx_frame;
 
-TBX_FN void tbx_frame_init(tbx_frame *f, const tribox_grid *grid)
+/* Returns 0 for a grid without voxels. */
+TBX_FN int tbx_frame_init(tbx_frame *f, const tribox_grid *grid)
 {
     const double unit = (double)(1 << TBX_FIXED);
     double farthest = 0.0; /* of all origins */
     int k;
+    if (!tbx_grid_valid(grid)) {
+        return 0;
+    }
     f->grid = grid;
     f->on = 1;
     f->thin = (grid->flags & TRIBOX_THIN) != 0;
     f->lo_is_open = !f->thin && (grid->flags & TRIBOX_OPEN) != 0;
     f->hi_is_open = !f->thin && (grid->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
-    f->reach = 2.0;
+    f->reach = 16.0;
     for (k = 0; k < 3; k++) {
         const int on = tbx_is_ordinary(&grid->origin[k], TBX_ORDINARY) & tbx_is_ordinary(&grid->size[k], TBX_ORDINARY);
         const double lo = (double)grid->lo[k];
@@ -3125,8 +3129,8 @@ TBX_FN void tbx_frame_init(tbx_frame *f, const tribox_grid *grid)
         f->inverse[k] = inverse;
         f->lo[k] = lo;
         f->fixed[k] = inverse * unit;
-        f->fixed_lo[k] = ((double)TBX_MARGIN_LO - lo - away) * unit;
-        f->end[k] = (hi - lo + 1.5 + (double)TBX_MARGIN_LO) * unit;
+        f->fixed_lo[k] = ((double)TBX_BEFORE - lo - away) * unit;
+        f->end[k] = (hi - lo + 1.5 + (double)TBX_BEFORE) * unit;
         f->reach = tbx_max3(f->reach, tbx_abs(lo), tbx_abs(hi));
         farthest = tbx_abs(away) > farthest ? tbx_abs(away) : farthest;
     }
@@ -3136,6 +3140,7 @@ TBX_FN void tbx_frame_init(tbx_frame *f, const tribox_grid *grid)
     TBX_KEEP_SCALAR(farthest);
     f->slack = (int64_t)farthest + 2;
     f->last_x = (int64_t)grid->hi[0] - 1 - grid->lo[0];
+    return 1;
 }
 
 /* Rows y and layers z of a region, first to last. */
@@ -3170,7 +3175,9 @@ typedef struct tbx_walk {
     const double *corner[3];
     int64_t first[3]; /* the triangle's index box within the region, from the region's first voxel */
     int64_t last[3];
-    unsigned thick;    /* bit k: the whole index box has more than one voxel on axis k */
+    int64_t whole[3];  /* of the whole index box the first voxel, */
+    int64_t more[3];   /* and the voxels after it */
+    int box_is_strict; /* the triangle lies strictly inside that, by more than rounding */
     int light;         /* 0: nothing is certain in double */
     int snapped;       /* the lattice has been tried */
     int uses[4];       /* groups whose conditions the index box does not imply */
@@ -3585,36 +3592,41 @@ TBX_COLD void tbx_walk_box_search(tbx_walk *w)
         const double most = tbx_max(tbx_max(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
         const int64_t lo = f->grid->lo[k];
         const int64_t hi = f->grid->hi[k];
-        w->first[k] = tbx_plane_search(f->grid, k, lo + 1, hi + 1, least, f->hi_is_open) - 1 - lo;
-        w->last[k] = tbx_plane_search(f->grid, k, lo, hi, most, !f->lo_is_open) - 1 - lo;
+        w->whole[k] = tbx_plane_search(f->grid, k, lo + 1, hi + 1, least, f->hi_is_open) - 1 - lo;
+        w->more[k] = tbx_plane_search(f->grid, k, lo, hi, most, !f->lo_is_open) - 1 - lo - w->whole[k];
     }
 }
 
-/* The index box on axis k; -2 and n + 1 stand for all voxels beyond the region. */
-TBX_FN void tbx_walk_box_axis(tbx_walk *w, int k, double v0, double v1, double v2)
+/* The least and greatest coordinate on axis k, in fixed point; one or two voxels beyond the region stand for all beyond. */
+TBX_FN void tbx_fixed_extremes(const tbx_frame *f, int k, double v0, double v1, double v2, int64_t *out_least,
+                         int64_t *out_most)
 {
-    const tbx_frame *f = w->frame;
     const double begin = (double)(1 << TBX_FIXED);
-    const int64_t slack = f->slack;
     double least = tbx_min3(v0, v1, v2) * f->fixed[k] + f->fixed_lo[k];
     double most = tbx_max3(v0, v1, v2) * f->fixed[k] + f->fixed_lo[k];
-    int64_t first;
-    int64_t last;
     least = least > begin ? least : begin;
     least = least < f->end[k] ? least : f->end[k];
     most = most > begin ? most : begin;
     most = most < f->end[k] ? most : f->end[k];
     TBX_KEEP_SCALAR(least);
     TBX_KEEP_SCALAR(most);
-    first = (int64_t)least;
-    last = (int64_t)most;
-    w->first[k] = (first >> TBX_FIXED) - TBX_MARGIN_LO;
-    w->last[k] = (last >> TBX_FIXED) - TBX_MARGIN_LO;
-    if (TBX_RARELY(((((first + slack) ^ (first - slack)) | ((last + slack) ^ (last - slack))) >> TBX_FIXED) != 0)) {
-        w->first[k] = ((first + slack) >> TBX_FIXED) - TBX_MARGIN_LO;
-        w->last[k] = ((last + slack) >> TBX_FIXED) - TBX_MARGIN_LO;
-        tbx_walk_box_exact(w, k, w->first[k] != ((first - slack) >> TBX_FIXED) - TBX_MARGIN_LO,
-                           w->last[k] != ((last - slack) >> TBX_FIXED) - TBX_MARGIN_LO, &w->first[k], &w->last[k]);
+    *out_least = (int64_t)least;
+    *out_most = (int64_t)most;
+}
+
+/* Whole index boxes where a face may lie on a grid plane. */
+TBX_COLD void tbx_walk_box_unsure(tbx_walk *w, const int64_t least[3], const int64_t most[3])
+{
+    const int64_t slack = w->frame->slack;
+    int k;
+    w->box_is_strict = 0;
+    for (k = 0; k < 3; k++) {
+        int64_t first = ((least[k] + slack) >> TBX_FIXED) - TBX_BEFORE;
+        int64_t last = ((most[k] + slack) >> TBX_FIXED) - TBX_BEFORE;
+        tbx_walk_box_exact(w, k, first != ((least[k] - slack) >> TBX_FIXED) - TBX_BEFORE,
+                           last != ((most[k] - slack) >> TBX_FIXED) - TBX_BEFORE, &first, &last);
+        w->whole[k] = first;
+        w->more[k] = last - first;
     }
 }
 
@@ -3628,27 +3640,46 @@ TBX_FN int tbx_walk_box(tbx_walk *w, const tbx_frame *f, double v[3][3], int kin
     w->corner[2] = v[2];
     w->snapped = 0;
     w->light = f->on & (kind == TBX_ALL_ORDINARY);
-    if (TBX_RARELY(kind == TBX_NO_POINTS)) {
-        return 0;
-    }
+    w->box_is_strict = w->light;
     if (TBX_RARELY(!w->light)) {
+        if (kind == TBX_NO_POINTS) {
+            return 0;
+        }
         tbx_walk_box_search(w);
     } else {
-        tbx_walk_box_axis(w, 0, v[0][0], v[1][0], v[2][0]);
-        tbx_walk_box_axis(w, 1, v[0][1], v[1][1], v[2][1]);
-        tbx_walk_box_axis(w, 2, v[0][2], v[1][2], v[2][2]);
+        const int64_t slack = f->slack;
+        int64_t least[3];
+        int64_t most[3];
+        int64_t differ;
+        tbx_fixed_extremes(f, 0, v[0][0], v[1][0], v[2][0], &least[0], &most[0]);
+        tbx_fixed_extremes(f, 1, v[0][1], v[1][1], v[2][1], &least[1], &most[1]);
+        tbx_fixed_extremes(f, 2, v[0][2], v[1][2], v[2][2], &least[2], &most[2]);
+        differ = ((least[0] + slack) ^ (least[0] - slack)) | ((most[0] + slack) ^ (most[0] - slack)) |
+                 ((least[1] + slack) ^ (least[1] - slack)) | ((most[1] + slack) ^ (most[1] - slack)) |
+                 ((least[2] + slack) ^ (least[2] - slack)) | ((most[2] + slack) ^ (most[2] - slack));
+        if (TBX_RARELY(differ >> TBX_FIXED != 0)) {
+            tbx_walk_box_unsure(w, least, most);
+        } else {
+            w->whole[0] = (least[0] >> TBX_FIXED) - TBX_BEFORE;
+            w->whole[1] = (least[1] >> TBX_FIXED) - TBX_BEFORE;
+            w->whole[2] = (least[2] >> TBX_FIXED) - TBX_BEFORE;
+            w->more[0] = (most[0] >> TBX_FIXED) - (least[0] >> TBX_FIXED);
+            w->more[1] = (most[1] >> TBX_FIXED) - (least[1] >> TBX_FIXED);
+            w->more[2] = (most[2] >> TBX_FIXED) - (least[2] >> TBX_FIXED);
+        }
     }
-    w->thick = (unsigned)((w->last[0] > w->first[0]) | (w->last[1] > w->first[1]) << 1 | (w->last[2] > w->first[2]) << 2);
-    if (TBX_RARELY(!w->light)) {
-        w->thick = 7u;
+    {
+        const int64_t x = w->whole[0] + w->more[0];
+        const int64_t y = w->whole[1] + w->more[1];
+        const int64_t z = w->whole[2] + w->more[2];
+        w->first[0] = w->whole[0] > 0 ? w->whole[0] : 0;
+        w->first[1] = w->whole[1] > part->first[0] ? w->whole[1] : part->first[0];
+        w->first[2] = w->whole[2] > part->first[1] ? w->whole[2] : part->first[1];
+        w->last[0] = x < f->last_x ? x : f->last_x;
+        w->last[1] = y < part->last[0] ? y : part->last[0];
+        w->last[2] = z < part->last[1] ? z : part->last[1];
+        return (w->first[0] <= w->last[0]) & (w->first[1] <= w->last[1]) & (w->first[2] <= w->last[2]);
     }
-    w->first[0] = w->first[0] > 0 ? w->first[0] : 0;
-    w->first[1] = w->first[1] > part->first[0] ? w->first[1] : part->first[0];
-    w->first[2] = w->first[2] > part->first[1] ? w->first[2] : part->first[1];
-    w->last[0] = w->last[0] < f->last_x ? w->last[0] : f->last_x;
-    w->last[1] = w->last[1] < part->last[0] ? w->last[1] : part->last[0];
-    w->last[2] = w->last[2] < part->last[1] ? w->last[2] : part->last[1];
-    return (w->first[0] <= w->last[0]) & (w->first[1] <= w->last[1]) & (w->first[2] <= w->last[2]);
 }
 
 /* The sign of the normal's component a, where double leaves it open. */
@@ -3729,7 +3760,8 @@ TBX_FN void tbx_walk_axis(tbx_walk *w, int k)
 TBX_FN void tbx_walk_groups(tbx_walk *w)
 {
     const double none[3] = { 0.0, 0.0, 0.0 };
-    const unsigned thick = w->frame->thin ? 7u : w->thick;
+    const unsigned more = (unsigned)((w->more[0] > 0) | (w->more[1] > 0) << 1 | (w->more[2] > 0) << 2);
+    const unsigned thick = w->frame->thin || !w->light ? 7u : more;
     w->uses[TBX_XY] = (thick & 3u) == 3u;
     w->uses[TBX_XZ] = (thick & 5u) == 5u;
     w->uses[TBX_YZ] = (thick & 6u) == 6u;
@@ -3761,6 +3793,206 @@ TBX_FN void tbx_walk_groups(tbx_walk *w)
     if (w->light) {
         tbx_walk_set_lines(w, none);
     }
+}
+
+/* Voxels x0..x1 of a row. */
+typedef struct tbx_span {
+    int x0;
+    int x1;
+    int y;
+    int z;
+} tbx_span;
+
+#define TBX_SPANS 32 /* at once */
+
+/* ---- Boxes of up to 4^3 voxels
+ *
+ * A triangle strictly inside its index box meets every grid plane that crosses the box, so that a voxel may as well
+ * reach to infinity where it has a face in common with the box: what the triangle shares with it stays the same. A
+ * separating axis then needs the support of such a voxel to be finite, which leaves these: across an edge, in the
+ * plane of axes b and c, where an inner grid point p of that plane is the voxel's corner nearest to the triangle;
+ * and along the normal, where an inner grid point of space is. With v relative to p
+ *
+ *   E(p) = v_i x v_j    its sign against that of the area: outside of edge i, j?
+ *   D(p) = n . v_0      its sign: on which side of the plane?
+ *
+ * If p is outside of the edge, the one cell at p that is missed is where |E| grows: at p + (s_b, s_c), s =
+ * sign(E) * (-d_c, d_b), d = v_j - v_i, the gradient of E. The plane misses exactly one voxel at p, at p +
+ * (s_x, s_y, s_z), s = -sign(D) * sign(n). All E and D are affine in p.
+ *
+ * Bounds, with delta that of the coordinates and n <= 4 voxels on the longest axis:
+ *   E     The coordinates 4 (n - 1) delta. Where the sign of d_c is wrong, |d_c| <= 2 delta; since the triangle meets
+ *         the plane c = p_c, |E| is at most |d_c| n then. Rounding is below delta / 8. In all less than
+ *         SMALL_EDGE_ERROR delta.
+ *   area  The sum of three E at the first point: less than that.
+ *   D     The normal's 7 n delta times n, three times; its n^2 times delta, three times: less than
+ *         SMALL_PLANE_ERROR delta. The signs of n are those of the areas, and sure. */
+#define TBX_SMALL_EDGE_ERROR 48.0   /* 12 n */
+#define TBX_SMALL_PLANE_ERROR 512.0 /* 32 n^2 */
+
+typedef struct tbx_small {
+    double v[3][3]; /* from the first inner grid point */
+    double least;   /* of |E| and |area| */
+    int more[3];
+    uint64_t missed; /* voxels, bit x + 4 y + 16 z */
+} tbx_small;
+
+/* An edge with E = e at the first inner point, d, and the area's sign. free: the bits of all voxels of index 0 on b and c. */
+TBX_FN void tbx_small_edge(tbx_small *m, double e, double d_b, double d_c, int negative, uint64_t free, int b,
+                           int c)
+{
+    const int up_b = 2 * b;
+    const int up_c = 2 * c;
+    const int more_b = m->more[b];
+    const int more_c = m->more[c];
+    double sign = negative ? -1.0 : 1.0;
+    int i;
+    int j;
+    e *= sign;
+    d_b *= sign;
+    d_c *= sign;
+    free <<= (d_c > 0.0 ? 1 << up_b : 0) + (d_b < 0.0 ? 1 << up_c : 0);
+    for (j = 0; j < more_c; j++) {
+        double at = e;
+        uint64_t cell = free;
+        for (i = 0; i < more_b; i++) {
+            const double size = tbx_abs(at);
+            m->least = size < m->least ? size : m->least;
+            m->missed |= at < 0.0 ? cell : 0;
+            at -= d_c;
+            cell <<= 1 << up_b;
+        }
+        e += d_b;
+        free <<= 1 << up_c;
+    }
+}
+
+/* The edges in the plane of b and c. Returns twice the area there. */
+TBX_FN double tbx_small_edges(tbx_small *m, int b, int c, uint64_t free)
+{
+    const double *v0 = m->v[0];
+    const double *v1 = m->v[1];
+    const double *v2 = m->v[2];
+    double e0 = v0[b] * v1[c] - v0[c] * v1[b];
+    double e1 = v1[b] * v2[c] - v1[c] * v2[b];
+    double e2 = v2[b] * v0[c] - v2[c] * v0[b];
+    double area;
+    int negative;
+    TBX_KEEP_SCALAR(e0);
+    TBX_KEEP_SCALAR(e1);
+    TBX_KEEP_SCALAR(e2);
+    area = (e0 + e1) + e2;
+    negative = area < 0.0;
+    m->least = tbx_abs(area) < m->least ? tbx_abs(area) : m->least;
+    tbx_small_edge(m, e0, v1[b] - v0[b], v1[c] - v0[c], negative, free, b, c);
+    tbx_small_edge(m, e1, v2[b] - v1[b], v2[c] - v1[c], negative, free, b, c);
+    tbx_small_edge(m, e2, v0[b] - v2[b], v0[c] - v2[c], negative, free, b, c);
+    return area;
+}
+
+/* The plane with normal n. Returns the least |D|. */
+TBX_FN double tbx_small_plane(tbx_small *m, double n_x, double n_y, double n_z)
+{
+    const int up = (n_x < 0.0) + ((n_y < 0.0) << 2) + ((n_z < 0.0) << 4); /* missed where D > 0 */
+    double layer = n_x * m->v[0][0] + n_y * m->v[0][1] + n_z * m->v[0][2];
+    double least = tbx_abs(layer);
+    int x;
+    int y;
+    int z;
+    for (z = 0; z < m->more[2]; z++) {
+        double row = layer;
+        for (y = 0; y < m->more[1]; y++) {
+            double at = row;
+            for (x = 0; x < m->more[0]; x++) {
+                const double size = tbx_abs(at);
+                least = size < least ? size : least;
+                m->missed |= (uint64_t)1 << ((at < 0.0 ? 21 - up : up) + x + 4 * y + 16 * z);
+                at -= n_x;
+            }
+            row -= n_y;
+        }
+        layer -= n_z;
+    }
+    return least;
+}
+
+/* Finds the voxels that the triangle misses of its index box. Returns 0 where it is too large, or something unsure. */
+TBX_NOINLINE int tbx_walk_small(const tbx_walk *w, uint64_t *out_missed)
+{
+    const tbx_frame *f = w->frame;
+    const double delta = TBX_COORDINATE_ERROR * f->reach;
+    tbx_small m;
+    double n[3];
+    double least = delta * TBX_SMALL_PLANE_ERROR * 2.0;
+    int k;
+    *out_missed = 0;
+    if ((w->light == 0) | f->thin | (((w->more[0] | w->more[1] | w->more[2]) & ~(int64_t)3) != 0)) {
+        return 0;
+    }
+    if ((w->more[0] != 0) + (w->more[1] != 0) + (w->more[2] != 0) <= 1) {
+        return 1;
+    }
+    if (!w->box_is_strict) {
+        return 0;
+    }
+    m.missed = 0;
+    for (k = 0; k < 3; k++) {
+        const double at = f->lo[k] + (double)(w->whole[k] + 1);
+        double x0 = w->corner[0][k] - f->origin[k];
+        double x1 = w->corner[1][k] - f->origin[k];
+        double x2 = w->corner[2][k] - f->origin[k];
+        TBX_KEEP_SCALAR(x0);
+        TBX_KEEP_SCALAR(x1);
+        TBX_KEEP_SCALAR(x2);
+        m.v[0][k] = x0 * f->inverse[k] - at;
+        m.v[1][k] = x1 * f->inverse[k] - at;
+        m.v[2][k] = x2 * f->inverse[k] - at;
+        m.more[k] = (int)w->more[k];
+    }
+    m.least = 1.0;
+    n[0] = n[1] = n[2] = 0.0;
+    if (m.more[0] != 0 && m.more[1] != 0) {
+        n[2] = tbx_small_edges(&m, 0, 1, (uint64_t)0x00010001u << 32 | 0x00010001u);
+    }
+    if (m.more[1] != 0 && m.more[2] != 0) {
+        n[0] = tbx_small_edges(&m, 1, 2, 15);
+    }
+    if (m.more[2] != 0 && m.more[0] != 0) {
+        n[1] = tbx_small_edges(&m, 2, 0, 0x1111);
+    }
+    if (m.more[0] != 0 && m.more[1] != 0 && m.more[2] != 0) {
+        least = tbx_small_plane(&m, n[0], n[1], n[2]);
+    }
+    *out_missed = m.missed;
+    return m.least > delta * TBX_SMALL_EDGE_ERROR && least > delta * TBX_SMALL_PLANE_ERROR;
+}
+
+/* The spans of a small box, at most 16. */
+TBX_NOINLINE int tbx_small_spans(const tbx_walk *w, uint64_t missed, tbx_span *out)
+{
+    const int *lo = w->frame->grid->lo;
+    const uint64_t first_of = (uint64_t)0x01020103u << 32 | 0x01020100u; /* of four bits: the lowest, */
+    const uint64_t last_of = (uint64_t)0x33333333u << 32 | 0x22221100u;  /* and the highest */
+    const int skip = (int)(w->first[0] - w->whole[0]);
+    const unsigned here = (15u >> (3 - (w->last[0] - w->whole[0]))) & (15u << skip);
+    int64_t y;
+    int64_t z;
+    int n = 0;
+    for (z = w->first[2]; z <= w->last[2]; z++) {
+        for (y = w->first[1]; y <= w->last[1]; y++) {
+            const unsigned row =
+                (unsigned)(~missed >> (4 * (y - w->whole[1]) + 16 * (z - w->whole[2]))) & here;
+            if (row != 0) {
+                const int64_t x = lo[0] + w->whole[0];
+                out[n].x0 = (int)(x + (int64_t)(first_of >> (4 * row) & 15u));
+                out[n].x1 = (int)(x + (int64_t)(last_of >> (4 * row) & 15u));
+                out[n].y = (int)(lo[1] + y);
+                out[n].z = (int)(lo[2] + z);
+                n++;
+            }
+        }
+    }
+    return n;
 }
 
 /* Goes to the next layer. */
@@ -3798,27 +4030,6 @@ TBX_NOINLINE void tbx_walk_set_out(tbx_walk *w)
     w->y = 0;
     w->y_last = -1;
 }
-
-/* Both. Returns 0 if there is no span. */
-TBX_NOINLINE int tbx_walk_start(tbx_walk *w, const tbx_frame *f, double v[3][3], int kind,
-                                const tbx_part *part)
-{
-    if (!tbx_walk_box(w, f, v, kind, part)) {
-        return 0;
-    }
-    tbx_walk_set_out(w);
-    return 1;
-}
-
-/* Voxels x0..x1 of a row. */
-typedef struct tbx_span {
-    int x0;
-    int x1;
-    int y;
-    int z;
-} tbx_span;
-
-#define TBX_SPANS 32 /* at once */
 
 /* The next spans, up to SPANS. Fewer: these were the last. */
 TBX_NOINLINE int tbx_walk_next(tbx_walk *w, tbx_span *out)
@@ -3866,6 +4077,17 @@ TBX_NOINLINE int tbx_walk_next(tbx_walk *w, tbx_span *out)
     }
 }
 
+/* The first spans after tbx_walk_box, as tbx_walk_next. */
+TBX_NOINLINE int tbx_walk_begin(tbx_walk *w, tbx_span *out)
+{
+    uint64_t missed;
+    if (tbx_walk_small(w, &missed)) {
+        return tbx_small_spans(w, missed, out);
+    }
+    tbx_walk_set_out(w);
+    return tbx_walk_next(w, out);
+}
+
 TBX_FN void tbx_part_all(tbx_part *part, const tribox_grid *grid)
 {
     part->first[0] = part->first[1] = 0;
@@ -3882,25 +4104,27 @@ TBX_FN size_t tbx_spans(const tribox_grid *grid, double v[3][3], int kind, tribo
     tbx_span span[TBX_SPANS];
     size_t count = 0;
     int n;
-    if (!tbx_grid_valid(grid)) {
+    if (!tbx_frame_init(&f, grid)) {
         return 0;
     }
-    tbx_frame_init(&f, grid);
     tbx_part_all(&all, grid);
-    if (!tbx_walk_start(&w, &f, v, kind, &all)) {
+    if (!tbx_walk_box(&w, &f, v, kind, &all)) {
         return 0;
     }
-    do {
+    n = tbx_walk_begin(&w, span);
+    for (;;) {
         int i;
-        n = tbx_walk_next(&w, span);
         for (i = 0; i < n; i++) {
             count = tbx_saturating_add(count, (size_t)((unsigned)span[i].x1 - (unsigned)span[i].x0) + 1);
             if (on_span != NULL) {
                 on_span(user, span[i].x0, span[i].x1, span[i].y, span[i].z);
             }
         }
-    } while (n == TBX_SPANS);
-    return count;
+        if (n < TBX_SPANS) {
+            return count;
+        }
+        n = tbx_walk_next(&w, span);
+    }
 }
 
 TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
@@ -3934,23 +4158,22 @@ TBX_FN size_t tbx_mesh_spans(const tribox_grid *grid, const tbx_source *source, 
     tbx_span span[TBX_SPANS];
     size_t count = 0;
     size_t t;
-    if (!tbx_grid_valid(grid)) {
+    if (!tbx_frame_init(&f, grid)) {
         return 0;
     }
-    tbx_frame_init(&f, grid);
     tbx_part_all(&all, grid);
     for (t = 0; t < source->triangles; t++) {
         double v[3][3];
-        int n = tbx_walk_start(&w, &f, v, tbx_source_triangle(source, t, v), &all) ? TBX_SPANS : 0;
-        while (n == TBX_SPANS) {
+        int n = tbx_walk_box(&w, &f, v, tbx_source_triangle(source, t, v), &all) ? tbx_walk_begin(&w, span) : 0;
+        while (n > 0) {
             int i;
-            n = tbx_walk_next(&w, span);
             for (i = 0; i < n; i++) {
                 count = tbx_saturating_add(count, (size_t)((unsigned)span[i].x1 - (unsigned)span[i].x0) + 1);
                 if (on_span != NULL) {
                     on_span(user, t, span[i].x0, span[i].x1, span[i].y, span[i].z);
                 }
             }
+            n = n < TBX_SPANS ? 0 : tbx_walk_next(&w, span);
         }
     }
     return count;
@@ -4051,17 +4274,17 @@ TBX_NOINLINE void tbx_fill_triangle(const tbx_frame *f, const tbx_source *source
     if (!tbx_walk_box(&w, f, v, tbx_source_triangle(source, triangle, v), part) || tbx_is_set(&w, target)) {
         return;
     }
-    tbx_walk_set_out(&w);
-    do {
+    n = tbx_walk_begin(&w, span);
+    while (n > 0) {
         int i;
-        n = tbx_walk_next(&w, span);
         for (i = 0; i < n; i++) {
             const size_t y = (size_t)((int64_t)span[i].y - lo[1]);
             const size_t z = (size_t)((int64_t)span[i].z - lo[2]);
             tbx_set_run(target, target->bits + (z * target->ny + y) * target->row_words,
                         (size_t)((int64_t)span[i].x0 - lo[0]), (size_t)((int64_t)span[i].x1 - lo[0]));
         }
-    } while (n == TBX_SPANS);
+        n = n < TBX_SPANS ? 0 : tbx_walk_next(&w, span);
+    }
 }
 
 /* The power of two at or below x, x positive and normal. */
@@ -4122,7 +4345,7 @@ TBX_NOINLINE void tbx_fill_part(const tribox_grid *grid, const tbx_fine *fine, c
     tbx_frame f;
     tbx_source source;
     (void)fine;
-    tbx_frame_init(&f, grid);
+    (void)tbx_frame_init(&f, grid);
     tbx_source_float(&source, mesh);
     tbx_fill_triangle(&f, &source, triangle, part, target);
 }
@@ -4143,7 +4366,7 @@ TBX_FN void tbx_fill_mesh(const tribox_grid *grid, const tbx_source *source, uin
     target.bits = bits;
     target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
     target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
-    tbx_frame_init(&f, grid);
+    (void)tbx_frame_init(&f, grid);
     tbx_part_all(&all, grid);
 #if TRIBOX_SIMD
     if (!source->is_double) {
@@ -10898,7 +11121,9 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_CACHED
 #undef TBX_FIXED
 #undef TBX_FIXED_ERROR
-#undef TBX_MARGIN_LO
+#undef TBX_BEFORE
+#undef TBX_SMALL_EDGE_ERROR
+#undef TBX_SMALL_PLANE_ERROR
 #undef TBX_BEYOND
 #undef TBX_COORDINATE_ERROR
 #undef TBX_LINE_ERROR
