@@ -1,4 +1,4 @@
-/* tribox.h - triangle / axis-aligned box overlap tests - v0.1.0 - MIT or Unlicense, see end of file
+/* tribox.h - triangle / axis-aligned box overlap tests - v0.2.0 - MIT or Unlicense, see end of file
  *
  * Every number you pass is taken as the exact real number it is. A triangle is the convex hull of its three
  * corners, a box is closed, and the answer is whether the two share a point. The answer is never rounded.
@@ -6,53 +6,52 @@
  * QUICK START      Copy this file. No build, no library, no allocation, no global state.
  *
  *     #include "tribox.h"
- *     const float v0[3] = { .5f, .2f, .6f };
- *     const float v1[3] = { .3f, .1f, .4f };
- *     const float v2[3] = { .3f, .6f, .6f };
- *     const float box_min[3] = { .4f, .4f, .5f };
- *     const float box_max[3] = { .7f, .5f, .6f };
+ *     const float v0[3] = { .5f, .2f, .6f }, v1[3] = { .3f, .1f, .4f }, v2[3] = { .3f, .6f, .6f };
+ *     const float box_min[3] = { .4f, .4f, .5f }, box_max[3] = { .7f, .5f, .6f };
  *     int touch = tribox_overlap(v0, v1, v2, box_min, box_max);    // 1; plain float tests say 0
  *
- * WHICH FUNCTION
- *     One triangle, one box                        tribox_overlap, _f64; with open faces: _rule, _rule_f64
- *     One triangle, many boxes of one size         tribox_tri_init, then tribox_tri_test
- *     One triangle, a voxel grid                   tribox_grid_spans: runs of voxels to a callback
+ * WHICH FUNCTION   (most have a version for doubles, _f64)
+ *     One triangle, one box                        tribox_overlap; with open faces: tribox_overlap_rule
+ *     One triangle, many boxes of one size         tribox_tri_init, then tribox_tri_test; octrees: _octants
+ *     One triangle, or a mesh, in a voxel grid     tribox_grid_spans, tribox_mesh_spans: runs to a callback
  *     A mesh into a bit array                      tribox_grid_fit, tribox_grid_words, tribox_grid_fill
- *     The solid within a mesh; is a point inside   tribox_grid_fill_solid, tribox_mesh_contains, _ray_crosses
- *     Read that array; which voxel holds a point   tribox_grid_get, tribox_grid_locate
- *     Boxes, planes, segments, rays against boxes  tribox_box_box, _plane_box, _segment_box, _ray_box
- *     Rays against triangles, moving boxes         tribox_ray_triangle, tribox_sweep
- *     Octrees, kd-trees                            tribox_tri_resize, tribox_tri_octants, tribox_clip
- *     Nearest point, triangles in a box            tribox_closest, tribox_mesh_query
+ *     The solid within a mesh; is a point inside   tribox_grid_fill_solid, tribox_mesh_contains
+ *     Read that array; voxel of a point, of a line tribox_grid_get, tribox_grid_locate, tribox_grid_segment
+ *     Boxes, planes, segments, rays, spheres       tribox_box_box, _plane_box, _segment_box, _ray_box, ...
+ *     Rays against triangles, moving boxes, depth  tribox_ray_triangle, tribox_sweep, tribox_gap
+ *     Cut by a box; nearest point; mesh in a box   tribox_clip, tribox_closest, tribox_mesh_query
  *     The published float test, to compare with    tribox_sat (may err within rounding of touching)
  *
- * CONVENTIONS      A point is float[3] (or double[3]: names in _f64), x, y, z, in any unit. Any winding.
- *                  Triangles may be segments or points, boxes flat or infinite. Touching counts, unless flags
- *                  say otherwise. Returns are 1 and 0. A triangle with a NaN or infinite corner, and a box
- *                  with a NaN or min > max, hold no points: 0.
+ * CONVENTIONS      A point is float[3] or double[3], x, y, z, in any unit. Any winding. Triangles may be
+ *                  segments or points, boxes flat or infinite. Touching counts, unless flags say otherwise.
+ *                  Returns are 1 and 0. A triangle with a NaN or infinite corner, and a box with a NaN or
+ *                  min > max, hold no points: 0.
+ *
+ * HOW IT WORKS     Numbers enter as bits (section 4). Floating-point arithmetic evaluates the conditions of
+ *                  [AM01] and [SS10] with a proven bound of its error: sure values give HIT or MISS. What is
+ *                  UNSURE goes to integers that are wide enough for every input (section 5), never to a
+ *                  tolerance. Sections 4 to 10 say all of it in scalar code; section 11 only makes it faster.
  *
  * OPTIONS          Define before the #include; they need not agree across files.
- *                  TRIBOX_FN              linkage of the functions; default static inline
- *                  TRIBOX_SIMD            0: scalar code; 1: vector extensions of gcc and clang;
- *                                         default: 1 where they pay
- *                  TRIBOX_NO_COMPANIONS   leaves out the functions of section 6
+ *                  TRIBOX_FN  linkage of the functions; default static inline
+ *                  TRIBOX_SIMD  0: scalar code; 1: vectors of gcc and clang; default: 1 where they pay
+ *                  TRIBOX_NO_COMPANIONS  leaves out what stands under "Companions"
  *
  * LIMITS           Answers do not depend on compiler, optimisation, fast-math, FMA, rounding mode, x87, or
- *                  flush-to-zero (inputs are read as integers there, so that subnormals still count). Voxel
- *                  indices are int, INT_MAX excluded. No function reads the FPU's flags; some raise
- *                  "inexact". Needs IEEE 754 float and double.
+ *                  flush-to-zero (subnormals still count). A caller compiled with -ffinite-math-only cannot
+ *                  pass a NaN or an infinity by value (t_min, t_max, d, radii). Voxel indices are int,
+ *                  INT_MAX excluded. Functions raise "inexact" and "underflow", no other flag; they read
+ *                  none. Needs IEEE 754 formats.
  *
  * REFERENCES       [AM01] Akenine-Moller, Fast 3D triangle-box overlap testing, JGT 6(1), 2001
- *                  [SS10] Schwarz, Seidel, Fast parallel surface and solid voxelization on GPUs,
- *                         ACM TOG 29(6), 2010
- *                  [KK86] Kay, Kajiya, Ray tracing complex scenes, SIGGRAPH 1986
- *                  [Sh97] Shewchuk, Adaptive precision floating-point arithmetic and fast robust
- *                         predicates, 1997
+ *                  [SS10] Schwarz, Seidel, Fast parallel surface and solid voxelization, ACM TOG 29(6), 2010
+ *                  [KK86] Kay, Kajiya, Ray tracing complex scenes, 1986  [Sh97] Shewchuk, Adaptive precision
+ *                  floating-point arithmetic and fast robust geometric predicates, 1997
  *
- * CHANGES          v0.1.0 2026-11-22  add: everything
+ * CHANGES          v0.2.0 2026-11-28  add: solids, meshes of doubles, contact, spheres  fix: newer compilers
+ *                  v0.1.0 2026-11-22  add: everything
  */
-#if defined(TRIBOX_H) && \
-    (TRIBOX_VERSION_MAJOR != 0 || TRIBOX_VERSION_MINOR != 1 || TRIBOX_VERSION_PATCH != 0)
+#if defined(TRIBOX_H) && (TRIBOX_VERSION_MAJOR != 0 || TRIBOX_VERSION_MINOR != 2 || TRIBOX_VERSION_PATCH != 0)
 #error "two different versions of tribox.h in one file"
 #endif
 #ifndef TRIBOX_H
@@ -61,48 +60,31 @@
 /* ---- 1. Version and linkage ---------------------------------------------------------------------------- */
 
 #define TRIBOX_VERSION_MAJOR 0
-#define TRIBOX_VERSION_MINOR 1
+#define TRIBOX_VERSION_MINOR 2
 #define TRIBOX_VERSION_PATCH 0
 #define TRIBOX_VERSION (TRIBOX_VERSION_MAJOR * 10000 + TRIBOX_VERSION_MINOR * 100 + TRIBOX_VERSION_PATCH)
-#define TRIBOX_VERSION_STRING "0.1.0"
+#define TRIBOX_VERSION_STRING "0.2.0"
 
 #include <float.h>
 #include <stddef.h>
 #include <stdint.h>
 
-/* Host and device: one set of functions serves both. */
 #if defined(__CUDACC__) || defined(__HIPCC__)
-#define TBX_HD __host__ __device__
+#define TBX_FN __host__ __device__ static inline    /* one set of functions serves host and device */
+#elif defined(_MSC_VER) && !defined(__cplusplus)
+#define TBX_FN static __inline
 #else
-#define TBX_HD
+#define TBX_FN static inline
 #endif
-
-#if defined(_MSC_VER) && !defined(__cplusplus)
-#define TBX_INLINE static __inline
-#else
-#define TBX_INLINE static inline
-#endif
-
 #ifndef TRIBOX_FN
-#define TRIBOX_FN TBX_HD TBX_INLINE
+#define TRIBOX_FN TBX_FN
 #endif
-#define TBX_FN TBX_HD TBX_INLINE
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* Structs are laid out in the same way in every file, also where `#pragma pack(1)` is open. */
-#pragma pack(push, 16)
-
 /* ---- 2. API -------------------------------------------------------------------------------------------- */
-
-enum {                      /* flags; 0 = closed, conservative */
-    TRIBOX_HALF_OPEN = 1,   /* the box is [min, max) on each axis: every point lies in exactly one
-                             * grid voxel */
-    TRIBOX_OPEN      = 2,   /* the box is its interior: touching does not count */
-    TRIBOX_THIN      = 4    /* 6-separating test of [SS10] instead of the conservative one; always closed */
-};
 
 /* Does the triangle share a point with the closed box?
  *
@@ -111,15 +93,21 @@ enum {                      /* flags; 0 = closed, conservative */
  *
  * Returns     1 = they share a point, 0 = they do not. NaN or an infinite corner: 0. box_min > box_max: 0.
  * Guarantees  Exact for every input; the same answer with any compiler, flags and rounding mode.
- * Cost        About 90 vector operations (float), 180 (double); within 2^-14 (2^-43) of
- *             touching, relative to the triangle's extent, integers decide: their time grows with the
- *             number of bits that the coordinates span.
- * Source      [AM01] for the axes; the bound is derived in "Implementation: one box".
+ * Cost        About 90 vector operations (float), 180 (double); within 2^-14 (2^-43) of touching, relative to the
+ *             triangle's extent, integers decide: their time grows with the bits that the coordinates span.
+ * Source      [AM01] for the axes; the bound is derived in section 6.
  */
 TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
                              const float box_min[3], const float box_max[3]);
 TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const double v2[3],
                                  const double box_min[3], const double box_max[3]);
+
+enum {                      /* flags; 0 = closed, conservative */
+    TRIBOX_HALF_OPEN = 1,   /* the box is [min, max) on each axis: every point lies in exactly one
+                             * grid voxel */
+    TRIBOX_OPEN      = 2,   /* the box is its interior: touching does not count */
+    TRIBOX_THIN      = 4    /* 6-separating test of [SS10] instead of the conservative one; always closed */
+};
 
 /* The same under a touching rule.
  *
@@ -146,6 +134,9 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
                          const float box_min[3], const float box_max[3]);
 
 /* ---- One triangle, many voxels */
+
+/* Structs are laid out in the same way in every file, also where `#pragma pack(1)` is open. */
+#pragma pack(push, 16)
 
 /* One triangle prepared for boxes [p, p + size]. Read it freely; only the init and resize functions write it.
  * Condition i of 12 holds at p iff
@@ -597,6 +588,12 @@ TRIBOX_FN size_t tribox_mesh_query_f64(const tribox_mesh_f64 *mesh, const double
 #endif /* TRIBOX_NO_COMPANIONS */
 
 /* ---- 3. Platform --------------------------------------------------------------------------------------- */
+
+#if defined(__CUDACC__) || defined(__HIPCC__)
+#define TBX_HD __host__ __device__
+#else
+#define TBX_HD
+#endif
 
 /* Compilers that know the attributes, builtins and inline assembly of gcc: gcc, clang (also as clang-cl, which
  * is __clang__ without __GNUC__), icc, nvcc's host side. Others say __GNUC__ and know only some of it. */
@@ -11074,7 +11071,6 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 /* ---- 12. Undefine private macros ----------------------------------------------------------------------- */
 
 #undef TBX_HD
-#undef TBX_INLINE
 #undef TBX_FN
 #undef TBX_COLD
 #undef TBX_NOINLINE
