@@ -560,15 +560,416 @@ static void moving_boxes_without_a_question(void)
     CHECK(tribox_sweep_box(b[0], b[1], a[0], a[1], u, 0, NULL, NULL, NULL) == 0);
 }
 
+/* ---- gap ----------------------------------------------------------------------------------------------- */
+
+/* x as a double, also where the conversion would read a subnormal as zero. */
+static double exact(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    if ((bits & 0x7f800000u) != 0) {
+        return (double)x;
+    }
+    return (double)(bits & 0x7fffffu) * (bits >> 31 ? -1.0 : 1.0) * power_of_two(-149);
+}
+
+#define UNIT (-149) /* every float is a multiple of 2^-149 */
+
+typedef struct gap_truth {
+    int attained; /* 0: all directions are infinite */
+    wide g;       /* the least (b - v).u over all corners */
+    wide square;
+    wide l[3];    /* u, not of unit length */
+} gap_truth;
+
+typedef struct pair {
+    float v[3][3];
+    float lo[3];
+    float hi[3];
+} pair;
+
+static void wide_axis(const pair *p, int axis, int sign, wide l[3])
+{
+    const int i = axis < 4 ? 0 : (axis - 4) % 3;
+    const int unit = axis < 4 ? axis : (axis - 4) / 3;
+    static wide x[3];
+    static wide y[3];
+    static wide t;
+    int a;
+    for (a = 0; a < 3; a++) {
+        oracle_integer(&x[a], exact(p->v[(i + 1) % 3][a]), UNIT);
+        oracle_integer(&t, exact(p->v[i][a]), UNIT);
+        wide_subtract(&x[a], &x[a], &t);
+        if (axis == 3) {
+            oracle_integer(&y[a], exact(p->v[2][a]), UNIT);
+            wide_subtract(&y[a], &y[a], &t);
+        } else {
+            wide_set(&y[a], a == unit ? 1 : 0, a == unit, 0);
+        }
+    }
+    for (a = 0; a < 3; a++) {
+        const int b = (a + 1) % 3;
+        const int c = (a + 2) % 3;
+        if (axis < 3) {
+            wide_set(&l[a], a == axis ? 1 : 0, a == axis, 0);
+        } else {
+            wide_multiply(&l[a], &x[b], &y[c]);
+            wide_multiply(&t, &x[c], &y[b]);
+            wide_subtract(&l[a], &l[a], &t);
+        }
+        l[a].sign *= sign;
+    }
+}
+
+static int float_is_finite(float x)
+{
+    return float_order(x) > float_order(-infinity()) && float_order(x) < float_order(infinity());
+}
+
+/* The least (b - v).l over the 24 pairs of corners; 0 if a face that l uses is infinite. */
+static int wide_least(const pair *p, const wide l[3], wide *least)
+{
+    static wide term;
+    static wide dot;
+    static wide x;
+    static wide y;
+    int i;
+    int a;
+    for (i = 0; i < 24; i++) {
+        wide_set(&dot, 0, 0, 0);
+        for (a = 0; a < 3; a++) {
+            const float face = i >> a & 1 ? p->hi[a] : p->lo[a];
+            if (l[a].sign != 0 && !float_is_finite(l[a].sign > 0 ? p->lo[a] : p->hi[a])) {
+                return 0;
+            }
+            if (l[a].sign != 0) {
+                oracle_integer(&x, float_is_finite(face) ? exact(face) : exact(l[a].sign > 0 ? p->lo[a] : p->hi[a]), UNIT);
+                oracle_integer(&y, exact(p->v[i / 8][a]), UNIT);
+                wide_subtract(&x, &x, &y);
+                wide_multiply(&term, &x, &l[a]);
+                wide_add(&dot, &dot, &term);
+            }
+        }
+        if (i == 0 || wide_compare(&dot, least) < 0) {
+            wide_copy(least, &dot);
+        }
+    }
+    return 1;
+}
+
+/* The sign of a/|l_a| - b/|l_b|. */
+static int wide_gap_order(const gap_truth *a, const gap_truth *b)
+{
+    static wide x;
+    static wide of_a;
+    static wide of_b;
+    if (a->g.sign != b->g.sign) {
+        return a->g.sign > b->g.sign ? 1 : -1;
+    }
+    wide_multiply(&x, &a->g, &a->g);
+    wide_multiply(&of_a, &x, &b->square);
+    wide_multiply(&x, &b->g, &b->g);
+    wide_multiply(&of_b, &x, &a->square);
+    return a->g.sign * wide_compare(&of_a, &of_b);
+}
+
+/* All 13 axes, those that are parallel included, and both directions of each, the positive one first. */
+static void find_gap(const pair *p, gap_truth *best)
+{
+    static gap_truth next;
+    int axis;
+    int k;
+    int way;
+    best->attained = 0;
+    for (axis = 0; axis < 13; axis++) {
+        for (way = 0; way < 2; way++) {
+            int sign;
+            static wide x;
+            wide_axis(p, axis, 1, next.l);
+            sign = next.l[0].sign ? next.l[0].sign : next.l[1].sign ? next.l[1].sign : next.l[2].sign;
+            if (sign == 0) {
+                continue;
+            }
+            wide_axis(p, axis, way ? -sign : sign, next.l);
+            if (!wide_least(p, next.l, &next.g)) {
+                continue;
+            }
+            wide_set(&next.square, 0, 0, 0);
+            for (k = 0; k < 3; k++) {
+                wide_multiply(&x, &next.l[k], &next.l[k]);
+                wide_add(&next.square, &next.square, &x);
+            }
+            next.attained = 1;
+            if (!best->attained || wide_gap_order(&next, best) > 0) {
+                *best = next;
+            }
+        }
+    }
+}
+
+/* (|s| (1 - 2^-40))^2 |l|^2 <= g^2 <= (|s| (1 + 2^-40))^2 |l|^2 */
+static int gap_is_near(double s, const gap_truth *truth)
+{
+    const oracle_number n = oracle_read(s);
+    static wide x;
+    static wide y;
+    static wide of_g;
+    static wide of_s;
+    int way;
+    if (n.sign != truth->g.sign || n.is_nan || n.is_infinite) {
+        return 0;
+    }
+    for (way = -1; way <= 1 && n.sign != 0; way += 2) {
+        const int shift = 2 * (n.exponent - UNIT);
+        wide_set(&x, 1, ((uint64_t)1 << 40) + (uint64_t)(int64_t)way, 0);
+        wide_set(&y, 1, n.mantissa, 0);
+        wide_multiply(&of_g, &x, &y);
+        wide_multiply(&x, &of_g, &of_g);
+        wide_set(&y, 1, 1, shift > 0 ? shift : 0);
+        wide_multiply(&of_g, &x, &y);
+        wide_multiply(&of_s, &of_g, &truth->square);
+        wide_multiply(&x, &truth->g, &truth->g);
+        wide_set(&y, 1, 1, 80 + (shift < 0 ? -shift : 0));
+        wide_multiply(&of_g, &x, &y);
+        if (wide_compare(&of_s, &of_g) * way < 0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The vector as doubles of at most 1, by its leading bits. */
+static void wide_direction(const wide l[3], double out[3])
+{
+    int most = 0;
+    int k;
+    int i;
+    for (k = 0; k < 3; k++) {
+        most = l[k].count > most ? l[k].count : most;
+    }
+    for (k = 0; k < 3; k++) {
+        out[k] = 0;
+        for (i = most > 4 ? most - 4 : 0; i < most; i++) {
+            out[k] = (out[k] + (i < l[k].count ? (double)l[k].limb[i] : 0)) / 4294967296.0;
+        }
+        out[k] *= l[k].sign;
+    }
+}
+
+static int is_unit_vector(const float x[3], const double l[3])
+{
+    double length2 = 0;
+    double l2 = 0;
+    double dot = 0;
+    double cross2 = 0;
+    int a;
+    for (a = 0; a < 3; a++) {
+        const int b = (a + 1) % 3;
+        const int c = (a + 2) % 3;
+        const double cross = (double)x[b] * l[c] - (double)x[c] * l[b];
+        length2 += (double)x[a] * (double)x[a];
+        l2 += l[a] * l[a];
+        dot += (double)x[a] * l[a];
+        cross2 += cross * cross;
+    }
+    return length2 > 1 - 2 / 4194304.0 && length2 < 1 + 2 / 4194304.0 && dot > 0 &&
+           cross2 <= l2 / (4194304.0 * 4194304.0);
+}
+
+static int gap_is_right(const pair *p)
+{
+    static gap_truth truth;
+    float x[3] = {9, 9, 9};
+    const double s = tribox_gap(p->v[0], p->v[1], p->v[2], p->lo, p->hi, x);
+    const oracle_number n = oracle_read(s);
+    double l[3];
+    int k;
+    int flat = 0;
+    int ok;
+    find_gap(p, &truth);
+    if (!truth.attained) {
+        return n.is_infinite && n.sign < 0 && x[0] > 8 && x[1] > 8 && x[2] > 8;
+    }
+    wide_direction(truth.l, l);
+    for (k = 0; k < 3; k++) {
+        flat |= float_order(p->lo[k]) == float_order(p->hi[k]);
+    }
+    ok = gap_is_near(s, &truth) && is_unit_vector(x, l) &&
+         (n.sign > 0) == !tribox_overlap(p->v[0], p->v[1], p->v[2], p->lo, p->hi) &&
+         (flat ||
+          (n.sign < 0) == tribox_overlap_rule(p->v[0], p->v[1], p->v[2], p->lo, p->hi, TRIBOX_OPEN));
+    if (!ok && test_wants_details()) {
+        for (k = 0; k < 3; k++) {
+            printf("  v%d {%a, %a, %a}\n", k, (double)p->v[k][0], (double)p->v[k][1], (double)p->v[k][2]);
+        }
+        printf("  lo {%a, %a, %a}\n  hi {%a, %a, %a}\n", (double)p->lo[0], (double)p->lo[1], (double)p->lo[2],
+               (double)p->hi[0], (double)p->hi[1], (double)p->hi[2]);
+        printf("  s %a axis %a %a %a; truth sign %d axis %g %g %g\n", s, (double)x[0], (double)x[1],
+               (double)x[2], truth.g.sign, l[0], l[1], l[2]);
+    }
+    return ok;
+}
+
+/* A float of one of four kinds: small integer, few bits, all bits, any exponent. */
+static float any_float(int kind)
+{
+    float x;
+    if (kind == 0) {
+        x = (float)(random_below(9) - 4);
+    } else if (kind == 1) {
+        x = (float)(random_below(257) - 128) / 32.0f;
+    } else {
+        x = (float)random_signed();
+        if (kind == 3) {
+            x = (float)((double)x * power_of_two(random_below(270) - 145));
+        }
+    }
+    return x;
+}
+
+static void any_pair(pair *p, int kind)
+{
+    int a;
+    int i;
+    for (a = 0; a < 3; a++) {
+        const float x = any_float(kind);
+        const float y = random_below(8) ? any_float(kind) : x;
+        p->lo[a] = lesser(x, y);
+        p->hi[a] = greater(x, y);
+        for (i = 0; i < 3; i++) {
+            p->v[i][a] = any_float(kind);
+        }
+    }
+    if (random_below(8) == 0) { /* a segment, a level triangle, a ramp */
+        memcpy(p->v[2], p->v[random_below(2)], sizeof p->v[2]);
+    } else if (random_below(4) == 0) {
+        a = random_below(3);
+        p->v[1][a] = p->v[0][a];
+        if (random_below(2)) {
+            p->v[2][a] = p->v[0][a];
+        } else {
+            p->v[1][(a + 1) % 3] = p->v[0][(a + 1) % 3];
+        }
+    }
+    if (random_below(16) == 0) {
+        a = random_below(3);
+        *(random_below(2) ? &p->lo[a] : &p->hi[a]) = a == 0 ? p->lo[a] : p->v[1][a];
+        p->hi[a] = greater(p->lo[a], p->hi[a]);
+    }
+    for (a = 0; a < 3 && random_below(12) == 0; a++) {
+        if (random_below(2)) {
+            p->lo[a] = -infinity();
+        }
+        if (random_below(2)) {
+            p->hi[a] = infinity();
+        }
+    }
+}
+
+/* Floats of any kind, so also ties of all kinds; every exponent; infinite faces. */
+static void gaps_are_exact(void)
+{
+    int i;
+    random_seed(64);
+    for (i = 0; i < TEST_LOOPS(8000); i++) {
+        pair p;
+        any_pair(&p, i % 4);
+        CHECK(gap_is_right(&p));
+    }
+}
+
+/* On a lattice that no longer fits doubles' products, the same at every power of two. */
+static void gaps_on_a_lattice(void)
+{
+    int i;
+    int k;
+    random_seed(65);
+    for (i = 0; i < TEST_LOOPS(6000); i++) {
+        scene s;
+        pair p;
+        float u[3];
+        float scale[3];
+        scale[0] = scale[1] = scale[2] = any_scale();
+        if (random_below(2)) {
+            scale[1] = any_scale();
+        }
+        any_scene(&s, 2 + random_below(7));
+        scene_floats(&s, scale, p.v, p.lo, p.hi, u);
+        if (random_below(4) == 0) {
+            k = random_below(9);
+            p.v[k / 3][k % 3] = nudge_float(p.v[k / 3][k % 3], random_below(3) - 1);
+        }
+        CHECK(gap_is_right(&p));
+    }
+}
+
+/* Slivers and needles: normals and edges that are nearly 0 beside the rest. */
+static void gaps_of_slivers(void)
+{
+    int i;
+    int a;
+    random_seed(66);
+    for (i = 0; i < TEST_LOOPS(4000); i++) {
+        const double thin = power_of_two(-random_below(30));
+        pair p;
+        any_pair(&p, 2);
+        for (a = 0; a < 3; a++) {
+            const double w = random_signed();
+            p.v[2][a] = (float)((double)p.v[0][a] + w * ((double)p.v[1][a] - (double)p.v[0][a]) +
+                                thin * random_signed());
+            if (i % 3 == 0) {
+                p.v[1][a] = (float)((double)p.v[0][a] + thin * random_signed());
+            }
+        }
+        CHECK(gap_is_right(&p));
+    }
+}
+
+/* Nothing, and everything. */
+static void gaps_without_a_question(void)
+{
+    pair p = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 0, 2}, {1, 1, 3}};
+    float x[3] = {9, 9, 9};
+    double s = tribox_gap(p.v[0], p.v[1], p.v[2], p.lo, p.hi, NULL);
+    int i;
+    CHECK(s >= 2 && s <= 2);
+    for (i = 0; i < 15; i++) {
+        float *at = i < 9 ? &p.v[i / 3][i % 3] : i < 12 ? &p.lo[i - 9] : &p.hi[i - 12];
+        const float was = *at;
+        *at = not_a_number();
+        s = tribox_gap(p.v[0], p.v[1], p.v[2], p.lo, p.hi, x);
+        CHECK(oracle_read(s).is_infinite && oracle_read(s).sign > 0 && x[0] > 8);
+        *at = i >= 9 && i < 12 ? infinity() : -infinity();
+        s = tribox_gap(p.v[0], p.v[1], p.v[2], p.lo, p.hi, x);
+        CHECK(oracle_read(s).is_infinite && oracle_read(s).sign > 0 && x[0] > 8);
+        *at = i >= 9 && i < 12 ? 4.0f : -4.0f;
+        s = tribox_gap(p.v[0], p.v[1], p.v[2], p.lo, p.hi, x);
+        CHECK(i < 9 ? !oracle_read(s).is_infinite : oracle_read(s).is_infinite && x[0] > 8);
+        *at = was;
+        x[0] = 9;
+    }
+    for (i = 0; i < 3; i++) {
+        p.lo[i] = -infinity();
+        p.hi[i] = infinity();
+    }
+    s = tribox_gap(p.v[0], p.v[1], p.v[2], p.lo, p.hi, x);
+    CHECK(oracle_read(s).is_infinite && oracle_read(s).sign < 0 && x[0] > 8);
+    p.hi[1] = -2;
+    s = tribox_gap(p.v[0], p.v[1], p.v[2], p.lo, p.hi, x);
+    CHECK(s >= 2 && s <= 2 && x[1] <= -1);
+}
+
 int main(void)
 {
-    (void)lesser;
-    (void)greater;
     RUN(open_sweeps_are_exact);
     RUN(other_rules_are_closed);
     RUN(a_box_slides_over_a_seam);
     RUN(open_sweeps_of_flat_and_infinite_boxes);
     RUN(moving_boxes_are_exact);
     RUN(moving_boxes_without_a_question);
+    RUN(gaps_are_exact);
+    RUN(gaps_on_a_lattice);
+    RUN(gaps_of_slivers);
+    RUN(gaps_without_a_question);
     return test_report("test_contact");
 }
