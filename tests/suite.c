@@ -17,6 +17,7 @@ int test_fill_main(void);
 int test_few_main(void);
 int test_frame_main(void);
 int test_closed_main(void);
+int test_solid_main(void);
 int test_issues_main(void);
 
 #define main test_overlap_main
@@ -79,6 +80,10 @@ int test_issues_main(void);
 #include "test_closed.c"
 #undef main
 
+#define main test_solid_main
+#include "test_solid.c"
+#undef main
+
 #define main test_issues_main
 #include "test_issues.c"
 #undef main
@@ -112,6 +117,7 @@ int main(void)
     suite_run(test_few_main);
     suite_run(test_frame_main);
     suite_run(test_closed_main);
+    suite_run(test_solid_main);
     suite_run(test_issues_main);
     test_passed = suite_passed;
     test_failed = suite_failed;

@@ -6,7 +6,7 @@
 
 TEST_COMPILES := c99 include_twice two_units hostile_macros
 TEST_COMPANIONS := motion cut mode
-TEST_HEADERS  := tribox.h tests/test.h tests/oracle.h tests/question.h tests/voxels.h
+TEST_HEADERS  := tribox.h tests/test.h tests/oracle.h tests/question.h tests/voxels.h tests/solid_truth.h
 TEST_UNITS    := tests/compile/two_units_a.c tests/compile/two_units_b.c
 TEST_SOURCES  := $(wildcard tests/test_*.c)
 

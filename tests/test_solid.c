@@ -1,0 +1,792 @@
+/* The solid: voxels whose centre lies inside a mesh, by the parity of crossings, against exact numbers
+ * (solid_truth.h), on lattices where every kind of tie occurs, and what must hold between its answers. */
+#include "tribox.h"
+
+#include <limits.h>
+
+#include "question.h"
+#include "solid_truth.h"
+
+enum { SOLID_TRIANGLES = 48, SOLID_WORDS = 3 * 9 * 9, SOLID_GUARD = 2 };
+
+static const int64_t solid_no_half[3] = {0, 0, 0};
+
+typedef struct solid_case {
+    tribox_grid grid;
+    int         n[3];
+    int         triangles;
+    uint64_t    seed;
+    float       positions[9 * SOLID_TRIANGLES];
+    double      doubles[9 * SOLID_TRIANGLES];
+    size_t      words;
+    uint64_t    bits[SOLID_WORDS];
+} solid_case;
+
+static double solid_centre(const tribox_grid *g, int k, int i)
+{
+    return g->origin[k] + (i + 0.5) * g->size[k];
+}
+
+/* A mesh about a region up to 3 words wide. kind 0: on a lattice of parts of a voxel, 1: anywhere, 2: floats
+ * near tenths of a voxel. */
+static void solid_make(solid_case *c, int kind)
+{
+    static const double sizes[6] = {1, 0.5, 3, 0.75, 0.1, 1.0 / 3};
+    int                 a;
+    int                 i;
+    int                 reach = random_below(3) ? 2 : random_below(2) ? 6 : 40;
+
+    c->seed = random_state;
+    for (a = 0; a < 3; a++) {
+        c->n[a] = a == 0 ? 1 + random_below(random_below(3) ? 20 : 160) : 1 + random_below(9);
+        c->grid.size[a] = sizes[kind == 0 ? random_below(4) : random_below(6)];
+        c->grid.origin[a] = kind == 0 ? c->grid.size[a] * 0.25 * random_below(9) : random_signed();
+        c->grid.lo[a] = random_below(9) - 5;
+        c->grid.hi[a] = c->grid.lo[a] + c->n[a];
+    }
+    c->grid.flags = (unsigned)random_below(8);
+    c->triangles = 1 + random_below(SOLID_TRIANGLES);
+    for (i = 0; i < 9 * c->triangles; i++) {
+        int    k = i % 3;
+        int    parts = kind == 0 ? 4 : 10;
+        int    at = random_below(parts * c->n[k] + 2 * parts) - parts;
+        double x = solid_centre(&c->grid, k, c->grid.lo[k]) + c->grid.size[k] * at / parts;
+        if (i % 9 >= 3 && random_below(4)) {
+            x = c->doubles[i - i % 9 + k] + c->grid.size[k] * (random_below(2 * reach + 1) - reach) / parts;
+        }
+        if (random_below(4) == 0) { /* on the lines of centres */
+            x = solid_centre(&c->grid, k, c->grid.lo[k] + random_below(c->n[k]));
+        }
+        if (kind == 1 && random_below(3)) {
+            x += random_signed() * c->grid.size[k];
+        }
+        c->positions[i] = (float)x;
+        c->doubles[i] = random_below(2) ? x : (double)c->positions[i];
+        if (kind == 0 && random_below(1000) == 0) { /* as little as there is, one way or the other */
+            c->positions[i] += c->positions[i] * FLT_EPSILON;
+        }
+    }
+    c->words = (size_t)((c->n[0] + 63) / 64 * c->n[1] * c->n[2]);
+}
+
+static tribox_mesh solid_mesh(const solid_case *c)
+{
+    tribox_mesh mesh;
+
+    mesh.positions = c->positions;
+    mesh.stride = 0;
+    mesh.indices = 0;
+    mesh.triangles = (size_t)c->triangles;
+    return mesh;
+}
+
+static tribox_mesh_f64 solid_mesh_f64(const solid_case *c)
+{
+    tribox_mesh_f64 mesh;
+
+    mesh.positions = c->doubles;
+    mesh.stride = 0;
+    mesh.indices = 0;
+    mesh.triangles = (size_t)c->triangles;
+    return mesh;
+}
+
+static void solid_corners(const solid_case *c, int t, int is_double, double v[3][3])
+{
+    int i;
+
+    for (i = 0; i < 9; i++) {
+        v[i / 3][i % 3] = is_double ? c->doubles[9 * t + i] : (double)c->positions[9 * t + i];
+    }
+}
+
+/* The solid voxel by voxel, in c->bits. */
+static void solid_expect(solid_case *c, int is_double)
+{
+    int     x;
+    int     y;
+    int     z;
+    int     t;
+    int64_t half[3];
+
+    memset(c->bits, 0, sizeof c->bits);
+    for (z = 0; z < c->n[2]; z++) {
+        for (y = 0; y < c->n[1]; y++) {
+            size_t row = (size_t)(z * c->n[1] + y) * (size_t)((c->n[0] + 63) / 64);
+            half[1] = 2 * (int64_t)(c->grid.lo[1] + y) + 1;
+            half[2] = 2 * (int64_t)(c->grid.lo[2] + z) + 1;
+            for (t = 0; t < c->triangles; t++) { /* whoever is crossed from x is so from all behind it */
+                int    first = 0;
+                int    end = c->n[0];
+                double v[3][3];
+                solid_corners(c, t, is_double, v);
+                while (first < end) {
+                    x = first + (end - first) / 2;
+                    half[0] = 2 * (int64_t)(c->grid.lo[0] + x) + 1;
+                    if (solid_crosses(v, c->grid.origin, c->grid.size, half)) {
+                        end = x;
+                    } else {
+                        first = x + 1;
+                    }
+                }
+                for (x = first; x < c->n[0]; x++) {
+                    c->bits[row + (size_t)x / 64] ^= (uint64_t)1 << (x % 64);
+                }
+            }
+        }
+    }
+}
+
+static int solid_same(const solid_case *c, const uint64_t *bits, const char *what)
+{
+    if (memcmp(bits, c->bits, c->words * sizeof *bits) == 0) {
+        return 1;
+    }
+    if (test_wants_details()) {
+        printf("  %s, seed %llu: %d triangles, n %d %d %d\n", what, (unsigned long long)c->seed, c->triangles,
+               c->n[0], c->n[1], c->n[2]);
+    }
+    return 0;
+}
+
+/* On every kind of mesh each voxel has the parity of its crossings, floats and doubles; bits are flipped, not
+ * set, and nothing else is touched: neither the words around nor the padding. */
+static void fill_flips_the_voxels_whose_centre_is_inside(void)
+{
+    int i;
+
+    random_seed(1201);
+    for (i = 0; i < TEST_LOOPS(90); i++) {
+        static solid_case c;
+        static uint64_t   bits[SOLID_WORDS + 2 * SOLID_GUARD];
+        static uint64_t   before[SOLID_WORDS + 2 * SOLID_GUARD];
+        tribox_mesh       mesh;
+        tribox_mesh_f64   mesh_f64;
+        int               is_double;
+        size_t            w;
+        solid_make(&c, i % 3);
+        mesh = solid_mesh(&c);
+        mesh_f64 = solid_mesh_f64(&c);
+        for (is_double = 0; is_double < 2; is_double++) {
+            for (w = 0; w < SOLID_WORDS + 2 * SOLID_GUARD; w++) {
+                before[w] = bits[w] = random_bits();
+            }
+            if (is_double) {
+                tribox_grid_fill_solid_f64(&c.grid, &mesh_f64, bits + SOLID_GUARD);
+            } else {
+                tribox_grid_fill_solid(&c.grid, &mesh, bits + SOLID_GUARD);
+            }
+            for (w = 0; w < SOLID_WORDS + 2 * SOLID_GUARD; w++) {
+                bits[w] ^= before[w];
+            }
+            solid_expect(&c, is_double);
+            CHECK(solid_same(&c, bits + SOLID_GUARD, is_double ? "f64" : "float"));
+            CHECK(bits[0] == 0 && bits[1] == 0 && bits[SOLID_GUARD + c.words] == 0 &&
+                  bits[SOLID_GUARD + c.words + 1] == 0);
+        }
+    }
+}
+
+/* One triangle, one point: as exact numbers say, for points beside, on and along everything; so is the whole
+ * mesh. */
+static void rays_cross_as_exact_numbers_say(void)
+{
+    int i;
+
+    random_seed(1202);
+    for (i = 0; i < TEST_LOOPS(8000); i++) {
+        static const double no_step[3] = {0, 0, 0};
+        double              v[3][3];
+        float               f[3][3];
+        double              p[3];
+        tribox_mesh         mesh;
+        tribox_mesh_f64     mesh_f64;
+        int                 k;
+        int                 got;
+        int                 n = 2 + random_below(6);
+        int                 kind = random_below(4);
+        double              scale = kind == 2 ? 0.1 : kind == 3 ? 1e-30 : 1;
+        for (k = 0; k < 12; k++) {
+            double x = random_below(n) * scale;
+            if (kind == 1) {
+                x += random_signed() * 1e-7;
+            }
+            if (k < 9) {
+                f[k / 3][k % 3] = (float)x;
+                v[k / 3][k % 3] = (double)f[k / 3][k % 3];
+            } else {
+                p[k - 9] = random_below(3) ? (double)(float)x : x;
+            }
+        }
+        if (random_below(4) == 0) { /* halfway between corners: on an edge where the lattice is fine enough */
+            for (k = 0; k < 3; k++) {
+                p[k] = (v[0][k] + v[1][k]) * 0.5;
+            }
+        }
+        got = tribox_ray_crosses(f[0], f[1], f[2], p);
+        if (!CHECK(got == solid_crosses(v, p, no_step, solid_no_half)) && test_wants_details()) {
+            printf("  {%a %a %a} {%a %a %a} {%a %a %a} point %a %a %a: %d\n", v[0][0], v[0][1], v[0][2],
+                   v[1][0], v[1][1], v[1][2], v[2][0], v[2][1], v[2][2], p[0], p[1], p[2], got);
+        }
+        mesh.positions = f[0];
+        mesh.stride = 0;
+        mesh.indices = 0;
+        mesh.triangles = 1;
+        mesh_f64.positions = v[0];
+        mesh_f64.stride = 0;
+        mesh_f64.indices = 0;
+        mesh_f64.triangles = 1;
+        CHECK(tribox_mesh_contains(&mesh, p) == got);
+        CHECK(tribox_mesh_contains_f64(&mesh_f64, p) == got);
+    }
+}
+
+/* A slab writes its part, whatever is cut off: the first and last layers, rows and columns alone. */
+static void parts_of_a_region_have_the_bits_of_the_whole(void)
+{
+    int i;
+
+    random_seed(1203);
+    for (i = 0; i < TEST_LOOPS(600); i++) {
+        static solid_case c;
+        static uint64_t   whole[SOLID_WORDS];
+        static uint64_t   bits[SOLID_WORDS];
+        tribox_mesh       mesh;
+        tribox_grid       cut;
+        int               a;
+        int               x;
+        int               y;
+        int               z;
+        int               same = 1;
+        solid_make(&c, i % 3);
+        mesh = solid_mesh(&c);
+        memset(whole, 0, sizeof whole);
+        memset(bits, 0, sizeof bits);
+        tribox_grid_fill_solid(&c.grid, &mesh, whole);
+        cut = c.grid;
+        for (a = 0; a < 3; a++) {
+            cut.lo[a] += random_below(c.n[a]);
+            cut.hi[a] = cut.lo[a] + 1 + random_below(c.grid.hi[a] - cut.lo[a]);
+        }
+        tribox_grid_fill_solid(&cut, &mesh, bits);
+        for (z = cut.lo[2]; z < cut.hi[2]; z++) {
+            for (y = cut.lo[1]; y < cut.hi[1]; y++) {
+                for (x = cut.lo[0]; x < cut.hi[0]; x++) {
+                    same &= tribox_grid_get(&cut, bits, x, y, z) == tribox_grid_get(&c.grid, whole, x, y, z);
+                }
+            }
+        }
+        CHECK(same);
+    }
+}
+
+/* Winding, order, sharing of corners, stride and turns of the axes of a triangle change nothing; twice is
+ * nothing. */
+static void the_solid_depends_on_the_set_of_triangles_alone(void)
+{
+    int i;
+
+    random_seed(1204);
+    for (i = 0; i < TEST_LOOPS(600); i++) {
+        static solid_case c;
+        static uint64_t   bits[SOLID_WORDS];
+        static uint64_t   none[SOLID_WORDS];
+        static float      strided[5 * 3 * SOLID_TRIANGLES];
+        static uint32_t   indices[3 * SOLID_TRIANGLES];
+        tribox_mesh       mesh;
+        int               t;
+        int               k;
+        solid_make(&c, i % 3);
+        mesh = solid_mesh(&c);
+        memset(c.bits, 0, sizeof c.bits);
+        tribox_grid_fill_solid(&c.grid, &mesh, c.bits);
+        memset(bits, 0, sizeof bits);
+        for (t = 0; t < 3 * c.triangles; t++) {
+            for (k = 0; k < 3; k++) {
+                strided[5 * t + k] = c.positions[3 * t + k];
+            }
+            strided[5 * t + 3] = strided[5 * t + 4] = 1e30f;
+            indices[t] = (uint32_t)t;
+        }
+        for (t = c.triangles - 1; t > 0; t--) {
+            int other = random_below(t + 1);
+            for (k = 0; k < 3; k++) {
+                uint32_t moved = indices[3 * t + k];
+                indices[3 * t + k] = indices[3 * other + k];
+                indices[3 * other + k] = moved;
+            }
+        }
+        for (t = 0; t < c.triangles; t++) {
+            int      turn = random_below(3);
+            uint32_t a = indices[3 * t];
+            indices[3 * t] = indices[3 * t + turn];
+            indices[3 * t + turn] = a;
+        }
+        mesh.indices = indices;
+        tribox_grid_fill_solid(&c.grid, &mesh, bits);
+        CHECK(solid_same(&c, bits, "shuffled and indexed"));
+        memset(bits, 0, sizeof bits);
+        mesh.positions = strided;
+        mesh.stride = 5 * sizeof(float);
+        tribox_grid_fill_solid(&c.grid, &mesh, bits);
+        CHECK(solid_same(&c, bits, "strided"));
+        tribox_grid_fill_solid(&c.grid, &mesh, bits);
+        CHECK(memcmp(bits, none, c.words * sizeof *bits) == 0);
+    }
+}
+
+/* Numbers of any size: a mesh and its grid times a power of two, however far, have the same bits. */
+static void powers_of_two_change_nothing(void)
+{
+    static const int powers[8] = {-1000, -900, -500, -140, 100, 200, 600, 960};
+    int              i;
+
+    random_seed(1205);
+    for (i = 0; i < TEST_LOOPS(240); i++) {
+        static solid_case c;
+        static uint64_t   bits[SOLID_WORDS];
+        tribox_mesh_f64   mesh;
+        uint64_t          field = (uint64_t)(1023 + powers[i % 8]) << 52;
+        double            power;
+        int               k;
+        solid_make(&c, 0);
+        memcpy(&power, &field, sizeof power);
+        mesh = solid_mesh_f64(&c);
+        memset(c.bits, 0, sizeof c.bits);
+        tribox_grid_fill_solid_f64(&c.grid, &mesh, c.bits);
+        for (k = 0; k < 9 * c.triangles; k++) {
+            c.doubles[k] *= power;
+        }
+        for (k = 0; k < 3; k++) {
+            c.grid.origin[k] *= power;
+            c.grid.size[k] *= power;
+        }
+        memset(bits, 0, sizeof bits);
+        tribox_grid_fill_solid_f64(&c.grid, &mesh, bits);
+        CHECK(solid_same(&c, bits, "scaled"));
+    }
+}
+
+/* ---- Closed meshes ------------------------------------------------------------------------------------- */
+
+static size_t solid_add_quad(float *out, size_t at, const int cell[3], int axis, int side, float scale)
+{
+    static const int corner[6] = {0, 1, 2, 0, 2, 3};
+    int              b = (axis + 1) % 3;
+    int              c = (axis + 2) % 3;
+    int              i;
+
+    for (i = 0; i < 6; i++) {
+        float *v = out + 9 * at + 3 * i;
+        v[axis] = scale * (float)(cell[axis] + side);
+        v[b] = scale * (float)(cell[b] + (corner[i] == 1 || corner[i] == 2));
+        v[c] = scale * (float)(cell[c] + (corner[i] >= 2));
+    }
+    return at + 2;
+}
+
+static int solid_count(const uint64_t *bits, size_t words)
+{
+    int    count = 0;
+    size_t i;
+
+    for (i = 0; i < words; i++) {
+        uint64_t w;
+        for (w = bits[i]; w != 0; w &= w - 1) {
+            count++;
+        }
+    }
+    return count;
+}
+
+/* A model of 7 x 5 x 3 unit cubes, meshed by its outer faces, is given back voxel by voxel, also where corners
+ * lie on the centres (origin 1/2): a point of a face belongs to the solid iff it is a lower one. */
+static void voxel_models_come_back(void)
+{
+    int i;
+
+    random_seed(1206);
+    for (i = 0; i < TEST_LOOPS(300); i++) {
+        static float positions[9 * 12 * 105];
+        char         set[105];
+        uint64_t     bits[11 * 9];
+        tribox_grid  grid;
+        tribox_mesh  mesh;
+        size_t       triangles = 0;
+        int          left = 67;
+        int          shift = i % 3; /* the corners: on the planes, on the centres, between */
+        int          same = 1;
+        int          cell[3];
+        int          k;
+        for (k = 0; k < 105; k++) { /* 67 of 105 */
+            set[k] = (char)(random_below(105 - k) < left);
+            left -= set[k];
+        }
+        for (k = 0; k < 105; k++) {
+            int axis;
+            cell[0] = k % 7;
+            cell[1] = k / 7 % 5;
+            cell[2] = k / 35;
+            for (axis = 0; axis < 3; axis++) {
+                static const int n[3] = {7, 5, 3};
+                static const int step[3] = {1, 7, 35};
+                int              side;
+                for (side = 0; side < 2; side++) {
+                    int beyond = side ? cell[axis] + 1 < n[axis] && set[k + step[axis]] :
+                                        cell[axis] > 0 && set[k - step[axis]];
+                    if (set[k] && !beyond) {
+                        triangles = solid_add_quad(positions, triangles, cell, axis, side, 1);
+                    }
+                }
+            }
+        }
+        for (k = 0; k < 3; k++) {
+            grid.origin[k] = shift == 0 ? 0 : shift == 1 ? -0.5 : 0.25;
+            grid.size[k] = 1;
+            grid.lo[k] = -2;
+            grid.hi[k] = 7 + 2 - 2 * k;
+        }
+        grid.flags = 0;
+        mesh.positions = positions;
+        mesh.stride = 0;
+        mesh.indices = 0;
+        mesh.triangles = triangles;
+        memset(bits, 0, sizeof bits);
+        tribox_grid_fill_solid(&grid, &mesh, bits);
+        CHECK(solid_count(bits, 99) == 67);
+        for (k = 0; k < 105; k++) {
+            same &= tribox_grid_get(&grid, bits, k % 7, k / 7 % 5, k / 35) == set[k];
+        }
+        CHECK(same);
+    }
+}
+
+/* A cube of 8 with a cavity of 4: 512 - 64 voxels, both windings of the cavity. */
+static void cavities_stay_empty(void)
+{
+    static float positions[9 * 24];
+    uint64_t     bits[100];
+    tribox_grid  grid;
+    tribox_mesh  mesh;
+    size_t       triangles = 0;
+    int          axis;
+    int          k;
+
+    for (axis = 0; axis < 3; axis++) {
+        int zero[3] = {0, 0, 0};
+        triangles = solid_add_quad(positions, triangles, zero, axis, 0, 8);
+        triangles = solid_add_quad(positions, triangles, zero, axis, 1, 8);
+    }
+    for (axis = 0; axis < 3; axis++) {
+        int zero[3] = {0, 0, 0};
+        triangles = solid_add_quad(positions, triangles, zero, axis, 0, 4);
+        triangles = solid_add_quad(positions, triangles, zero, axis, 1, 4);
+    }
+    for (k = 9 * 12; k < 9 * 24; k++) {
+        positions[k] += 2;
+    }
+    for (k = 0; k < 3; k++) {
+        grid.origin[k] = 0;
+        grid.size[k] = 1;
+        grid.lo[k] = -1;
+        grid.hi[k] = 9;
+    }
+    grid.flags = 0;
+    mesh.positions = positions;
+    mesh.stride = 0;
+    mesh.indices = 0;
+    mesh.triangles = triangles;
+    memset(bits, 0, sizeof bits);
+    tribox_grid_fill_solid(&grid, &mesh, bits);
+    CHECK(solid_count(bits, 100) == 448);
+}
+
+/* The six tetrahedra of Kuhn tile a lattice of skew cells: every centre, on faces, edges and corners, too, lies
+ * in exactly one. */
+static void solids_that_tile_space_tile_the_centres(void)
+{
+    static const int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    static const int face[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+    int              i;
+
+    random_seed(1207);
+    for (i = 0; i < TEST_LOOPS(20); i++) {
+        uint64_t    once[64];
+        uint64_t    twice[64];
+        tribox_grid grid;
+        double      edge[3][3];
+        int         cells = 0;
+        int         cell;
+        int         k;
+        int         w;
+        for (k = 0; k < 9; k++) {
+            edge[k / 3][k % 3] = 0.5 * (random_below(5) - 2) + (k % 4 == 0 ? 6 : 0);
+        }
+        for (k = 0; k < 3; k++) {
+            grid.origin[k] = 0.5 * random_below(2);
+            grid.size[k] = random_below(2) ? 1 : 0.5;
+            grid.lo[k] = -4;
+            grid.hi[k] = 4;
+        }
+        grid.flags = 0;
+        memset(once, 0, sizeof once);
+        memset(twice, 0, sizeof twice);
+        for (cell = 0; cell < 343; cell++) { /* 7^3 cells about the origin cover the region */
+            int t;
+            for (t = 0; t < 6; t++) {
+                float       corner[4][3];
+                float       v[4][9];
+                uint64_t    bits[64];
+                tribox_mesh mesh;
+                int         j;
+                for (k = 0; k < 3; k++) {
+                    double x = (cell % 7 - 3) * edge[0][k] + (cell / 7 % 7 - 3) * edge[1][k] +
+                               (cell / 49 - 3) * edge[2][k];
+                    corner[0][k] = (float)x;
+                    for (j = 0; j < 3; j++) {
+                        x += edge[order[t][j]][k];
+                        corner[j + 1][k] = (float)x;
+                    }
+                }
+                for (j = 0; j < 12; j++) {
+                    memcpy(v[j / 3] + j % 3 * 3, corner[face[j / 3][j % 3]], sizeof corner[0]);
+                }
+                mesh.positions = v[0];
+                mesh.stride = 0;
+                mesh.indices = 0;
+                mesh.triangles = 4;
+                memset(bits, 0, sizeof bits);
+                tribox_grid_fill_solid(&grid, &mesh, bits);
+                for (w = 0; w < 64; w++) {
+                    twice[w] |= once[w] & bits[w];
+                    once[w] |= bits[w];
+                }
+                cells++;
+            }
+        }
+        CHECK(solid_count(twice, 64) == 0);
+        CHECK(solid_count(once, 64) == 512);
+    }
+}
+
+/* Closed meshes of any shape: beyond the mesh in +x every row is even, however its corners lie. */
+static void no_row_of_a_closed_mesh_leaks(void)
+{
+    int i;
+
+    random_seed(1208);
+    for (i = 0; i < TEST_LOOPS(4000); i++) {
+        static float positions[9 * 4 * 8];
+        uint64_t     bits[81];
+        tribox_grid  grid;
+        tribox_mesh  mesh;
+        int          t;
+        int          k;
+        int          even = 1;
+        int          kind = random_below(3);
+        for (t = 0; t < 8; t++) {
+            static const int face[12] = {0, 1, 2, 0, 1, 3, 0, 2, 3, 1, 2, 3};
+            float            corner[4][3];
+            for (k = 0; k < 12; k++) {
+                corner[k / 3][k % 3] = (float)(kind == 0 ? 0.5 * random_below(17) :
+                                               kind == 1 ? 0.1 * random_below(80) :
+                                                           4 + 4 * random_signed());
+            }
+            for (k = 0; k < 12; k++) {
+                memcpy(positions + 36 * t + 3 * k, corner[face[k]], sizeof corner[0]);
+            }
+        }
+        for (k = 0; k < 3; k++) {
+            grid.origin[k] = kind == 1 ? 0.05 * random_below(3) : 0.25 * random_below(4);
+            grid.size[k] = kind == 1 ? 0.1 * (1 + random_below(10)) : 0.5 * (1 + random_below(3));
+            grid.lo[k] = 0;
+            grid.hi[k] = 9;
+        }
+        grid.hi[0] = 64;
+        grid.size[0] = 0.25;
+        grid.flags = 0;
+        mesh.positions = positions;
+        mesh.stride = 0;
+        mesh.indices = 0;
+        mesh.triangles = 32;
+        memset(bits, 0, sizeof bits);
+        tribox_grid_fill_solid(&grid, &mesh, bits);
+        for (k = 0; k < 81; k++) {
+            even &= (int)(~bits[k] >> 63);
+        }
+        CHECK(even);
+    }
+}
+
+/* ---- Odd inputs ---------------------------------------------------------------------------------------- */
+
+static float solid_special(int which)
+{
+    static const uint32_t bits[6] = {0x7fc00000u, 0x7f800001u, 0xffc00000u, 0x7f800000u, 0xff800000u, 0x7f7fffffu};
+    float                 x;
+
+    memcpy(&x, &bits[which], sizeof x);
+    return x;
+}
+
+/* NaN and infinite corners are no triangle; the others beside them are what they were. The largest floats
+ * are numbers like any other. */
+static void corners_that_are_no_points_cross_nothing(void)
+{
+    int i;
+
+    random_seed(1209);
+    for (i = 0; i < TEST_LOOPS(60); i++) {
+        static solid_case c;
+        static uint64_t   bits[SOLID_WORDS];
+        tribox_mesh       mesh;
+        tribox_mesh_f64   mesh_f64;
+        int               t;
+        solid_make(&c, i % 3);
+        for (t = 0; t < c.triangles; t++) {
+            if (random_below(3) == 0) {
+                int k = 9 * t + random_below(9);
+                c.positions[k] = solid_special(random_below(6));
+            }
+        }
+        for (t = 0; t < 9 * c.triangles; t++) {
+            uint32_t as_float;
+            memcpy(&as_float, &c.positions[t], sizeof as_float);
+            if ((as_float & 0x7f800000u) == 0x7f800000u) { /* doubles of the same kind, made of bits */
+                uint64_t as_double = (uint64_t)(as_float >> 31) << 63 | (uint64_t)0x7ff0000000000000u |
+                                     (uint64_t)(as_float & 0x7fffffu) << 29;
+                memcpy(&c.doubles[t], &as_double, sizeof as_double);
+            } else {
+                c.doubles[t] = (double)c.positions[t];
+            }
+        }
+        mesh = solid_mesh(&c);
+        mesh_f64 = solid_mesh_f64(&c);
+        solid_expect(&c, 1);
+        memset(bits, 0, sizeof bits);
+        tribox_grid_fill_solid(&c.grid, &mesh, bits);
+        CHECK(solid_same(&c, bits, "special floats"));
+        memset(bits, 0, sizeof bits);
+        tribox_grid_fill_solid_f64(&c.grid, &mesh_f64, bits);
+        CHECK(solid_same(&c, bits, "special doubles"));
+    }
+}
+
+/* A triangle far larger than the region, and one of subnormals in a region of them. */
+static void triangles_of_any_size_cross(void)
+{
+    static const float huge_one[9] = {-3e38f, -3e38f, -3e38f, 3e38f, 3e38f, -3e38f, 1e38f, -2e38f, 3e38f};
+    static const float tiny[9] = {3e-45f, 0, 0, 3e-45f, 6e-45f, 0, 3e-45f, 0, 6e-45f};
+    double             v[3][3];
+    int                which;
+
+    for (which = 0; which < 2; which++) {
+        static const double    sizes[2] = {1, 1.4012984643248171e-45};
+        const float           *t = which ? tiny : huge_one;
+        uint64_t               bits[64];
+        tribox_grid            grid;
+        tribox_mesh            mesh;
+        int                    k;
+        int                    x;
+        int                    same = 1;
+        for (k = 0; k < 9; k++) {
+            v[k / 3][k % 3] = (double)t[k];
+        }
+        if (which) { /* 2^-149 times 2, 4: a processor that flushes reads them as 0 */
+            for (k = 0; k < 9; k++) {
+                v[k / 3][k % 3] = k % 3 == 0 ? 2 * sizes[1] : (k == 4 || k == 8) ? 4 * sizes[1] : 0;
+            }
+        }
+        for (k = 0; k < 3; k++) {
+            grid.origin[k] = 0;
+            grid.size[k] = sizes[which];
+            grid.lo[k] = -4;
+            grid.hi[k] = 4;
+        }
+        grid.flags = 0;
+        mesh.positions = t;
+        mesh.stride = 0;
+        mesh.indices = 0;
+        mesh.triangles = 1;
+        memset(bits, 0, sizeof bits);
+        tribox_grid_fill_solid(&grid, &mesh, bits);
+        for (k = 0; k < 64; k++) {
+            for (x = 0; x < 8; x++) {
+                int64_t half[3];
+                half[0] = 2 * (x - 4) + 1;
+                half[1] = 2 * (k % 8 - 4) + 1;
+                half[2] = 2 * (k / 8 - 4) + 1;
+                same &= (int)(bits[k] >> x & 1) == solid_crosses(v, grid.origin, grid.size, half);
+            }
+        }
+        CHECK(same);
+    }
+}
+
+/* The last indices there are, and origins far off; empty regions and points that are none answer nothing. */
+static void indices_reach_to_the_end_and_odd_regions_stay_as_they_are(void)
+{
+    static const double t[9] = {2147483600.25, 0, 0, 2147483600.25, 9, 0, 2147483600.25, 0, 9};
+    static const double far_off[3] = {2147483601.0, 1.0, 1.0};
+    tribox_mesh_f64     mesh;
+    tribox_mesh         floats;
+    tribox_grid         grid;
+    uint64_t            bits[64];
+    double              p[3];
+    int                 k;
+
+    for (k = 0; k < 3; k++) {
+        grid.origin[k] = 0;
+        grid.size[k] = 1;
+        grid.lo[k] = 0;
+        grid.hi[k] = 4;
+    }
+    grid.lo[0] = INT_MAX - 60;
+    grid.hi[0] = INT_MAX;
+    grid.flags = 0;
+    mesh.positions = t;
+    mesh.stride = 0;
+    mesh.indices = 0;
+    mesh.triangles = 1;
+    memset(bits, 0, sizeof bits);
+    tribox_grid_fill_solid_f64(&grid, &mesh, bits);
+    CHECK(bits[0] == (((uint64_t)1 << 60) - 1) >> 13 << 13);
+    CHECK(tribox_mesh_contains_f64(&mesh, far_off) == 1);
+    for (k = 0; k < 3; k++) {
+        memcpy(p, far_off, sizeof p);
+        p[k] = (double)solid_special(3 + k % 2);
+        CHECK(tribox_mesh_contains_f64(&mesh, p) == 0);
+        p[k] = (double)solid_special(0);
+        CHECK(tribox_mesh_contains_f64(&mesh, p) == 0);
+    }
+    grid.hi[1] = 0;
+    memset(bits, 0, sizeof bits);
+    tribox_grid_fill_solid_f64(&grid, &mesh, bits);
+    floats.positions = 0;
+    floats.stride = 0;
+    floats.indices = 0;
+    floats.triangles = 0;
+    grid.hi[1] = 4;
+    tribox_grid_fill_solid(&grid, &floats, bits);
+    grid.size[2] = 0;
+    tribox_grid_fill_solid_f64(&grid, &mesh, bits);
+    CHECK(solid_count(bits, 64) == 0);
+    CHECK(tribox_mesh_contains(&floats, far_off) == 0);
+}
+
+int main(void)
+{
+    RUN(fill_flips_the_voxels_whose_centre_is_inside);
+    RUN(rays_cross_as_exact_numbers_say);
+    RUN(parts_of_a_region_have_the_bits_of_the_whole);
+    RUN(the_solid_depends_on_the_set_of_triangles_alone);
+    RUN(powers_of_two_change_nothing);
+    RUN(voxel_models_come_back);
+    RUN(cavities_stay_empty);
+    RUN(solids_that_tile_space_tile_the_centres);
+    RUN(no_row_of_a_closed_mesh_leaks);
+    RUN(corners_that_are_no_points_cross_nothing);
+    RUN(triangles_of_any_size_cross);
+    RUN(indices_reach_to_the_end_and_odd_regions_stay_as_they_are);
+    return test_report("test_solid");
+}
