@@ -2,16 +2,16 @@
 # Breaks tribox.h on purpose, in one way after another, and shows that the tests of `make test` notice.
 #
 #   tests/mutate.sh [number of a mutant]...
+#   tests/mutate.sh stale                      lists those whose text is no longer found exactly once
 #
-# tests/mutants*.txt list the ways. A mutant whose text is no longer found exactly once is stale and counts
-# as a failure, so that the list follows the header. A mutant is caught by the first program that does not
+# tests/mutants*.txt list the ways, by function name and a short text of it. A stale mutant counts as a failure, so
+# that the list follows the header. A mutant is caught by the first program that does not
 # compile, fails, crashes or hangs. Run from the repository's root.
 set -u
 . tests/check_lib.sh
 
 out=$CHECK_DIR/mutate
-programs=${MUTATE_PROGRAMS:-"rule tri thin overlap grid fill few exact nan mode symmetry frame closed field issues \
-    companions_motion companions_cut companions_mode"}
+programs=${MUTATE_PROGRAMS:-$(sed -n 's/^TEST_\(SUITE\|TWICE\|ALONE\) := //p' tests/list.mk | tr '\n' ' ')}
 first= # programs to try before the others
 limit=${MUTATE_LIMIT:-20}
 cc=${MUTATE_CC:-gcc -std=c99 -O1}
@@ -38,11 +38,11 @@ caught() { # folder
 }
 
 # makes a folder with the broken header and the tests; the text must occur exactly once
-mutant() { # number, old, new
+mutant() { # number, old, new, function
     local folder=$CHECK_DIR/mutate/$1 status
     rm -rf "$folder"
     mkdir -p "$folder"
-    if ! OLD=$2 NEW=$3 awk -f tests/mutate.awk tribox.h >"$folder/tribox.h"; then
+    if ! OLD=$2 NEW=$3 IN=$4 awk -f tests/mutate.awk tribox.h >"$folder/tribox.h"; then
         rm -rf "$folder"
         echo "stale: the text is not found exactly once"
         return 1
@@ -66,28 +66,37 @@ unbroken() {
     return $status
 }
 export -f caught mutant unbroken
-job "the header as it is passes" unbroken
+[ "${1:-}" = stale ] || job "the header as it is passes" unbroken
 
-# The list: "# name", then "- old" lines, then "+ new" lines; several lines of one kind are joined. "@ programs"
-# are tried first from there on.
+# The list: "# name", "in FUNCTION" or macro (else the whole file), then "- old" lines, then "+ new" lines; several
+# lines of one kind are joined. "@ programs" are tried first from there on.
 number=0
+stale=0
 name=
+function=
 old=
 new=
 finish() {
     if [ -n "$old" ]; then
         number=$((number + 1))
-        if [ "$#" -eq 0 ] || [[ " $* " == *" $number "* ]]; then
-            job "mutant $number: $name" mutant "$number" "$old" "$new"
+        if [ "${1:-}" = stale ]; then
+            if ! OLD=$old NEW=$new IN=$function awk -f tests/mutate.awk tribox.h >/dev/null; then
+                echo "stale $number: $name"
+                stale=$((stale + 1))
+            fi
+        elif [ "$#" -eq 0 ] || [[ " $* " == *" $number "* ]]; then
+            job "mutant $number: $name" mutant "$number" "$old" "$new" "$function"
         fi
     fi
     old=
     new=
+    function=
 }
 newline=$'\n'
 while IFS= read -r line || [ -n "$line" ]; do
     case $line in
     '# '*) finish "$@"; name=${line#\# } ;;
+    'in '*) function=${line#in } ;;
     '@ '*) finish "$@"; first=${line#@ } ;;
     '- '*) old=${old:+$old$newline}${line#- } ;;
     '+ '*) new=${new:+$new$newline}${line#+ } ;;
@@ -96,5 +105,10 @@ while IFS= read -r line || [ -n "$line" ]; do
 done < <(cat tests/mutants*.txt)
 finish "$@"
 
+if [ "${1:-}" = stale ]; then
+    rm -f "$check_results"
+    echo "$number mutants, $stale stale"
+    exit $((stale > 0))
+fi
 echo "$number mutants"
 check_end

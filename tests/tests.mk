@@ -1,18 +1,23 @@
 # The tests of `make test`: the suite twice, with the scalar code and with the best instruction set of CFLAGS.
 # A program's last line is "name: N passed, N failed", N counting test functions; the sum of these lines ends
 # the run.
-# One file alone: make build/tests/default/test_grid, then run it.
+# One file alone: make build/tests/default/test_grid, then run it. One test: build/tests/default/suite NAME, part of
+# its name.
 # TEST_FLAGS=-DTEST_SCALE=10 asks a tenth of the random questions (emulators, sanitizers).
 
+include tests/list.mk
 TEST_COMPILES := c99 include_twice two_units hostile_macros
-TEST_COMPANIONS := motion cut mode
 TEST_HEADERS  := tribox.h tests/test.h tests/oracle.h tests/question.h tests/voxels.h tests/solid_truth.h
 TEST_UNITS    := tests/compile/two_units_a.c tests/compile/two_units_b.c
 TEST_SOURCES  := $(wildcard tests/test_*.c)
+TEST_LISTED   := $(patsubst %,tests/test_%.c,$(TEST_SUITE) $(TEST_TWICE) $(TEST_ALONE) $(TEST_RULED))
+ifneq ($(sort $(TEST_SOURCES)),$(sort $(TEST_LISTED)))
+$(error tests/list.mk and tests/ differ: $(filter-out $(TEST_LISTED),$(TEST_SOURCES)) $(filter-out $(TEST_SOURCES),$(TEST_LISTED)))
+endif
 
 TEST_PROGRAMS := $(B)/tests/scalar/suite $(B)/tests/default/suite \
-                 $(B)/tests/scalar/test_contact $(B)/tests/default/test_contact \
-                 $(TEST_COMPANIONS:%=$(B)/tests/default/test_companions_%) \
+                 $(TEST_TWICE:%=$(B)/tests/scalar/test_%) $(TEST_TWICE:%=$(B)/tests/default/test_%) \
+                 $(TEST_ALONE:%=$(B)/tests/default/test_%) \
                  $(B)/tests/test_oracle $(B)/tests/test_simd $(TEST_COMPILES:%=$(B)/tests/compile/%)
 TEST_LOGS     := $(TEST_PROGRAMS:%=%.log)
 
@@ -27,13 +32,22 @@ $(B)/tests/test_oracle: tests/test_oracle.c $(TEST_HEADERS)
 	@mkdir -p $(@D)
 	$(CC_C99) $(TEST_FLAGS) $< -o $@
 
-$(B)/tests/scalar/%: tests/%.c $(TEST_HEADERS) $(TEST_SOURCES)
+$(B)/tests/suite.c: tests/list.mk tests/make_suite.sh
 	@mkdir -p $(@D)
-	$(CC_C99) $(TEST_FLAGS) -DTRIBOX_SIMD=0 $< -o $@ -lm
+	@sh tests/make_suite.sh suite $(TEST_SUITE) > $@
 
-$(B)/tests/default/%: tests/%.c $(TEST_HEADERS) $(TEST_SOURCES)
+.PRECIOUS: $(B)/tests/test_%.c
+$(B)/tests/test_%.c: tests/test_%.c tests/make_suite.sh
 	@mkdir -p $(@D)
-	$(CC_C99) $(TEST_FLAGS) $< -o $@ -lm
+	@sh tests/make_suite.sh test_$* $* > $@
+
+$(B)/tests/scalar/%: $(B)/tests/%.c $(TEST_HEADERS) $(TEST_SOURCES)
+	@mkdir -p $(@D)
+	$(CC_C99) -Itests $(TEST_FLAGS) -DTRIBOX_SIMD=0 $< -o $@ -lm
+
+$(B)/tests/default/%: $(B)/tests/%.c $(TEST_HEADERS) $(TEST_SOURCES)
+	@mkdir -p $(@D)
+	$(CC_C99) -Itests $(TEST_FLAGS) $< -o $@ -lm
 
 # The same file as two units, one scalar, one with the best instruction set.
 $(B)/tests/test_simd: tests/test_simd.c $(TEST_HEADERS)
