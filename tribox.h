@@ -3207,7 +3207,7 @@ typedef struct tbx_walk {
     double n_terms[3]; /* the magnitudes that its components are made of */
     double extent;     /* the longest, and 2 */
     double delta;
-    tbx_lines lines[4];
+    tbx_lines group[4];
     double plane_at[2]; /* of layer 0 */
     double plane_slope_z;
     int64_t y; /* the next row */
@@ -3353,7 +3353,7 @@ TBX_FN double tbx_line_set(tbx_walk *w, tbx_lines *l, int i, int b, int r, int a
 /* The lines of a group, b over r. quantum: of the lattice on these axes, or 0. */
 TBX_FN void tbx_lines_set(tbx_walk *w, int group, int b, int r, double quantum)
 {
-    tbx_lines *l = &w->lines[group];
+    tbx_lines *l = &w->group[group];
     const int area_is_negative =
         group == TBX_XZ ? w->n_sign[1] > 0 : w->n_sign[group == TBX_XY ? 2 : 0] < 0;
     const double s0 = tbx_line_set(w, l, 0, b, r, area_is_negative, quantum);
@@ -3368,7 +3368,7 @@ TBX_FN void tbx_lines_set(tbx_walk *w, int group, int b, int r, double quantum)
 /* The two sides of the triangle's plane, in layer 0. */
 TBX_FN void tbx_walk_plane(tbx_walk *w, double quantum)
 {
-    tbx_lines *l = &w->lines[TBX_PLANE];
+    tbx_lines *l = &w->group[TBX_PLANE];
     const tbx_frame *f = w->frame;
     const double most = TBX_MOST_SLOPE;
     const double n_y = w->n[1];
@@ -3422,8 +3422,8 @@ TBX_FN void tbx_walk_plane(tbx_walk *w, double quantum)
 TBX_FN void tbx_walk_plane_to_layer(tbx_walk *w)
 {
     const double along = w->plane_slope_z * (double)w->z;
-    w->lines[TBX_PLANE].at_lo[0] = w->plane_at[0] + along;
-    w->lines[TBX_PLANE].at_hi[0] = w->plane_at[1] + along;
+    w->group[TBX_PLANE].at_lo[0] = w->plane_at[0] + along;
+    w->group[TBX_PLANE].at_hi[0] = w->plane_at[1] + along;
 }
 
 TBX_FN void tbx_walk_set_lines(tbx_walk *w, const double quantum[3])
@@ -3514,7 +3514,7 @@ TBX_COLD int tbx_walk_snap(tbx_walk *w)
 
 /* Narrows first..last by so many lines in row r. Returns 0 where they are unsure: a bound lies in *first..*first_most, the
  * other in *last_least..*last. */
-TBX_FN int tbx_lines_narrow(const tbx_lines *l, int lines, int64_t r, int64_t *first, int64_t *last,
+TBX_FN int tbx_lines_narrow(const tbx_lines *l, int count, int64_t r, int64_t *first, int64_t *last,
                             int64_t *first_most, int64_t *last_least)
 {
     const double row = (double)r;
@@ -3523,7 +3523,7 @@ TBX_FN int tbx_lines_narrow(const tbx_lines *l, int lines, int64_t r, int64_t *f
     double lower = begin;
     double upper = end;
     int i;
-    for (i = 0; i < lines; i++) {
+    for (i = 0; i < count; i++) {
         const double along = l->slope[i] * row;
         const double at_lo = l->at_lo[i] + along;
         const double at_hi = l->at_hi[i] + along;
@@ -3552,8 +3552,8 @@ TBX_COLD void tbx_walk_unsure(tbx_walk *w, int group, int64_t r, int64_t y, int6
         at_first.most = *last + 1;
         at_last.least = *first - 1;
         at_last.most = *last;
-        if (w->lines[group].error <= TBX_MOST_ERROR &&
-            tbx_lines_narrow(&w->lines[group], group == TBX_PLANE ? 1 : 3, r, &at_first.least, &at_last.most,
+        if (w->group[group].error <= TBX_MOST_ERROR &&
+            tbx_lines_narrow(&w->group[group], group == TBX_PLANE ? 1 : 3, r, &at_first.least, &at_last.most,
                              &at_first.most, &at_last.least)) {
             *first = at_first.least;
             *last = at_last.most;
@@ -3573,8 +3573,8 @@ TBX_FN void tbx_walk_narrow(tbx_walk *w, int group, int64_t r, int64_t y, int64_
     int64_t at_last = *last;
     int64_t first_most;
     int64_t last_least;
-    if (w->lines[group].error <= TBX_MOST_ERROR &&
-        tbx_lines_narrow(&w->lines[group], group == TBX_PLANE ? 1 : 3, r, &at_first, &at_last, &first_most,
+    if (w->group[group].error <= TBX_MOST_ERROR &&
+        tbx_lines_narrow(&w->group[group], group == TBX_PLANE ? 1 : 3, r, &at_first, &at_last, &first_most,
                          &last_least)) {
         *first = at_first;
         *last = at_last;
@@ -3788,7 +3788,7 @@ TBX_FN void tbx_walk_groups(tbx_walk *w)
     if ((thick & (thick - 1u)) == 0) {
         return;
     }
-    w->lines[TBX_XY].error = w->lines[TBX_XZ].error = w->lines[TBX_YZ].error = w->lines[TBX_PLANE].error = 1.0;
+    w->group[TBX_XY].error = w->group[TBX_XZ].error = w->group[TBX_YZ].error = w->group[TBX_PLANE].error = 1.0;
     if (w->light) {
         w->extent = 0.0;
         w->delta = w->frame->reach;
@@ -11521,19 +11521,19 @@ TBX_FN int tbx_solid_lines_set(tbx_solid_line line[3], const tbx_solid_tri *t)
     const tbx_solid *s = t->solid;
     const double half = t->edge_error[0] > 0.0 ? 0.0 : 0.5 / (s->scale[1] * s->scale[2]);
     const double *size = s->grid->size;
-    int lines = 0;
+    int found = 0;
     int i;
     for (i = 0; i < 3; i++) {
         const double d_z = t->d[i][2];
         const double along = d_z > 0.0 ? -t->d[i][1] : t->d[i][1];
         const double across = tbx_abs(d_z);
         if (across > 0.0) {
-            tbx_solid_line_set(&line[lines], along * t->at[i][2] + across * t->at[i][1] + half,
+            tbx_solid_line_set(&line[found], along * t->at[i][2] + across * t->at[i][1] + half,
                                along * size[2], across * size[1], t->edge_error[i], (double)s->n[2]);
-            line[lines++].is_lower = (t->sign > 0) == (d_z < 0.0);
+            line[found++].is_lower = (t->sign > 0) == (d_z < 0.0);
         }
     }
-    return lines;
+    return found;
 }
 
 /* A triangle of any size. */

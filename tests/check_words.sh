@@ -17,7 +17,7 @@ sed -n 's/^ *# *\(if\|elif\|ifdef\|ifndef\|error\|pragma\)\(.*\)/\2/p' tribox.h 
     sort -u >"$here/asked"
 printf '#include <stdint.h>\n#include <stddef.h>\n#include <float.h>\n' | gcc -dM -E -x c - |
     sed -n 's/^#define \([A-Za-z_0-9]*\).*/\1/p' | sort -u >"$here/meant"
-printf '%s\n' inline const static unused noinline cold >>"$here/meant"
+printf '%s\n' inline const static unused noinline cold __declspec __attribute__ __asm__ >>"$here/meant"
 
 macros() { # compiler, headers...
     local cc=$1 header

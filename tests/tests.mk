@@ -6,7 +6,7 @@
 # TEST_FLAGS=-DTEST_SCALE=10 asks a tenth of the random questions (emulators, sanitizers).
 
 include tests/list.mk
-TEST_COMPILES := c99 include_twice two_units hostile_macros
+TEST_COMPILES := c99 include_twice two_units hostile_macros hostile_goto hostile_7
 TEST_HEADERS  := tribox.h tests/test.h tests/oracle.h tests/question.h tests/voxels.h tests/solid_truth.h
 TEST_UNITS    := tests/compile/two_units_a.c tests/compile/two_units_b.c
 TEST_SOURCES  := $(wildcard tests/test_*.c)
@@ -58,6 +58,10 @@ $(B)/tests/test_simd: tests/test_simd.c $(TEST_HEADERS)
 $(B)/tests/compile/two_units: $(TEST_UNITS) tests/compile/every_function.h tribox.h
 	@mkdir -p $(@D)
 	$(CC_C99) $(TEST_UNITS) -o $@
+
+$(B)/tests/compile/hostile_%: tests/compile/hostile_macros.c tests/compile/every_function.h tribox.h
+	@mkdir -p $(@D)
+	$(CC_C99) -DHOSTILE=$(filter-out macros,$*) $< -o $@
 
 $(B)/tests/compile/%: tests/compile/%.c tests/compile/every_function.h tribox.h
 	@mkdir -p $(@D)
