@@ -241,6 +241,88 @@ static void mesh_without_extent_has_no_frame(void)
     expect_no_frame(good, 1, INT_MIN);
 }
 
+/* A triangle with an infinite or NaN corner is no part of the frame, and no reason to look for one for ever. */
+static void fit_returns_for_corners_that_are_no_numbers(void)
+{
+    static const uint32_t bad[4] = {0x7f800000u, 0xff800000u, 0x7fc00000u, 0x7f800001u};
+    int i;
+
+    for (i = 0; i < 36; i++) {
+        const uint64_t  bad_f64[4] = {UINT64_C(0x7ff0000000000000), UINT64_C(0xfff0000000000000),
+                                      UINT64_C(0x7ff8000000000000), UINT64_C(0x7ff0000000000001)};
+        float           p[18] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 2, 3, 4, 5, 6, 7, 8, 10};
+        double          d[18];
+        tribox_grid     grid;
+        tribox_mesh     mesh;
+        tribox_mesh_f64 wide;
+        int             k;
+        for (k = 0; k < 18; k++) {
+            d[k] = (double)p[k];
+        }
+        memcpy(&p[i % 9], &bad[i / 9], sizeof p[0]);
+        memcpy(&d[i % 9], &bad_f64[i / 9], sizeof d[0]);
+        mesh.positions = p;
+        wide.positions = d;
+        mesh.stride = wide.stride = 0;
+        mesh.indices = wide.indices = 0;
+        mesh.triangles = wide.triangles = 1;
+        CHECK(tribox_grid_fit(&grid, &mesh, 8) == 0 && tribox_grid_words(&grid) == 0);
+        CHECK(tribox_grid_fit_f64(&grid, &wide, 8) == 0 && tribox_grid_words(&grid) == 0);
+        mesh.triangles = wide.triangles = 2;
+        CHECK(tribox_grid_fit(&grid, &mesh, 8) == 1 && frame_is_right(&grid, p + 9, 3, 8));
+        CHECK(tribox_grid_fit_f64(&grid, &wide, 8) == 1 && frame_is_right(&grid, p + 9, 3, 8));
+    }
+}
+
+/* Double meshes of any place and size, from subnormal to 2^1018: strictly inside, n voxels along the longest side. An
+ * extent that is no double has no frame. */
+static void frame_holds_double_meshes_strictly_inside(void)
+{
+    static const int exponents[10] = {-1074, -1030, -900, -300, -20, 0, 20, 300, 900, 1015};
+    int i;
+
+    random_seed(117);
+    for (i = 0; i < TEST_LOOPS(4000); i++) {
+        const int       n = 1 + random_below(i % 2 ? 20 : 5000);
+        const int       e = exponents[random_below(10)];
+        const int       away = random_below(2) ? random_below(50) : 0;
+        double          d[9];
+        tribox_grid     grid;
+        tribox_mesh_f64 mesh;
+        int             varies = 0;
+        int             ok;
+        int             a;
+        int             k;
+        for (k = 0; k < 9; k++) {
+            d[k] = (random_below(3) ? 8 * random_signed() : random_below(9) - 4) * power_of_two(e) +
+                   (away && e + away < 1015 ? power_of_two(e + away) : 0);
+            varies |= oracle_read(d[k]).sign != oracle_read(d[k % 3]).sign || d[k] > d[k % 3] || d[k] < d[k % 3];
+        }
+        mesh.positions = d;
+        mesh.stride = 0;
+        mesh.indices = 0;
+        mesh.triangles = 1;
+        ok = tribox_grid_fit_f64(&grid, &mesh, n);
+        if (!varies) {
+            continue; /* subnormals may be all one to this test's arithmetic */
+        }
+        CHECK(ok == 1);
+        for (a = 0; a < 3 && ok; a++) {
+            for (k = a; k < 9; k += 3) {
+                CHECK(plane_against(&grid, a, grid.lo[a], d[k]) < 0 && plane_against(&grid, a, grid.hi[a], d[k]) > 0);
+            }
+        }
+        CHECK(grid.hi[0] == n || grid.hi[1] == n || grid.hi[2] == n);
+    }
+    {
+        const double    d[9] = {-DBL_MAX, 0, 0, DBL_MAX, 0, 0, 0, 1, 0};
+        tribox_grid     grid;
+        tribox_mesh_f64 mesh = {0, 0, 0, 1};
+        mesh.positions = d;
+        CHECK(tribox_grid_fit_f64(&grid, &mesh, 8) == 0 && tribox_grid_words(&grid) == 0);
+    }
+}
+
 /* ---- locate -------------------------------------------------------------------------------------------- */
 
 /* Points on grid planes as a user computes them, give or take ulps, and anywhere: planes i and i + 1
@@ -385,6 +467,8 @@ int main(void)
     RUN(frame_holds_meshes_small_beside_their_coordinates);
     RUN(frame_leaves_its_surroundings_untouched);
     RUN(mesh_without_extent_has_no_frame);
+    RUN(fit_returns_for_corners_that_are_no_numbers);
+    RUN(frame_holds_double_meshes_strictly_inside);
     RUN(located_voxel_holds_the_point);
     RUN(located_voxel_holds_the_point_in_every_rounding_mode);
     RUN(point_triangle_sets_exactly_the_located_voxel);

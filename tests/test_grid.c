@@ -492,6 +492,343 @@ static void more_rows_than_are_kept_at_once_are_exact(void)
     }
 }
 
+/* ---- spans and fills of meshes ------------------------------------------------------------------------- */
+
+enum { MESH_TRIANGLES = 40, MESH_VOXELS = 24 };
+
+/* What tribox_mesh_spans gives, per triangle: how many spans, a sum that depends on their order, voxels. */
+typedef struct mesh_told {
+    size_t   spans[MESH_TRIANGLES];
+    uint64_t order[MESH_TRIANGLES];
+    size_t   voxels[MESH_TRIANGLES];
+    int      bad;
+    size_t   last;
+    int      any;
+} mesh_told;
+
+static void tell(mesh_told *m, size_t t, int x0, int x1, int y, int z)
+{
+    const uint64_t span = (uint64_t)(uint32_t)x0 * 31 + (uint64_t)(uint32_t)x1 * 1009 +
+                          (uint64_t)(uint32_t)y * 65537 + (uint64_t)(uint32_t)z * 16777259;
+
+    m->spans[t]++;
+    m->order[t] = m->order[t] * UINT64_C(0x9e3779b97f4a7c15) + span;
+    m->voxels[t] += (size_t)(x1 - x0 + 1);
+}
+
+static void tell_mesh(void *user, size_t t, int x0, int x1, int y, int z)
+{
+    mesh_told *m = (mesh_told *)user;
+
+    if (t >= MESH_TRIANGLES) {
+        m->bad = 1;
+        return;
+    }
+    m->bad |= m->spans[t] != 0 && (!m->any || m->last != t);    /* those of a triangle come together */
+    m->last = t;
+    m->any = 1;
+    tell(m, t, x0, x1, y, z);
+}
+
+static size_t one_triangle;
+
+static void tell_one(void *user, int x0, int x1, int y, int z)
+{
+    tell((mesh_told *)user, one_triangle, x0, x1, y, z);
+}
+
+/* A mesh of small and large triangles about a region, on and off its planes, some of them NaN or infinite. */
+static void make_mesh(tribox_grid *grid, double v[MESH_TRIANGLES][3][3], int kind)
+{
+    const uint64_t infinite = UINT64_C(0x7ff0000000000000);
+    const uint64_t nan_bits = UINT64_C(0x7ff8000000000000);
+    int t;
+    int i;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        grid->size[k] = kind % 3 == 0 ? 0.1 : kind % 3 == 1 ? 0.25 : 1.0 / 3;
+        grid->origin[k] = kind % 5 == 4 ? 448262.25 + 1000 * k : kind % 5 == 3 ? 1e4 + 0.1 : -0.5;
+        grid->lo[k] = random_below(9) - 5;
+        grid->hi[k] = grid->lo[k] + 1 + random_below(MESH_VOXELS);
+    }
+    for (t = 0; t < MESH_TRIANGLES; t++) {
+        const double extent = t % 4 == 0 ? 30 : t % 4 == 1 ? 2 : t % 4 == 2 ? 4 : 8;
+        double centre[3];
+        for (k = 0; k < 3; k++) {
+            centre[k] = grid->lo[k] + (grid->hi[k] - grid->lo[k]) * (0.5 + random_signed());
+        }
+        for (i = 0; i < 3; i++) {
+            for (k = 0; k < 3; k++) {
+                double x = centre[k] + extent * 0.5 * random_signed();
+                x = random_below(4) ? x : (double)(int)x;
+                x = grid_plane(grid, k, x);
+                v[t][i][k] = kind % 2 ? (double)(float)x : x;
+                if (random_below(40) == 0 && t > 0) {
+                    v[t][i][k] = v[t - 1][i][k];
+                }
+            }
+        }
+    }
+    memcpy(&v[3][1][2], &infinite, sizeof infinite);
+    memcpy(&v[7][0][0], &nan_bits, sizeof nan_bits);
+}
+
+/* The spans of a mesh are those of its triangles one by one, in their order; the fill sets their union; floats that are
+ * doubles give the same; all with indices and strides, too. */
+static void spans_and_fills_of_meshes_are_those_of_their_triangles(void)
+{
+    int run;
+
+    random_seed(140);
+    for (run = 0; run < TEST_LOOPS(600); run++) {
+        static double      v[MESH_TRIANGLES][3][3];
+        static float       f[MESH_TRIANGLES * 9];
+        static uint64_t    bits[3][MESH_VOXELS * MESH_VOXELS];
+        static mesh_told   by_mesh;
+        static mesh_told   by_float;
+        static mesh_told   one_by_one;
+        uint32_t           index[MESH_TRIANGLES * 3];
+        tribox_grid        grid;
+        tribox_mesh_f64    mesh;
+        tribox_mesh        narrow;
+        size_t             sum = 0;
+        size_t             t;
+        size_t             words;
+        int                i;
+        grid.flags = every_rule[run % 4];
+        make_mesh(&grid, v, run);
+        for (i = 0; i < MESH_TRIANGLES * 9; i++) {
+            const uint32_t infinite = 0x7f800000u;
+            if (i / 9 == 3 || i / 9 == 7) { /* neither is a number to convert */
+                memcpy(&f[i], &infinite, sizeof infinite);
+            } else {
+                f[i] = (float)v[i / 9][i / 3 % 3][i % 3];
+            }
+        }
+        for (i = 0; i < MESH_TRIANGLES * 3; i++) {
+            index[i] = (uint32_t)i;
+        }
+        mesh.positions = &v[0][0][0];
+        mesh.stride = run & 4 ? 3 * sizeof(double) : 0;
+        mesh.indices = run & 8 ? index : 0;
+        mesh.triangles = MESH_TRIANGLES;
+        narrow.positions = f;
+        narrow.stride = 0;
+        narrow.indices = mesh.indices;
+        narrow.triangles = MESH_TRIANGLES;
+        memset(bits, 0, sizeof bits);
+        memset(&by_mesh, 0, sizeof by_mesh);
+        memset(&by_float, 0, sizeof by_float);
+        memset(&one_by_one, 0, sizeof one_by_one);
+        words = tribox_grid_words(&grid);
+        for (t = 0; t < MESH_TRIANGLES; t++) {
+            one_triangle = t;
+            sum += tribox_grid_spans_f64(&grid, v[t][0], v[t][1], v[t][2], tell_one, &one_by_one);
+        }
+        CHECK(tribox_mesh_spans_f64(&grid, &mesh, tell_mesh, &by_mesh) == sum);
+        CHECK(tribox_mesh_spans_f64(&grid, &mesh, 0, 0) == sum);
+        CHECK(!by_mesh.bad && memcmp(by_mesh.spans, one_by_one.spans, sizeof by_mesh.spans) == 0);
+        if (!CHECK(memcmp(by_mesh.order, one_by_one.order, sizeof by_mesh.order) == 0)) {
+            printf("  run %d\n", run);
+        }
+        tribox_grid_fill_f64(&grid, &mesh, bits[0]);
+        for (t = 0; t < MESH_TRIANGLES; t++) {
+            tribox_mesh_f64 single = mesh;
+            single.positions = v[t][0];
+            single.indices = 0;
+            single.triangles = 1;
+            tribox_grid_fill_f64(&grid, &single, bits[1]);
+        }
+        CHECK(memcmp(bits[0], bits[1], words * sizeof(uint64_t)) == 0);
+        for (t = 0, sum = 0; t < words; t++) {
+            uint64_t w = bits[0][t];
+            for (; w != 0; w &= w - 1) {
+                sum++;
+            }
+        }
+        {
+            size_t found = 0;
+            int x;
+            int y;
+            int z;
+            for (z = grid.lo[2]; z < grid.hi[2]; z++) {
+                for (y = grid.lo[1]; y < grid.hi[1]; y++) {
+                    for (x = grid.lo[0]; x < grid.hi[0]; x++) {
+                        found += (size_t)tribox_grid_get(&grid, bits[0], x, y, z);
+                    }
+                }
+            }
+            CHECK(found == sum);
+        }
+        if (run & 1) { /* all of it floats */
+            CHECK(tribox_mesh_spans(&grid, &narrow, tell_mesh, &by_float) ==
+                  tribox_mesh_spans_f64(&grid, &mesh, 0, 0));
+            CHECK(memcmp(by_float.order, by_mesh.order, sizeof by_mesh.order) == 0 && !by_float.bad);
+            tribox_grid_fill(&grid, &narrow, bits[2]);
+            CHECK(memcmp(bits[0], bits[2], words * sizeof(uint64_t)) == 0);
+        }
+    }
+}
+
+typedef struct painted {
+    const tribox_grid *grid;
+    uint64_t          *bits;
+} painted;
+
+static void paint(void *user, size_t t, int x0, int x1, int y, int z)
+{
+    const painted     *p = (const painted *)user;
+    const tribox_grid *g = p->grid;
+    const size_t       row_words = (size_t)(g->hi[0] - g->lo[0] + 63) / 64;
+    const size_t       row = (size_t)(z - g->lo[2]) * (size_t)(g->hi[1] - g->lo[1]) + (size_t)(y - g->lo[1]);
+    int                x;
+
+    (void)t;
+    for (x = x0 - g->lo[0]; x <= x1 - g->lo[0]; x++) {
+        p->bits[row * row_words + (size_t)(x >> 6)] |= (uint64_t)1 << (x & 63);
+    }
+}
+
+/* Spans painted are the fill, as floats and as doubles: a mesh of a few hundred small triangles, corners on and off planes. */
+static void spans_of_a_mesh_paint_its_fill(void)
+{
+    int run;
+
+    random_seed(141);
+    for (run = 0; run < TEST_LOOPS(60); run++) {
+        enum { TRIANGLES = 700, N = 80 };
+        static float    f[TRIANGLES * 9];
+        static double   d[TRIANGLES * 9];
+        static uint64_t bits[4][N * N * 2];
+        tribox_grid     grid = {{0, 0, 0}, {0.1, 0.1, 0.1}, {0, 0, 0}, {N, N, N}, 0};
+        tribox_mesh     mesh;
+        tribox_mesh_f64 wide;
+        painted         to;
+        int             t;
+        int             k;
+        grid.flags = every_rule[run % 4];
+        for (k = 0; k < 3; k++) {
+            grid.size[k] = run % 3 == 0 ? 0.1 : run % 3 == 1 ? 0.0625 : 0.75;
+        }
+        for (t = 0; t < TRIANGLES; t++) {
+            const double extent = t % 5 == 0 ? 9 : t % 5 == 1 ? 1 : t % 5 == 2 ? 2 : t % 5 == 3 ? 3.5 : 20;
+            double       c[3];
+            for (k = 0; k < 3; k++) {
+                c[k] = N * (0.5 + 0.55 * random_signed());
+            }
+            for (k = 0; k < 9; k++) {
+                double x = c[k % 3] + extent * 0.5 * random_signed();
+                x = run % 4 == 3 ? (double)(int)(2 * x) / 2 : x;
+                f[9 * t + k] = (float)(x * grid.size[k % 3]);
+                d[9 * t + k] = (double)f[9 * t + k];
+            }
+        }
+        mesh.positions = f;
+        wide.positions = d;
+        mesh.stride = wide.stride = 0;
+        mesh.indices = wide.indices = 0;
+        mesh.triangles = wide.triangles = TRIANGLES;
+        memset(bits, 0, sizeof bits);
+        to.grid = &grid;
+        to.bits = bits[0];
+        CHECK(tribox_mesh_spans(&grid, &mesh, paint, &to) == tribox_mesh_spans_f64(&grid, &wide, 0, 0));
+        to.bits = bits[1];
+        tribox_mesh_spans_f64(&grid, &wide, paint, &to);
+        tribox_grid_fill(&grid, &mesh, bits[2]);
+        tribox_grid_fill_f64(&grid, &wide, bits[3]);
+        CHECK(memcmp(bits[0], bits[1], sizeof bits[0]) == 0);
+        CHECK(memcmp(bits[0], bits[2], sizeof bits[0]) == 0);
+        CHECK(memcmp(bits[0], bits[3], sizeof bits[0]) == 0);
+    }
+}
+
+/* A cube of side .9 in map coordinates, which floats would round to halves: voxels of 1/8, whose faces are doubles, are
+ * set exactly where a triangle touches them, in the fill and in the spans. */
+static void a_cube_in_map_coordinates_keeps_its_digits(void)
+{
+    static const unsigned char side[36] = {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
+                                           2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3};
+    const double    corner[3] = {448262.25, 5411932.7, 112.3};
+    double          v[24];
+    uint32_t        index[36];
+    uint64_t        bits[16 * 16];
+    uint64_t        painted_bits[16 * 16];
+    tribox_grid     grid;
+    tribox_mesh_f64 mesh;
+    painted         to;
+    int             set = 0;
+    int             i;
+    int             k;
+
+    for (i = 0; i < 8; i++) {
+        for (k = 0; k < 3; k++) {
+            v[3 * i + k] = corner[k] + (i >> k & 1 ? 0.9 : 0);
+        }
+    }
+    for (i = 0; i < 36; i++) {
+        index[i] = side[i];
+    }
+    for (k = 0; k < 3; k++) {
+        grid.size[k] = 0.125;
+        grid.origin[k] = (double)(int)corner[k] - 0.5;
+        grid.lo[k] = 0;
+        grid.hi[k] = 16;
+    }
+    grid.flags = 0;
+    mesh.positions = v;
+    mesh.stride = 0;
+    mesh.indices = index;
+    mesh.triangles = 12;
+    memset(bits, 0, sizeof bits);
+    memset(painted_bits, 0, sizeof painted_bits);
+    tribox_grid_fill_f64(&grid, &mesh, bits);
+    to.grid = &grid;
+    to.bits = painted_bits;
+    tribox_mesh_spans_f64(&grid, &mesh, paint, &to);
+    CHECK(memcmp(bits, painted_bits, sizeof bits) == 0);
+    for (i = 0; i < 16 * 16 * 16; i++) {
+        double lo[3];
+        double hi[3];
+        int    touches = 0;
+        int    t;
+        lo[0] = grid.origin[0] + 0.125 * (i % 16);
+        lo[1] = grid.origin[1] + 0.125 * (i / 16 % 16);
+        lo[2] = grid.origin[2] + 0.125 * (i / 256);
+        for (k = 0; k < 3; k++) {
+            hi[k] = lo[k] + 0.125;
+        }
+        for (t = 0; t < 12 && !touches; t++) {
+            touches = tribox_overlap_f64(v + 3 * index[3 * t], v + 3 * index[3 * t + 1], v + 3 * index[3 * t + 2],
+                                         lo, hi);
+        }
+        CHECK(tribox_grid_get(&grid, bits, i % 16, i / 16 % 16, i / 256) == touches);
+        set += touches;
+    }
+    CHECK(set > 150);
+}
+
+/* No triangles, no mesh, an empty grid, one of NaN: nothing, and no voxel is counted. */
+static void spans_of_nothing_are_none(void)
+{
+    tribox_grid     grid = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {4, 4, 4}, 0};
+    const float     f[9] = {1, 1, 1, 2, 1, 1, 1, 2, 1};
+    const double    d[9] = {1, 1, 1, 2, 1, 1, 1, 2, 1};
+    tribox_mesh     mesh = {0, 0, 0, 0};
+    tribox_mesh_f64 wide = {0, 0, 0, 0};
+
+    CHECK(tribox_mesh_spans(&grid, &mesh, 0, 0) == 0 && tribox_mesh_spans_f64(&grid, &wide, 0, 0) == 0);
+    mesh.positions = f;
+    wide.positions = d;
+    mesh.triangles = wide.triangles = 1;
+    CHECK(tribox_mesh_spans(&grid, &mesh, 0, 0) > 0 && tribox_mesh_spans_f64(&grid, &wide, 0, 0) > 0);
+    grid.size[1] = 0;
+    CHECK(tribox_mesh_spans(&grid, &mesh, 0, 0) == 0 && tribox_mesh_spans_f64(&grid, &wide, 0, 0) == 0);
+    grid.size[1] = 1;
+    grid.hi[2] = 0;
+    CHECK(tribox_mesh_spans(&grid, &mesh, 0, 0) == 0 && tribox_mesh_spans_f64(&grid, &wide, 0, 0) == 0);
+}
+
 int main(void)
 {
     RUN(general_triangles_are_exact_on_every_voxel);
@@ -516,5 +853,9 @@ int main(void)
     RUN(huge_triangle_over_a_small_region_is_cheap);
     RUN(plane_almost_parallel_to_x_is_exact);
     RUN(more_rows_than_are_kept_at_once_are_exact);
+    RUN(spans_and_fills_of_meshes_are_those_of_their_triangles);
+    RUN(spans_of_a_mesh_paint_its_fill);
+    RUN(a_cube_in_map_coordinates_keeps_its_digits);
+    RUN(spans_of_nothing_are_none);
     return test_report("test_grid");
 }
