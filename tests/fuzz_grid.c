@@ -31,11 +31,13 @@ static void try_flags(const question *ask, const unsigned char rules[EDGE][EDGE]
     const double *x = ask->x;
     tribox_grid grid;
     uint64_t bits[EDGE * EDGE];
+    uint64_t bits_f64[EDGE * EDGE];
     float f[15];
     size_t count;
     int i, j, k, hits = 0;
     memset(&r, 0, sizeof r);
     memset(bits, 0, sizeof bits);
+    memset(bits_f64, 0, sizeof bits_f64);
     r.ask = ask;
     r.order = -1;
     r.in_order = 1;
@@ -48,6 +50,15 @@ static void try_flags(const question *ask, const unsigned char rules[EDGE][EDGE]
     grid.flags = flags;
     count = tribox_grid_spans_f64(&grid, x, x + 3, x + 6, take, &r);
     require("spans in order", flags, r.in_order, 1, ask);
+    {
+        tribox_mesh_f64 mesh;
+        mesh.positions = x;
+        mesh.stride = 0;
+        mesh.indices = NULL;
+        mesh.triangles = 1;
+        tribox_grid_fill_f64(&grid, &mesh, bits_f64);
+        require("tribox_mesh_spans_f64", flags, tribox_mesh_spans_f64(&grid, &mesh, NULL, NULL) == count, 1, ask);
+    }
     if (floats(x, 9)) {
         static const uint32_t copies[3 * 40] = {        /* so many that a fill takes them several at a time */
             0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2,
@@ -75,6 +86,7 @@ static void try_flags(const question *ask, const unsigned char rules[EDGE][EDGE]
                 const int want = rules[k][j][i] >> rule_of(flags) & 1;
                 hits += want;
                 require("voxel of tribox_grid_spans_f64", flags, r.set[k][j][i], want, ask);
+                require("voxel of tribox_grid_fill_f64", flags, (int)(bits_f64[k * EDGE + j] >> i & 1u), want, ask);
                 if (floats(x, 9)) {
                     require("voxel of tribox_grid_fill", flags, (int)(bits[k * EDGE + j] >> i & 1u), want,
                             ask);

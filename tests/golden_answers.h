@@ -220,6 +220,52 @@ GOLDEN_FN int golden_fill_is_spans(uint64_t seed, unsigned flags)
     return same;
 }
 
+/* Bits of an 8 x 8 x 8 region that begins at voxel lo. */
+typedef struct golden_painted {
+    uint64_t bits[GOLDEN_EDGE * GOLDEN_EDGE];
+    int lo[3];
+} golden_painted;
+
+GOLDEN_FN void golden_paint(void *user, size_t triangle, int x0, int x1, int y, int z)
+{
+    golden_painted *p = (golden_painted *)user;
+    (void)triangle;
+    for (; x0 <= x1; ++x0) {
+        p->bits[(z - p->lo[2]) * GOLDEN_EDGE + (y - p->lo[1])] |= (uint64_t)1 << (x0 - p->lo[0]);
+    }
+}
+
+/* The same mesh as doubles, and as spans of both: the same voxels? */
+GOLDEN_FN int golden_fill_is_same(const golden_grid *g, const tribox_grid *grid, const tribox_mesh *mesh,
+                                  const uint64_t *bits)
+{
+    double wide[18];
+    uint64_t filled[GOLDEN_EDGE * GOLDEN_EDGE];
+    golden_painted by_float;
+    golden_painted by_double;
+    tribox_mesh_f64 mesh_f64;
+    int same;
+    int i;
+    golden_widened(wide, g->v, 18);
+    mesh_f64.positions = wide;
+    mesh_f64.stride = 0;
+    mesh_f64.indices = NULL;
+    mesh_f64.triangles = 2;
+    for (i = 0; i < GOLDEN_EDGE * GOLDEN_EDGE; ++i) {
+        filled[i] = by_float.bits[i] = by_double.bits[i] = 0;
+    }
+    for (i = 0; i < 3; ++i) {
+        by_float.lo[i] = by_double.lo[i] = grid->lo[i];
+    }
+    tribox_grid_fill_f64(grid, &mesh_f64, filled);
+    same = tribox_mesh_spans(grid, mesh, golden_paint, &by_float) ==
+           tribox_mesh_spans_f64(grid, &mesh_f64, golden_paint, &by_double);
+    for (i = 0; i < GOLDEN_EDGE * GOLDEN_EDGE; ++i) {
+        same &= filled[i] == bits[i] && by_float.bits[i] == bits[i] && by_double.bits[i] == bits[i];
+    }
+    return same;
+}
+
 GOLDEN_FN uint64_t golden_ask_fill(const golden_grid *g, unsigned flags)
 {
     tribox_grid grid;
@@ -244,7 +290,7 @@ GOLDEN_FN uint64_t golden_ask_fill(const golden_grid *g, unsigned flags)
     for (i = 0; i < GOLDEN_EDGE * GOLDEN_EDGE; ++i) {
         hash = golden_mix(hash, bits[i]);
     }
-    return golden_fill_is_spans(g->v[0] ^ g->v[3], flags) ? hash : ~hash;
+    return golden_fill_is_spans(g->v[0] ^ g->v[3], flags) && golden_fill_is_same(g, &grid, &mesh, bits) ? hash : ~hash;
 }
 
 GOLDEN_FN uint64_t golden_ask_locate(const golden_grid *g)

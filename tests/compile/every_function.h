@@ -46,12 +46,20 @@ static int every_function_tri(void)
     return wrong;
 }
 
+static void every_function_mesh_span(void *user, size_t triangle, int x0, int x1, int y, int z)
+{
+    *(int *)user += x1 - x0 + 1 + (int)triangle;
+    (void)y;
+    (void)z;
+}
+
 static int every_function_grid(void)
 {
     const float  t[3][3] = {{0.25f, 0.25f, 0.5f}, {0.75f, 0.25f, 0.5f}, {0.25f, 0.75f, 1.0f}};
     const double d[3][3] = {{0.25, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.25, 0.75, 1.0}};
     tribox_grid  grid;
     tribox_mesh  mesh;
+    tribox_mesh_f64 mesh_f64;
     uint64_t     bits[4] = {0, 0, 0, 0};
     int          index[3];
     int          counted = 0;
@@ -75,8 +83,17 @@ static int every_function_grid(void)
     wrong += tribox_grid_words(&grid) != 4;
     tribox_grid_fill(&grid, &mesh, bits);
     wrong += tribox_grid_get(&grid, bits, 0, 0, 1) != 1;
+    mesh_f64.positions = d[0];
+    mesh_f64.stride = 0;
+    mesh_f64.indices = 0;
+    mesh_f64.triangles = 1;
+    tribox_grid_fill_f64(&grid, &mesh_f64, bits);
+    wrong += tribox_mesh_spans(&grid, &mesh, every_function_mesh_span, &counted) != 2;
+    wrong += tribox_mesh_spans_f64(&grid, &mesh_f64, every_function_mesh_span, &counted) != 2;
+    wrong += counted != 8;
     wrong += tribox_grid_locate(&grid, d[2], index) != 1 || index[2] != 1;
     wrong += tribox_grid_fit(&grid, &mesh, 4) != 1;
+    wrong += tribox_grid_fit_f64(&grid, &mesh_f64, 4) != 1;
     return wrong;
 }
 
