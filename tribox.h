@@ -4327,50 +4327,7 @@ TBX_FN double tbx_floor_to(double x, double q)
 }
 
 #if TRIBOX_SIMD /* section 11.4 */
-/* A region, in double. */
-typedef struct tbx_fine {
-    double origin[3];
-    double inverse[3];
-    double delta; /* D */
-    int n[3];
-    int thin;
-    int on; /* 0: its numbers are out of range */
-} tbx_fine;
-
-TBX_FN void tbx_fine_init(tbx_fine *f, const tribox_grid *grid)
-{
-    int k;
-    f->on = 1;
-    f->delta = 0.0;
-    f->thin = (grid->flags & TRIBOX_THIN) != 0;
-    for (k = 0; k < 3; k++) {
-        const double size = grid->size[k];
-        const double offset = (double)grid->lo[k] * size;
-        const double n = (double)grid->hi[k] - (double)grid->lo[k];
-        const double units = size > 1e-18 ? 1.0 / size : 0.0;
-        const double reach = (tbx_abs(grid->origin[k]) + tbx_abs(offset)) * units + n + 64.0;
-        const double delta = 8.0 * TBX_U64 * reach;
-        f->on &= size > 1e-18 && size < 1e18 && n <= 65536.0 && delta < 1e-4;
-        f->origin[k] = grid->origin[k] + offset;
-        f->inverse[k] = units;
-        f->n[k] = n <= 65536.0 ? (int)n : 0;
-        f->delta = delta > f->delta ? delta : f->delta;
-    }
-}
-
-TBX_NOINLINE void tbx_fill_part(const tribox_grid *grid, const tbx_fine *fine, const tribox_mesh *mesh,
-                                size_t triangle, const tbx_part *part, const tbx_target *target)
-{
-    tbx_frame f;
-    tbx_source source;
-    (void)fine;
-    (void)tbx_frame_init(&f, grid);
-    tbx_source_float(&source, mesh);
-    tbx_fill_triangle(&f, &source, triangle, part, target);
-}
-
-TBX_FN size_t tbx_fill_quick(const tribox_grid *grid, const tbx_fine *fine, const tribox_mesh *mesh,
-                             const tbx_target *target);
+TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, const tbx_target *target);
 #endif
 
 TBX_FN void tbx_fill_mesh(const tribox_grid *grid, const tbx_source *source, uint64_t *bits)
@@ -4389,14 +4346,7 @@ TBX_FN void tbx_fill_mesh(const tribox_grid *grid, const tbx_source *source, uin
     tbx_part_all(&all, grid);
 #if TRIBOX_SIMD
     if (!source->is_double) {
-        tbx_fine fine;
-        tribox_mesh mesh;
-        mesh.positions = (const float *)(const void *)source->positions;
-        mesh.stride = source->stride;
-        mesh.indices = source->indices;
-        mesh.triangles = source->triangles;
-        tbx_fine_init(&fine, grid);
-        t = tbx_fill_quick(grid, &fine, &mesh, &target);
+        t = tbx_fill_quick(&f, source, &target);
     }
 #endif
     for (; t < source->triangles; t++) {
@@ -8709,6 +8659,18 @@ TBX_FORCED void tbx_wide_parts(tbx_f4 out_part[TBX_WIDE / 4], tbx_fw a)
 #endif
 }
 
+/* The sign bits of the lanes. */
+TBX_FORCED unsigned tbx_wide_signs(tbx_iw mask)
+{
+    tbx_f4 part[TBX_WIDE / 4];
+    tbx_wide_parts(part, (tbx_fw)mask);
+#if TBX_WIDE == 4
+    return (unsigned)tbx_signs((tbx_i4)part[0]);
+#else
+    return (unsigned)tbx_signs((tbx_i4)part[0]) | (unsigned)tbx_signs((tbx_i4)part[1]) << 4;
+#endif
+}
+
 TBX_FORCED int tbx_wide_any(tbx_iw mask)
 {
     tbx_f4 part[TBX_WIDE / 4];
@@ -8800,43 +8762,45 @@ TBX_FORCED void tbx_load_points(tbx_f4 *x, tbx_f4 *y, tbx_f4 *z, const void *a, 
     *z = third;
 }
 
-/* Corner c of WIDE triangles: those listed, or from the first on if there is no list. */
-TBX_FORCED void tbx_load_corner(tbx_points *out, const tribox_mesh *mesh, int indexed, const size_t *list,
-                                size_t first, size_t c)
+/* Corner c of the WIDE triangles listed. */
+TBX_FORCED void tbx_load_corner(tbx_points *out, const tbx_source *s, const size_t *list, size_t c)
 {
-    const char *positions = (const char *)mesh->positions;
-    const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
+    const char *at[TBX_WIDE];
     tbx_f4 x[TBX_WIDE / 4];
     tbx_f4 y[TBX_WIDE / 4];
     tbx_f4 z[TBX_WIDE / 4];
-#define TBX_AT(i) (3 * (list != NULL ? list[i] : first + (i)) + c)
-#define TBX_POINT(i) (positions + stride * (indexed ? (size_t)mesh->indices[TBX_AT(i)] : TBX_AT(i)))
-    tbx_load_points(&x[0], &y[0], &z[0], TBX_POINT(0), TBX_POINT(1), TBX_POINT(2), TBX_POINT(3));
-#if TBX_WIDE > 4
-    tbx_load_points(&x[1], &y[1], &z[1], TBX_POINT(4), TBX_POINT(5), TBX_POINT(6), TBX_POINT(7));
-#endif
-#undef TBX_POINT
-#undef TBX_AT
+    int i;
+    for (i = 0; i < TBX_WIDE; i++) {
+        at[i] = tbx_source_at(s, list[i], c);
+    }
+    for (i = 0; i < TBX_WIDE / 4; i++) {
+        const char *const *a = at + 4 * i;
+        tbx_load_points(&x[i], &y[i], &z[i], a[0], a[1], a[2], a[3]);
+    }
     out->x = tbx_wide_of(x);
     out->y = tbx_wide_of(y);
     out->z = tbx_wide_of(z);
 }
 
-TBX_FORCED void tbx_load_corners(tbx_points out[3], const tribox_mesh *mesh, int indexed, const size_t *list,
-                                 size_t first)
+TBX_FORCED void tbx_load_corners(tbx_points out[3], const tbx_source *s, const size_t *list)
 {
-    tbx_load_corner(&out[0], mesh, indexed, list, first, 0);
-    tbx_load_corner(&out[1], mesh, indexed, list, first, 1);
-    tbx_load_corner(&out[2], mesh, indexed, list, first, 2);
+    tbx_load_corner(&out[0], s, list, 0);
+    tbx_load_corner(&out[1], s, list, 1);
+    tbx_load_corner(&out[2], s, list, 2);
 }
 
 /* ---- The fill's grid
  *
- * X = v * inverse - origin / size, from the region's minimum corner, plus MARGIN: the product is off by
- * 2 u |v| * inverse, the constant by u |origin| / size, the sum by u |X|, where v lies within MARGIN of the
- * region; doubles add less than 1e-9. Subnormals read as zero move X by less than 2^-126 * inverse,
- * inverse <= 2^60. Who comes that near to a grid plane, or lies more than MARGIN beyond the region, goes the
- * exact way.
+ * Index boxes come from fixed point: in steps of 2^-16 of a voxel the least and the greatest coordinate of a
+ * triangle are whole numbers, index in the upper half, place within the voxel in the lower. With t = v -
+ * centre, centre a float near the region's middle, y = t * steps is off by 3 u |y| (the difference, the
+ * factor, the product), |y| <= (n / 2 + 2) * 2^16 about the region, by truncation less than 1, by the whole
+ * number added less than 1, and by what doubles add. All of this is `slack`. Coordinates that lie within it
+ * of a grid plane, boxes not all in the region, and corners that are not finite or beyond `far` take the
+ * careful way: X = v * inverse - origin / size, plus MARGIN: the product is off by 2 u |v| * inverse, the
+ * constant by u |origin| / size, the sum by u |X|, where v lies within MARGIN of the region; doubles add less
+ * than 1e-9. Subnormals read as zero move X by less than 2^-126 * inverse, inverse <= 2^60. What that leaves
+ * unsure is asked exactly.
  *
  * A grid plane i is high + low, where high = base_high + i * size_high is exact: both are multiples of
  * `spacing`, and with them every high is, below 2^24 of it. low = base_low + i * size_low, at most
@@ -8853,24 +8817,36 @@ TBX_FORCED void tbx_load_corners(tbx_points out[3], const tribox_mesh *mesh, int
  *   HALF_OPEN      Closed boxes [i, i + 1 - e], e > 0 as small as you like: touching does not count where it
  *                  takes an upper face.
  *   OPEN           [i + e, i + 1 - e]: it never counts. */
+#define TBX_STEPS 65536.0 /* of a voxel in fixed point */
+
 typedef struct tbx_quick {
+    double origin[3]; /* of the region */
+    double units[3];  /* 1 / size */
+    double delta;     /* of a coordinate in voxels, in double */
+    int n[3];
+    float centre[4]; /* fixed point; the fourth lanes are 0 */
+    float steps[4];
+    int32_t far_bits[4]; /* of the greatest magnitude it is used for */
+    int32_t bias[4];     /* of index 0, less the slack */
+    int32_t limit[4];    /* what is above in either half is unsure, or outside */
     float inverse[3];
     float shift_down[3]; /* MARGIN - origin, less and plus the bound */
     float shift_up[3];
-    float base_high[3]; /* of the first inner plane of the box that begins at X = 0 */
+    float base_high[3]; /* of the first inner plane of the box at index 0 */
     float base_low[3];
     float size_high[3];
     float size_low[3];
     float step[3];  /* of the lattice; 0: there is none on this axis */
     int32_t end[3]; /* the region's last voxel, MARGIN added */
     float delta_low;
-    const tbx_fine *fine;
     size_t layer_words;
     int on; /* 0: this grid's numbers are out of range */
     int thin;
     int lattice;    /* some step is not 0 */
     int upper_open; /* touching a voxel's upper faces does not count */
     int lower_open;
+    int fetch;                  /* the bits exceed the caches */
+    unsigned char class_of[64]; /* by extents of up to 4 voxels */
 } tbx_quick;
 
 #define TBX_MARGIN 16 /* voxels beyond the region in which X is still used */
@@ -8892,62 +8868,141 @@ TBX_FN float tbx_lattice_step(const tribox_grid *grid, int k, double spacing)
     return exact ? (float)step : 0.0f;
 }
 
-TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_fine *fine, const tbx_target *t)
+/* Classes of boxes; those listed first need no test, the last ones take a way of their own. */
+enum {
+    TBX_CLASS_SHORT, /* one voxel or two */
+    TBX_CLASS_FLAT,  /* 2x2x1 voxels, one thick on x, */
+    TBX_CLASS_FLAT_Y,
+    TBX_CLASS_FLAT_Z,
+    TBX_CLASS_2, /* up to 2^3, 3^3, 4^3 */
+    TBX_CLASS_3,
+    TBX_CLASS_4,
+    TBX_CLASS_LARGE,
+    TBX_CLASS_SPECIAL
+};
+
+TBX_FN void tbx_classes_init(tbx_quick *q)
+{
+    int i;
+    for (i = 0; i < 64; i++) {
+        const int x = i & 3;
+        const int y = i >> 2 & 3;
+        const int z = i >> 4;
+        const int most = x > y ? x > z ? x : z : y > z ? y : z;
+        const int longer = (x > 0) + (y > 0) + (z > 0);
+        const int flat = x == 0 ? 0 : y == 0 ? 1 : 2;
+        int c = TBX_CLASS_SHORT;
+        if (q->thin) {
+            c = TBX_CLASS_LARGE;
+        } else if (most > 1 || longer > 2) {
+            c = TBX_CLASS_2 + most - 1;
+        } else if (longer == 2) {
+            c = TBX_CLASS_FLAT + flat;
+        }
+        q->class_of[i] = (unsigned char)c;
+    }
+}
+
+/* Fixed point on axis k. Returns 0 if its slack is too large. */
+TBX_FN int tbx_fixed_init(tbx_quick *q, int k)
+{
+    const double n = (double)q->n[k];
+    const double steps = TBX_STEPS * q->units[k];
+    const double most = 1.329227995784916e36 / steps; /* 2^120 */
+    const float far_off = (float)(most < 1e38 ? most : 1e38);
+    const double error = 3.0 * (double)TBX_U32 * (0.5 * n + 2.0) + 2.0 * q->delta;
+    double slack = error < 0.125 ? 1.01 * TBX_STEPS * error + 4.0 : 0.0;
+    double bias;
+    TBX_KEEP_SCALAR(slack);
+    q->centre[k] = (float)(q->origin[k] + 0.5 * n / q->units[k]);
+    TBX_KEEP(q->centre[k]);
+    q->steps[k] = (float)steps;
+    q->far_bits[k] = (int32_t)tbx_bits32(&far_off);
+    bias = ((double)q->centre[k] - q->origin[k]) * steps - slack;
+    bias = bias < 4294967295.0 ? bias : 4294967295.0;
+    bias = bias > -4294967295.0 ? bias : -4294967295.0;
+    TBX_KEEP_SCALAR(bias);
+    q->bias[k] = (int32_t)(uint32_t)(uint64_t)(int64_t)bias;
+    q->limit[k] = (int32_t)(((uint32_t)q->n[k] - 1u) << 16 | (65535u - 2u * (uint32_t)slack));
+    return error < 0.125;
+}
+
+TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_target *t)
 {
     const double u = (double)TBX_U32;
     const double margin = (double)TBX_MARGIN;
     int k;
-    q->on = 0;
-    q->fine = fine;
-    q->thin = fine->thin;
+    q->on = TBX_DOUBLE_IS_53_BITS;
+    q->thin = (grid->flags & TRIBOX_THIN) != 0;
     q->upper_open = !q->thin && (grid->flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN)) != 0;
     q->lower_open = !q->thin && (grid->flags & TRIBOX_OPEN) != 0;
     q->layer_words = t->ny * t->row_words;
+    q->delta = 0.0;
     q->delta_low = 0.0f;
-    if (!fine->on) {
-        return;
-    }
+    q->centre[3] = q->steps[3] = 0.0f;
+    q->far_bits[3] = 0x7fffffff;
+    q->bias[3] = 0;
+    q->limit[3] = -1;
+    tbx_classes_init(q);
     for (k = 0; k < 3; k++) {
+        const double n = (double)grid->hi[k] - (double)grid->lo[k];
+        if (!(tbx_is_ordinary(&grid->origin[k], 100) & tbx_is_ordinary(&grid->size[k], 60)) || n > 65536.0) {
+            q->on = 0;
+            return;
+        } else {
+            const double offset = (double)grid->lo[k] * grid->size[k];
+            double size = grid->size[k];
+            double delta;
+            TBX_KEEP_SCALAR(size);
+            q->units[k] = 1.0 / size;
+            q->origin[k] = grid->origin[k] + offset;
+            q->n[k] = (int)n;
+            delta = (tbx_abs(grid->origin[k]) + tbx_abs(offset)) * q->units[k] + n + 64.0;
+            delta *= 8.0 * TBX_U64;
+            q->delta = delta > q->delta ? delta : q->delta;
+        }
+    }
+    q->on &= q->delta < 1e-4;
+    q->fetch = q->layer_words > 131072 / (size_t)q->n[2]; /* 1 MiB */
+    for (k = 0; k < 3 && q->on; k++) {
         const double size = grid->size[k];
-        const double origin = fine->origin[k];
-        const double n = (double)fine->n[k];
-        const double units = fine->inverse[k];
+        const double origin = q->origin[k];
+        const double n = (double)q->n[k];
+        const double units = q->units[k];
         const double start = tbx_abs(origin) * units;
         const double end = tbx_abs(origin * units + n);
         const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + 1e-9;
-        const double base = origin - (margin - 1.0) * size;
+        const double base = origin + size;
+        const double before = tbx_abs(origin - margin * size);
         const double last = tbx_abs(origin + (n + 2.0 * margin) * size);
-        const double most = tbx_abs(base) > last ? tbx_abs(base) : last;
+        const double most = before > last ? before : last;
         double spacing;
         double base_high;
         double size_high;
         double delta_low;
-        if (!(slack < 0.125)) {
-            return;
-        }
+        q->on = (slack < 0.125) & tbx_fixed_init(q, k);
         spacing = tbx_floor_pow2(most) * (1.0 / 4194304.0); /* 2^-22 */
         base_high = tbx_floor_to(base, spacing);
         size_high = tbx_floor_to(size, spacing);
         TBX_KEEP(base_high);
         TBX_KEEP(size_high);
-        delta_low = 4.1 * u * spacing * (n + 34.0) * units + 2.0 * fine->delta + 1e-12;
+        delta_low = 4.1 * u * spacing * (n + 34.0) * units + 2.0 * q->delta + 1e-12;
         q->inverse[k] = (float)units;
-        q->shift_down[k] = (float)(margin - origin / size - slack);
-        q->shift_up[k] = (float)(margin - origin / size + slack);
+        q->shift_down[k] = (float)(margin - origin * units - slack);
+        q->shift_up[k] = (float)(margin - origin * units + slack);
         q->base_high[k] = (float)base_high;
         q->base_low[k] = (float)(base - base_high);
         q->size_high[k] = (float)size_high;
         q->size_low[k] = (float)(size - size_high);
         q->step[k] = tbx_lattice_step(grid, k, spacing);
         q->delta_low = (float)delta_low > q->delta_low ? (float)delta_low : q->delta_low;
-        q->end[k] = TBX_MARGIN + fine->n[k] - 1;
+        q->end[k] = TBX_MARGIN + q->n[k] - 1;
     }
-    q->lattice = q->step[0] + q->step[1] + q->step[2] > 0.0f;
-    q->on = 1;
+    q->lattice = q->on && q->step[0] + q->step[1] + q->step[2] > 0.0f;
 }
 
-/* Index boxes as the ways of a fill take them. In the last lane a byte for each extent, that is the voxels
- * less 1, and these: */
+/* Index boxes as the ways of a fill take them: x, y, z of the first voxel, from the region's first; in the
+ * last lane a byte for each extent, that is the voxels less 1, and these: */
 #define TBX_ON_LATTICE (1 << 24)
 #define TBX_IS_CUT (1 << 25) /* not all of it is in the region */
 #define TBX_OFF (-2)         /* none of it is */
@@ -8984,45 +9039,154 @@ TBX_FN void tbx_group_pad(tbx_group *g)
     }
 }
 
-/* What a triangle leaves for the row walk. */
+#define TBX_BLOCK 128
+
+/* What a triangle leaves for the row walk: how many triangles before the next block's first it is, and its
+ * rows and layers. */
 typedef struct tbx_doubt {
-    size_t triangle;
+    uint16_t back;
     uint16_t first[2];
     uint16_t last[2];
 } tbx_doubt;
 
 /* What the ways of a fill share. Doubts wait until the stack is free of all else. */
-#define TBX_BATCH 16
-
 typedef struct tbx_fill {
-    const tribox_mesh *mesh;
+    const tbx_frame *frame;
+    const tbx_source *source;
     const tbx_target *target;
-    const tbx_fine *fine;
     tbx_quick quick;
-    tbx_group group[3]; /* boxes of up to 2^3, 3^3, 4^3 voxels */
-    tbx_group rows[2];  /* of up to FEW^3, ROWS^3 */
-    int doubts;         /* a batch's, and of what waited in groups, at most */
-    tbx_doubt doubt[TBX_BATCH + 5 * TBX_WIDE];
+    tbx_group rows[2]; /* boxes of up to FEW^3, ROWS^3 */
+    size_t next;       /* the first triangle of the next block */
+    int doubts;        /* a block's, and of what waited in groups, at most */
+    tbx_doubt doubt[TBX_BLOCK + 2 * TBX_WIDE];
 } tbx_fill;
 
 TBX_FN tbx_doubt *tbx_fill_later(tbx_fill *fill, size_t triangle)
 {
     tbx_doubt *d = &fill->doubt[fill->doubts];
-    d->triangle = triangle;
+    d->back = (uint16_t)(fill->next - triangle);
     d->first[0] = d->first[1] = 0;
-    d->last[0] = (uint16_t)(fill->fine->n[1] - 1);
-    d->last[1] = (uint16_t)(fill->fine->n[2] - 1);
+    d->last[0] = (uint16_t)(fill->quick.n[1] - 1);
+    d->last[1] = (uint16_t)(fill->quick.n[2] - 1);
     fill->doubts++;
     return d;
 }
 
-/* ---- Index boxes of WIDE triangles */
+/* A block of triangles: their boxes, and lists of them by class. */
+typedef struct tbx_block {
+    int32_t box[TBX_BLOCK][4];
+    unsigned char list[TBX_CLASS_SPECIAL + 1][TBX_BLOCK];
+    int count[TBX_CLASS_SPECIAL + 1];
+    size_t first; /* triangle */
+} tbx_block;
+
+/* The class of a box of so many voxels more than one: a byte for each axis. */
+TBX_FORCED unsigned tbx_class_of(const tbx_quick *q, uint32_t more)
+{
+    const unsigned small = q->class_of[(uint32_t)((more & 0x030303u) * 0x04104000u) >> 26];
+    return (more & 0xfefcfcfcu) != 0 ? (unsigned)TBX_CLASS_LARGE : small;
+}
+
+/* Bytes 0..2: lanes 0..2, 255 where they are more. */
+TBX_FORCED uint32_t tbx_to_bytes(tbx_i4 a)
+{
+#if defined(__SSE2__)
+    typedef short tbx_s8 __attribute__((vector_size(16)));
+    const tbx_s8 words = __builtin_ia32_packssdw128(a, a);
+    return (uint32_t)((tbx_i4)__builtin_ia32_packuswb128(words, words))[0];
+#else
+    const tbx_i4 most = tbx_splat_int(255);
+    const tbx_i4 over = a > most;
+    a = (a & ~over) | (most & over);
+    return (uint32_t)(a[0] | a[1] << 8 | a[2] << 16);
+#endif
+}
+
+/* Corner c of the source's triangle t, as integers in the lanes of tbx_load3. */
+TBX_FORCED tbx_i4 tbx_block_corner(const tbx_source *source, int indexed, size_t at)
+{
+    tbx_i4 r =
+        (tbx_i4)tbx_load3(source->positions + source->stride * (indexed ? (size_t)source->indices[at] : at));
+    TBX_KEEP_VECTOR(r);
+    return r;
+}
+
+/* Boxes of a block. */
+TBX_FORCED void tbx_block_boxes(tbx_block *b, const tbx_quick *q, const tbx_source *from, int indexed,
+                                int count)
+{
+    typedef uint16_t tbx_h8 __attribute__((vector_size(16)));
+    const tbx_source source = *from; /* what is stored does not change it */
+    const tbx_f4 centre = tbx_load4(q->centre);
+    const tbx_f4 steps = tbx_load4(q->steps);
+    const tbx_i4 far_bits = tbx_load4i(q->far_bits);
+    const tbx_u4 bias = (tbx_u4)tbx_load4i(q->bias);
+    const tbx_h8 limit = (tbx_h8)tbx_load4i(q->limit);
+    const tbx_i4 magnitude = tbx_splat_int(0x7fffffff);
+    const tbx_f4 most = tbx_splat(2147483392.0f); /* 2^31 - 2^8 */
+    const tbx_f4 least = -most;
+    const tbx_u4 half = (tbx_u4)tbx_splat_int(16);
+    const tbx_i4 all = tbx_splat_int(-1);
+    size_t at = 3 * b->first;
+    int i;
+    for (i = 0; i < count; i++, at += 3) {
+        const tbx_i4 v0 = tbx_block_corner(&source, indexed, at);
+        const tbx_i4 v1 = tbx_block_corner(&source, indexed, at + 1);
+        const tbx_i4 v2 = tbx_block_corner(&source, indexed, at + 2);
+        const tbx_i4 out = ((v0 & magnitude) > far_bits) | ((v1 & magnitude) > far_bits) |
+                           ((v2 & magnitude) > far_bits);
+        if (!TBX_RARELY(tbx_any(out))) {
+            const tbx_f4 low = tbx_min4(tbx_min4((tbx_f4)v0, (tbx_f4)v1), (tbx_f4)v2) - centre;
+            const tbx_f4 high = tbx_max4(tbx_max4((tbx_f4)v0, (tbx_f4)v1), (tbx_f4)v2) - centre;
+            const tbx_f4 y0 = tbx_min4(tbx_max4(low * steps, least), most);
+            const tbx_f4 y1 = tbx_min4(tbx_max4(high * steps, least), most);
+            const tbx_u4 q0 = (tbx_u4)__builtin_convertvector(y0, tbx_i4) + bias;
+            const tbx_u4 q1 = (tbx_u4)__builtin_convertvector(y1, tbx_i4) + bias;
+            const tbx_i4 sure = (tbx_i4)(((tbx_h8)q0 <= limit) & ((tbx_h8)q1 <= limit));
+            const tbx_i4 first = (tbx_i4)(q0 >> half);
+            const tbx_i4 extents = (tbx_i4)(q1 >> half) - first;
+            TBX_COPY(b->box[i], &first, sizeof first);
+            b->box[i][3] = (int32_t)tbx_to_bytes(extents);
+            if (!TBX_RARELY(tbx_signs(sure == all) != 15)) {
+                continue;
+            }
+        }
+        b->box[i][3] = TBX_NOT_KNOWN;
+    }
+}
+
+/* Lists of a block's boxes by class. Of triangles in the same one or two voxels that follow each other the
+ * first will do. */
+TBX_FORCED void tbx_block_lists(tbx_block *b, const tbx_quick *q, int count)
+{
+    tbx_i4 previous = tbx_splat_int(-1);
+    uint64_t counts = 0; /* a byte for each class but the last: at most BLOCK */
+    int i;
+    for (i = 0; i < count; i++) {
+        const tbx_i4 box = tbx_load4i(b->box[i]);
+        const uint32_t more = (uint32_t)b->box[i][3];
+        if (TBX_RARELY(more == (uint32_t)TBX_NOT_KNOWN)) {
+            b->list[TBX_CLASS_SPECIAL][b->count[TBX_CLASS_SPECIAL]++] = (unsigned char)i;
+        } else {
+            const unsigned c = tbx_class_of(q, more);
+            const uint64_t repeats = (c == TBX_CLASS_SHORT) & (tbx_signs(box == previous) == 15);
+            b->list[c][counts >> 8 * c & 255] = (unsigned char)i;
+            counts += (1 - repeats) << 8 * c;
+        }
+        previous = box;
+    }
+    for (i = 0; i <= TBX_CLASS_LARGE; i++) {
+        b->count[i] = (int)(counts >> 8 * i & 255);
+    }
+}
+
+/* ---- Boxes that take the careful way, WIDE at a time */
 
 typedef struct tbx_boxes {
     tbx_iw first[3]; /* MARGIN added */
     tbx_iw last[3];
     tbx_iw cut;     /* negative: not all in the region, by the guess */
-    tbx_iw unsure;  /* not 0: a face is too near to a grid plane, or a corner is not finite */
+    tbx_iw unsure;  /* not 0: a face is too near to a grid plane */
     tbx_iw lattice; /* not 0: on some axis all corners are on the lattice */
 } tbx_boxes;
 
@@ -9040,7 +9204,8 @@ TBX_FORCED tbx_fw tbx_lattice_place(const tbx_quick *q, int k, tbx_fw x, tbx_iw 
     const tbx_fw parts = tbx_wide_all((float)TBX_PARTS);
     const tbx_fw guess = x * tbx_wide_all(q->inverse[k]) + tbx_wide_all(q->shift_down[k]);
     const tbx_fw place = __builtin_convertvector(tbx_box_round(guess * parts + tbx_wide_all(0.5f)), tbx_fw);
-    tbx_fw there = tbx_wide_all(q->base_high[k]) + (place - parts) * tbx_wide_all(q->step[k]);
+    const tbx_fw first_plane = tbx_wide_all((float)((TBX_MARGIN + 1) * TBX_PARTS));
+    tbx_fw there = tbx_wide_all(q->base_high[k]) + (place - first_plane) * tbx_wide_all(q->step[k]);
     tbx_iw is_zero;
     TBX_KEEP_VECTOR(there);
     is_zero = (((tbx_iw)there | (tbx_iw)x) & tbx_wide_int(0x7fffffff)) == tbx_wide_int(0);
@@ -9048,9 +9213,8 @@ TBX_FORCED tbx_fw tbx_lattice_place(const tbx_quick *q, int k, tbx_fw x, tbx_iw 
     return place;
 }
 
-/* Index boxes on axis k; if asked, exactly where all corners are on the lattice. */
-TBX_FORCED void tbx_box_axis(const tbx_quick *q, int k, tbx_fw x0, tbx_fw x1, tbx_fw x2, int on_lattice,
-                             tbx_boxes *out)
+/* Index boxes on axis k, exactly where all corners are on the lattice. */
+TBX_FORCED void tbx_box_axis(const tbx_quick *q, int k, tbx_fw x0, tbx_fw x1, tbx_fw x2, tbx_boxes *out)
 {
     const tbx_fw inverse = tbx_wide_all(q->inverse[k]);
     const tbx_fw down = tbx_wide_all(q->shift_down[k]);
@@ -9059,10 +9223,9 @@ TBX_FORCED void tbx_box_axis(const tbx_quick *q, int k, tbx_fw x0, tbx_fw x1, tb
     const tbx_fw high = tbx_wide_max(tbx_wide_max(x0, x1), x2) * inverse;
     tbx_iw first = tbx_box_round(low + down);
     tbx_iw last = tbx_box_round(high + up);
-    tbx_iw before;
     /* truncation is towards 0: below it is unsure, and cut; where the two guesses differ, a face is near */
     tbx_iw unsure = (first ^ tbx_box_round(low + up)) | (last ^ tbx_box_round(high + down));
-    if (on_lattice && q->step[k] > 0.0f) {
+    if (q->step[k] > 0.0f) {
         const tbx_iw to_voxels = tbx_wide_int(TBX_PARTS_LOG2);
         tbx_iw on = tbx_wide_int(-1);
         const tbx_fw p0 = tbx_lattice_place(q, k, x0, &on);
@@ -9075,25 +9238,20 @@ TBX_FORCED void tbx_box_axis(const tbx_quick *q, int k, tbx_fw x0, tbx_fw x1, tb
         unsure &= ~on;
         out->lattice |= on;
     }
-    before = first - tbx_wide_int(TBX_MARGIN);
     out->unsure |= unsure;
-    out->cut |= before | (tbx_wide_int(q->end[k]) - last);
+    out->cut |= (first - tbx_wide_int(TBX_MARGIN)) | (tbx_wide_int(q->end[k]) - last);
     out->first[k] = first;
     out->last[k] = last;
 }
 
-TBX_FORCED void tbx_boxes_of(const tbx_quick *q, const tbx_points v[3], int on_lattice, tbx_boxes *out)
+/* Numbers that cannot overflow: those beyond q->most are moved there. */
+TBX_FORCED tbx_fw tbx_box_tame(const tbx_quick *q, int k, tbx_fw x, tbx_iw *finite)
 {
-    const tbx_fw sum = ((v[0].x + v[1].x + v[2].x) + (v[0].y + v[1].y + v[2].y)) + (v[0].z + v[1].z + v[2].z);
-    out->cut = tbx_wide_int(0);
-    out->lattice = tbx_wide_int(0);
-    out->unsure = ((tbx_iw)sum & tbx_wide_int(0x7fffffff)) > tbx_wide_int(0x7f7fffff);
-    tbx_box_axis(q, 0, v[0].x, v[1].x, v[2].x, on_lattice, out);
-    tbx_box_axis(q, 1, v[0].y, v[1].y, v[2].y, on_lattice, out);
-    tbx_box_axis(q, 2, v[0].z, v[1].z, v[2].z, on_lattice, out);
+    const tbx_iw size = (tbx_iw)x & tbx_wide_int(0x7fffffff);
+    const tbx_iw most = tbx_wide_int(q->far_bits[k]);
+    *finite &= size < tbx_wide_int(0x7f800000);
+    return (tbx_fw)tbx_wide_select(size > most, most | ((tbx_iw)x & tbx_wide_int(TBX_SIGN_BIT)), (tbx_iw)x);
 }
-
-#define TBX_ROWS 64
 
 TBX_FORCED tbx_iw tbx_extents(const tbx_boxes *box)
 {
@@ -9101,55 +9259,138 @@ TBX_FORCED tbx_iw tbx_extents(const tbx_boxes *box)
            tbx_wide_up(box->last[2] - box->first[2], 16);
 }
 
-/* Returns whether some box is not as simple as can be: sure by the guess, of up to ROWS voxels on each axis,
- * and in the region. */
-TBX_FORCED int tbx_boxes_are_special(const tbx_boxes *box)
-{
-    const tbx_iw extents =
-        (box->last[0] - box->first[0]) | (box->last[1] - box->first[1]) | (box->last[2] - box->first[2]);
-    const tbx_iw other = box->unsure | (extents & tbx_wide_int(~(TBX_ROWS - 1)));
-    return tbx_wide_any((other != tbx_wide_int(0)) | box->cut);
-}
+#define TBX_ROWS 64
 
-/* Lanes of boxes off the region, by the guess on that side: X is off by its bound at most within MARGIN, by
- * 2^-20 of itself beyond; a triangle that is not finite sets nothing anyway. Empty boxes are off, too. */
-TBX_FORCED tbx_iw tbx_boxes_off(const tbx_quick *q, const tbx_boxes *box)
-{
-    tbx_iw off = tbx_wide_int(0);
-    int k;
-    for (k = 0; k < 3; k++) {
-        off |= (box->last[k] - tbx_wide_int(TBX_MARGIN)) | (tbx_wide_int(q->end[k]) - box->first[k]) |
-               (box->last[k] - box->first[k]);
-    }
-    return off < tbx_wide_int(0);
-}
-
-/* Any boxes, as guessed, of triangles v. */
-TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_points v[3], tbx_boxes *box,
-                                    tbx_i4 out[TBX_WIDE])
+/* Boxes of the WIDE triangles listed. Lanes that are off the region, by the guess on that side, are OFF: X is
+ * off by its bound at most within MARGIN, by 2^-20 of itself beyond; so are empty boxes, and triangles that
+ * are not finite. */
+TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_source *source,
+                                    const size_t triangle[TBX_WIDE], tbx_i4 out[TBX_WIDE])
 {
     const tbx_iw none = tbx_wide_int(0);
-    tbx_iw off = tbx_boxes_off(q, box);
+    tbx_points v[3];
+    tbx_boxes box;
+    tbx_iw finite = tbx_wide_int(-1);
+    tbx_iw off = none;
     tbx_iw other = none;
     tbx_iw beyond = none;
-    tbx_iw last = tbx_wide_int(TBX_OFF);
+    tbx_iw last;
+    int i;
     int k;
-    if (tbx_wide_any(~off)) {
-        if (q->lattice && tbx_wide_any(box->unsure != none)) {
-            tbx_boxes_of(q, v, 1, box);
-            off = tbx_boxes_off(q, box);
-        }
-        for (k = 0; k < 3; k++) {
-            other |= box->last[k] - box->first[k];
-            beyond |= (box->first[k] - tbx_wide_int(1)) | (tbx_wide_int(q->end[k] + TBX_MARGIN) - box->last[k]);
-        }
-        other = box->unsure | (other & tbx_wide_int(~(TBX_ROWS - 1)));
-        last = tbx_extents(box) | (box->lattice & tbx_wide_int(TBX_ON_LATTICE)) |
-               ((box->cut < none) & tbx_wide_int(TBX_IS_CUT));
-        last = tbx_wide_select((beyond < none) | (other != none), tbx_wide_int(TBX_NOT_KNOWN), last);
-        last = tbx_wide_select(off, tbx_wide_int(TBX_OFF), last);
+    tbx_load_corners(v, source, triangle);
+    for (i = 0; i < 3; i++) {
+        v[i].x = tbx_box_tame(q, 0, v[i].x, &finite);
+        v[i].y = tbx_box_tame(q, 1, v[i].y, &finite);
+        v[i].z = tbx_box_tame(q, 2, v[i].z, &finite);
     }
-    tbx_points_to(out, box->first[0], box->first[1], box->first[2], last);
+    box.cut = box.lattice = box.unsure = none;
+    tbx_box_axis(q, 0, v[0].x, v[1].x, v[2].x, &box);
+    tbx_box_axis(q, 1, v[0].y, v[1].y, v[2].y, &box);
+    tbx_box_axis(q, 2, v[0].z, v[1].z, v[2].z, &box);
+    for (k = 0; k < 3; k++) {
+        const tbx_iw extent = box.last[k] - box.first[k];
+        off |= (box.last[k] - tbx_wide_int(TBX_MARGIN)) | (tbx_wide_int(q->end[k]) - box.first[k]) | extent;
+        beyond |= (box.first[k] - tbx_wide_int(1)) | (tbx_wide_int(q->end[k] + TBX_MARGIN) - box.last[k]);
+        other |= extent;
+    }
+    other = (box.unsure != none) | (beyond < none) | ((other & tbx_wide_int(~(TBX_ROWS - 1))) != none);
+    last = tbx_extents(&box) | (box.lattice & tbx_wide_int(TBX_ON_LATTICE)) |
+           ((box.cut < none) & tbx_wide_int(TBX_IS_CUT));
+    last = tbx_wide_select(other, tbx_wide_int(TBX_NOT_KNOWN), last);
+    last = tbx_wide_select((off < none) | ~finite, tbx_wide_int(TBX_OFF), last);
+    tbx_points_to(out, box.first[0] - tbx_wide_int(TBX_MARGIN), box.first[1] - tbx_wide_int(TBX_MARGIN),
+                  box.first[2] - tbx_wide_int(TBX_MARGIN), last);
+}
+
+TBX_FN int tbx_is_hair(double x, double hair)
+{
+    return (x != 0.0) & (x < hair) & (x > -hair);
+}
+
+/* A finite triangle's box, by exact signs of corners against grid planes. Not known where an edge is level but
+ * for a hair: "Rows" takes such an edge for one within a row, and here it may be in two. */
+TBX_NOINLINE tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, const tbx_source *source,
+                                  size_t triangle)
+{
+    int32_t box[4];
+    double v[3][3];
+    int k;
+    box[3] = tbx_source_triangle(source, triangle, v) == TBX_ALL_ORDINARY ? 0 : TBX_NOT_KNOWN;
+    for (k = 0; k < 3; k++) {
+        const double hair = 1e-15 * grid->size[k];
+        const int64_t lo = (int64_t)grid->lo[k] - TBX_MARGIN;
+        const int64_t hi = (int64_t)grid->hi[k] + TBX_MARGIN;
+        const double least = tbx_min3(v[0][k], v[1][k], v[2][k]);
+        const double most = tbx_max3(v[0][k], v[1][k], v[2][k]);
+        const int64_t first = tbx_plane_search(grid, k, lo, hi, least, q->upper_open) - 1 - grid->lo[k];
+        const int64_t last = tbx_plane_search(grid, k, lo, hi, most, !q->lower_open) - 1 - grid->lo[k];
+        if (last < 0 || first >= q->n[k] || first > last) {
+            box[3] = TBX_OFF;
+            break;
+        }
+        box[k] = (int32_t)first;
+        box[3] |= last >= q->n[k] || first < 0 ? TBX_IS_CUT : 0;
+        box[3] |= last - first < TBX_ROWS && first > -TBX_MARGIN && last < q->n[k] + TBX_MARGIN - 1
+                      ? (int32_t)(last - first) << 8 * k
+                      : TBX_NOT_KNOWN;
+        if (tbx_is_hair(v[0][k] - v[1][k], hair) | tbx_is_hair(v[1][k] - v[2][k], hair) |
+            tbx_is_hair(v[2][k] - v[0][k], hair)) {
+            box[3] |= TBX_NOT_KNOWN;
+        }
+    }
+    return tbx_load4i(box);
+}
+
+/* Boxes of the triangles that are not as simple as can be; those that are not known are LARGE. */
+TBX_NOINLINE void tbx_block_special(tbx_block *b, const tribox_grid *grid, const tbx_quick *q,
+                                    const tbx_source *source)
+{
+    const unsigned char *list = b->list[TBX_CLASS_SPECIAL];
+    const int count = b->count[TBX_CLASS_SPECIAL];
+    int i;
+    int j;
+    for (i = 0; i < count; i += TBX_WIDE) {
+        tbx_i4 box[TBX_WIDE];
+        size_t triangle[TBX_WIDE];
+        for (j = 0; j < TBX_WIDE; j++) {
+            triangle[j] = b->first + list[i + j < count ? i + j : i];
+        }
+        tbx_boxes_special(q, source, triangle, box);
+        for (j = 0; j < TBX_WIDE && i + j < count; j++) {
+            tbx_i4 one = box[j];
+            unsigned c;
+            if (one[3] == TBX_NOT_KNOWN) {
+                one = tbx_box_exact(grid, q, source, triangle[j]);
+            }
+            if (one[3] == TBX_OFF) {
+                continue;
+            }
+            c = tbx_class_of(q, (uint32_t)(one[3] & ~TBX_ON_LATTICE));
+            if ((one[3] & TBX_ON_LATTICE) != 0 && c != TBX_CLASS_SHORT) {
+                c = c < TBX_CLASS_2 ? (unsigned)TBX_CLASS_2 : c;
+                c = q->upper_open ? (unsigned)TBX_CLASS_LARGE : c;
+            }
+            TBX_COPY(b->box[list[i + j]], &one, sizeof one);
+            b->list[c][b->count[c]++] = list[i + j];
+        }
+    }
+}
+
+/* Boxes and lists of so many triangles from the first, BLOCK at most. */
+TBX_NOINLINE void tbx_block_find(tbx_block *b, const tribox_grid *grid, const tbx_quick *q,
+                                 const tbx_source *source, size_t first, int count)
+{
+    b->first = first;
+    b->count[TBX_CLASS_SPECIAL] = 0;
+    if (source->indices != NULL) {
+        tbx_block_boxes(b, q, source, 1, count);
+    } else {
+        tbx_block_boxes(b, q, source, 0, count);
+    }
+    tbx_block_lists(b, q, count);
+    if (b->count[TBX_CLASS_SPECIAL] > 0) {
+        tbx_block_special(b, grid, q, source);
+    }
 }
 
 /* ---- Groups: boxes of up to n^3 voxels, n = 2, 3 or 4
@@ -9346,17 +9587,16 @@ TBX_FORCED void tbx_group_plane(tbx_missed *m, tbx_fw n_x, tbx_fw n_y, tbx_fw n_
     }
 }
 
-/* Misses the voxels of index i = 1.. along axis k that a smaller box does not have: the triangle stays before
- * the grid plane there. */
-TBX_FORCED void tbx_group_beyond(tbx_missed *m, tbx_fw x0, tbx_fw x1, tbx_fw x2, int n, int k)
+/* Misses the voxels of index i = 1.. along axis k that a smaller box does not have. */
+TBX_FORCED void tbx_group_beyond(tbx_missed *m, tbx_iw extents, int n, int k)
 {
-    const tbx_fw most = tbx_wide_max(tbx_wide_max(x0, x1), x2);
+    const tbx_iw extent = (extents >> tbx_wide_int(8 * k)) & tbx_wide_int(3);
     const uint32_t at0 = TBX_AT0(n, k);
     const int halves = n == 4 && k == 2;
     int i;
     for (i = 1; i < 4; i++) {
         if (i < n) {
-            const tbx_iw before = most < tbx_wide_all((float)(i - 1));
+            const tbx_iw before = extent < tbx_wide_int(i);
             const uint32_t voxels = at0 << (halves ? 16 * (i & 1) : i * TBX_STRIDE(n, k));
             tbx_group_miss(m, before & tbx_wide_int((int32_t)voxels), n, halves ? i & 2 : -1);
         }
@@ -9398,13 +9638,9 @@ typedef struct tbx_group_placed {
 
 /* Corners of a group's triangles, and their boxes. */
 TBX_FORCED void tbx_group_corners(tbx_points out_v[3], tbx_points *out_first, tbx_iw *out_extents,
-                                  const tbx_group *g, const tribox_mesh *mesh)
+                                  const tbx_group *g, const tbx_source *source)
 {
-    if (mesh->indices != NULL) {
-        tbx_load_corners(out_v, mesh, 1, g->triangle, 0);
-    } else {
-        tbx_load_corners(out_v, mesh, 0, g->triangle, 0);
-    }
+    tbx_load_corners(out_v, source, g->triangle);
     tbx_points_from(out_first, out_extents, g->box);
 }
 
@@ -9413,7 +9649,7 @@ TBX_FORCED void tbx_group_corners(tbx_points out_v[3], tbx_points *out_first, tb
 TBX_FORCED tbx_iw tbx_group_snap(const tbx_quick *q, int k, tbx_iw first, tbx_fw x0, tbx_fw x1, tbx_fw x2,
                                  tbx_fw *out0, tbx_fw *out1, tbx_fw *out2, tbx_iw *out_level)
 {
-    const tbx_fw at = __builtin_convertvector(first, tbx_fw) + tbx_wide_all(1.0f);
+    const tbx_fw at = __builtin_convertvector(first, tbx_fw) + tbx_wide_all((float)(TBX_MARGIN + 1));
     const tbx_fw part = tbx_wide_all(1.0f / TBX_PARTS);
     tbx_iw on = tbx_wide_int(q->step[k] > 0.0f ? -1 : 0);
     const tbx_fw p0 = tbx_lattice_place(q, k, x0, &on) * part - at;
@@ -9437,7 +9673,7 @@ TBX_FORCED tbx_iw tbx_group_flat(tbx_fw b0, tbx_fw b1, tbx_fw b2, tbx_fw c0, tbx
     return ((area == tbx_wide_all(0.0f)) & on) | level;
 }
 
-TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_group *g, const tribox_mesh *mesh,
+TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_group *g, const tbx_source *source,
                                        tbx_group_placed *p)
 {
     tbx_points *const a = &p->v[0];
@@ -9453,7 +9689,7 @@ TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_group *g, c
     tbx_iw on_y;
     tbx_iw on_z;
     tbx_iw flat;
-    tbx_group_corners(v, &first, &extents, g, mesh);
+    tbx_group_corners(v, &first, &extents, g, source);
     on_x = tbx_group_snap(q, 0, (tbx_iw)first.x, v[0].x, v[1].x, v[2].x, &a->x, &b->x, &c->x, &level_x);
     on_y = tbx_group_snap(q, 1, (tbx_iw)first.y, v[0].y, v[1].y, v[2].y, &a->y, &b->y, &c->y, &level_y);
     on_z = tbx_group_snap(q, 2, (tbx_iw)first.z, v[0].z, v[1].z, v[2].z, &a->z, &b->z, &c->z, &level_z);
@@ -9465,7 +9701,7 @@ TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_group *g, c
 }
 
 /* The voxels that each triangle of a group misses. Returns the lanes that are unsure. */
-TBX_FORCED tbx_iw tbx_group_decide(const tbx_quick *q, const tbx_group *g, const tribox_mesh *mesh, int n,
+TBX_FORCED tbx_iw tbx_group_missed(const tbx_quick *q, const tbx_group *g, const tbx_source *source, int n,
                                    tbx_missed *m)
 {
     const float delta = 4.1f * TBX_U32 * (float)n + q->delta_low;
@@ -9476,7 +9712,7 @@ TBX_FORCED tbx_iw tbx_group_decide(const tbx_quick *q, const tbx_group *g, const
     tbx_fw n_x;
     tbx_fw n_y;
     tbx_fw n_z;
-    tbx_group_corners(p.v, &first, &extents, g, mesh);
+    tbx_group_corners(p.v, &first, &extents, g, source);
     tbx_group_place(q, 0, (tbx_iw)first.x, &p.v[0].x, &p.v[1].x, &p.v[2].x);
     tbx_group_place(q, 1, (tbx_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
     tbx_group_place(q, 2, (tbx_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
@@ -9484,15 +9720,15 @@ TBX_FORCED tbx_iw tbx_group_decide(const tbx_quick *q, const tbx_group *g, const
     p.plane_sure = none;
     if (TBX_RARELY(g->lattice != 0)) {
         tbx_group_placed on_lattice = p;
-        tbx_group_on_lattice(q, g, mesh, &on_lattice);
+        tbx_group_on_lattice(q, g, source, &on_lattice);
         p = on_lattice;
     }
     m->low = m->high = m->both = none;
     m->least = tbx_wide_all(1.0f);
     m->touch_plane = p.touch_plane;
-    tbx_group_beyond(m, p.v[0].x, p.v[1].x, p.v[2].x, n, 0);
-    tbx_group_beyond(m, p.v[0].y, p.v[1].y, p.v[2].y, n, 1);
-    tbx_group_beyond(m, p.v[0].z, p.v[1].z, p.v[2].z, n, 2);
+    tbx_group_beyond(m, extents, n, 0);
+    tbx_group_beyond(m, extents, n, 1);
+    tbx_group_beyond(m, extents, n, 2);
     n_z = tbx_group_edges(m, p.v[0].x, p.v[1].x, p.v[2].x, p.v[0].y, p.v[1].y, p.v[2].y, p.touch[0], n, 0, 1);
     n_x = tbx_group_edges(m, p.v[0].y, p.v[1].y, p.v[2].y, p.v[0].z, p.v[1].z, p.v[2].z, p.touch[1], n, 1, 2);
     n_y = tbx_group_edges(m, p.v[0].z, p.v[1].z, p.v[2].z, p.v[0].x, p.v[1].x, p.v[2].x, p.touch[2], n, 2, 0);
@@ -9503,13 +9739,109 @@ TBX_FORCED tbx_iw tbx_group_decide(const tbx_quick *q, const tbx_group *g, const
            ((m->least_plane <= tbx_wide_all(32.0f * (float)(n * n) * delta)) & ~p.plane_sure);
 }
 
+/* The same for boxes of 2x2x1 voxels, one thick on axis k: the edges of one plane are all that can miss any.
+ */
+TBX_FORCED tbx_iw tbx_group_missed_flat(const tbx_quick *q, const tbx_group *g, const tbx_source *source, int k,
+                                        tbx_missed *m)
+{
+    const int b = k < 2 ? k + 1 : 0;
+    const int c = k > 0 ? k - 1 : 2;
+    const float delta = 4.1f * TBX_U32 * 2.0f + q->delta_low;
+    tbx_points v[3];
+    tbx_points first;
+    tbx_iw extents;
+    tbx_fw x[3][3];
+    tbx_fw at[3];
+    int i;
+    tbx_group_corners(v, &first, &extents, g, source);
+    at[0] = first.x;
+    at[1] = first.y;
+    at[2] = first.z;
+    for (i = 0; i < 3; i++) {
+        x[0][i] = v[i].x;
+        x[1][i] = v[i].y;
+        x[2][i] = v[i].z;
+    }
+    tbx_group_place(q, b, (tbx_iw)at[b], &x[b][0], &x[b][1], &x[b][2]);
+    tbx_group_place(q, c, (tbx_iw)at[c], &x[c][0], &x[c][1], &x[c][2]);
+    m->low = tbx_wide_int((int32_t)~TBX_AT0(2, k));
+    m->high = m->both = tbx_wide_int(0);
+    m->least = tbx_wide_all(1.0f);
+    tbx_group_edges(m, x[b][0], x[b][1], x[b][2], x[c][0], x[c][1], x[c][2], tbx_wide_all(0.0f), 2, b, c);
+    return m->least <= tbx_wide_all(12.0f * 2.0f * delta);
+}
+
+/* What a group of n^3 has not missed, as bits; the lanes that are unsure. */
+TBX_FORCED unsigned tbx_group_voxels(uint64_t out[TBX_WIDE], const tbx_missed *m, tbx_iw unsure, int n)
+{
+    const uint64_t all = ~(uint64_t)0 >> (64 - n * n * n);
+    uint32_t low[TBX_WIDE];
+    uint32_t high[TBX_WIDE];
+    int i;
+    TBX_COPY(low, &m->low, sizeof low);
+    TBX_COPY(high, &m->high, sizeof high);
+    for (i = 0; i < TBX_WIDE; i++) {
+        out[i] = ~(n == 4 ? low[i] | (uint64_t)high[i] << 32 : low[i]) & all;
+    }
+    return tbx_wide_signs(unsure);
+}
+
+TBX_NOINLINE unsigned tbx_group_decide_flat(const tbx_quick *q, const tbx_source *source, const tbx_group *g,
+                                            int k, uint64_t out[TBX_WIDE])
+{
+    tbx_missed m;
+    const tbx_iw unsure = tbx_group_missed_flat(q, g, source, k, &m);
+    return tbx_group_voxels(out, &m, unsure, 2);
+}
+
+TBX_NOINLINE unsigned tbx_group_decide2(const tbx_quick *q, const tbx_source *source, const tbx_group *g,
+                                        uint64_t out[TBX_WIDE])
+{
+    tbx_missed m;
+    const tbx_iw unsure = tbx_group_missed(q, g, source, 2, &m);
+    return tbx_group_voxels(out, &m, unsure, 2);
+}
+
+TBX_NOINLINE unsigned tbx_group_decide3(const tbx_quick *q, const tbx_source *source, const tbx_group *g,
+                                        uint64_t out[TBX_WIDE])
+{
+    tbx_missed m;
+    const tbx_iw unsure = tbx_group_missed(q, g, source, 3, &m);
+    return tbx_group_voxels(out, &m, unsure, 3);
+}
+
+TBX_NOINLINE unsigned tbx_group_decide4(const tbx_quick *q, const tbx_source *source, const tbx_group *g,
+                                        uint64_t out[TBX_WIDE])
+{
+    tbx_missed m;
+    const tbx_iw unsure = tbx_group_missed(q, g, source, 4, &m);
+    return tbx_group_voxels(out, &m, unsure, 4);
+}
+
+/* The voxels of a group's boxes of class FLAT to 4: bit x + n y + n^2 z, n = 2, 3, 4. Returns a bit for each lane that
+ * is unsure. */
+TBX_FN unsigned tbx_group_decide(const tbx_quick *q, const tbx_source *source, tbx_group *g, unsigned c,
+                                 uint64_t out[TBX_WIDE])
+{
+    tbx_group_pad(g);
+    if (c < TBX_CLASS_2) {
+        return tbx_group_decide_flat(q, source, g, (int)c - TBX_CLASS_FLAT, out);
+    } else if (c == TBX_CLASS_2) {
+        return tbx_group_decide2(q, source, g, out);
+    } else if (c == TBX_CLASS_3) {
+        return tbx_group_decide3(q, source, g, out);
+    } else {
+        return tbx_group_decide4(q, source, g, out);
+    }
+}
+
 /* Sets voxels of triangle i's box, all in the region. */
 TBX_FORCED void tbx_group_set(const tbx_fill *fill, const tbx_group *g, int i, int n, uint64_t voxels)
 {
     const size_t row_words = fill->target->row_words;
     const size_t layer_words = fill->quick.layer_words;
     const uint64_t run = ((uint64_t)1 << n) - 1;
-    const int x = (g->box[i][0] - TBX_MARGIN) & 63;
+    const int x = g->box[i][0] & 63;
     const int more_y = (g->box[i][3] >> 8) & 3;
     const int more_z = (g->box[i][3] >> 16) & 3;
     uint64_t *row = fill->target->bits + g->word[i];
@@ -9829,7 +10161,7 @@ TBX_FORCED tbx_iw tbx_extent(tbx_iw extents, int k)
 }
 
 /* The lines and planes of a group. */
-TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q, const tbx_group *g, const tribox_mesh *mesh)
+TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q, const tbx_group *g, const tbx_source *source)
 {
     const tbx_fw one = tbx_wide_all(1.0f);
     const tbx_fw zero = tbx_wide_all(0.0f);
@@ -9842,7 +10174,7 @@ TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q, const tbx_grou
     tbx_iw near_z;
     tbx_iw flat; /* or is on some */
     int i;
-    tbx_group_corners(v, &first, &out->extents, g, mesh);
+    tbx_group_corners(v, &first, &out->extents, g, source);
     p.reach = one + tbx_wide_max(tbx_wide_max(__builtin_convertvector(tbx_extent(out->extents, 0), tbx_fw),
                                               __builtin_convertvector(tbx_extent(out->extents, 1), tbx_fw)),
                                  __builtin_convertvector(tbx_extent(out->extents, 2), tbx_fw));
@@ -9854,7 +10186,7 @@ TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q, const tbx_grou
     tbx_group_place(q, 0, (tbx_iw)first.x, &p.v[0].x, &p.v[1].x, &p.v[2].x);
     tbx_group_place(q, 1, (tbx_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
     tbx_group_place(q, 2, (tbx_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
-    tbx_row_normals(&p, q->fine->inverse, v);
+    tbx_row_normals(&p, q->units, v);
     p.on_lattice = 0;
     p.step.x = p.step.y = p.step.z = zero;
     p.step_b = p.step;
@@ -10014,7 +10346,7 @@ TBX_FN void tbx_few_store(const tbx_few *few, const tbx_fill *fill, const tbx_gr
 {
     const size_t row_words = fill->target->row_words;
     const size_t layer_words = fill->quick.layer_words;
-    const int x = (g->box[i][0] - TBX_MARGIN) & 63;
+    const int x = g->box[i][0] & 63;
     const int layers = (g->box[i][3] >> 16 & 255) + 1;
     uint64_t *layer = fill->target->bits + g->word[i];
     int z;
@@ -10164,9 +10496,9 @@ TBX_FN void tbx_lane_fill(tbx_fill *fill, const tbx_rows *rows, const tbx_group 
     uint64_t *const bits = t->bits; /* stores to the bits might change what t and q hold */
     const size_t row_words = t->row_words;
     const size_t layer_words = q->layer_words;
-    const int *n = fill->fine->n;
+    const int *n = fill->quick.n;
     const tbx_i4 box = g->box[lane];
-    const int at[3] = { box[0] - TBX_MARGIN, box[1] - TBX_MARGIN, box[2] - TBX_MARGIN };
+    const int at[3] = { box[0], box[1], box[2] };
     const int count[3] = { (box[3] & 255) + 1, (box[3] >> 8 & 255) + 1, (box[3] >> 16 & 255) + 1 };
     tbx_lane_bounds x_of_y;
     tbx_lane_bounds x_of_z;
@@ -10228,8 +10560,9 @@ TBX_FN void tbx_lane_fill(tbx_fill *fill, const tbx_rows *rows, const tbx_group 
         }
     }
     if (doubt.first[0] <= doubt.last[0]) {
-        doubt.triangle = g->triangle[lane];
-        *tbx_fill_later(fill, doubt.triangle) = doubt;
+        tbx_doubt *later = tbx_fill_later(fill, g->triangle[lane]);
+        doubt.back = later->back;
+        *later = doubt;
     }
 }
 
@@ -10251,7 +10584,7 @@ TBX_NOINLINE void tbx_rows_flush_few(tbx_fill *fill, tbx_group *g)
         rows_y = y > rows_y ? y : rows_y;
         layers = z > layers ? z : layers;
     }
-    tbx_rows_set(&rows, &fill->quick, g, fill->mesh);
+    tbx_rows_set(&rows, &fill->quick, g, fill->source);
     tbx_few_set(&few, &rows, rows_y, layers);
     for (i = 0; i < g->n; i++) {
         if (few.unsure[i] != 0) {
@@ -10271,7 +10604,7 @@ TBX_NOINLINE void tbx_rows_flush(tbx_fill *fill, tbx_group *g)
         return;
     }
     tbx_group_pad(g);
-    tbx_rows_set(&rows, &fill->quick, g, fill->mesh);
+    tbx_rows_set(&rows, &fill->quick, g, fill->source);
     for (i = 0; i < g->n; i++) {
         if (rows.unsure[i] != 0) {
             tbx_fill_later(fill, g->triangle[i]);
@@ -10291,176 +10624,159 @@ TBX_FN void tbx_fill_any(tbx_fill *fill, tbx_i4 box, size_t word, size_t triangl
         if (tbx_group_add(&fill->rows[0], box, word, triangle)) {
             tbx_rows_flush_few(fill, &fill->rows[0]);
         }
-    } else if (box[3] >= 0) {
+    } else if ((box[3] & 0xc0c0c0) == 0) {
         if (tbx_group_add(&fill->rows[1], box, word, triangle)) {
             tbx_rows_flush(fill, &fill->rows[1]);
         }
-    } else if (box[3] != TBX_OFF) {
+    } else {
         tbx_fill_later(fill, triangle);
     }
 }
 
-TBX_FORCED void tbx_group_flush(tbx_fill *fill, tbx_group *g, int n)
+/* Sets the voxels of a group of n^3; triangles that are unsure go by rows. */
+TBX_FORCED void tbx_group_store(tbx_fill *fill, const tbx_group *g, int n, unsigned unsure,
+                                const uint64_t voxels[TBX_WIDE])
 {
-    const uint64_t all = ~(uint64_t)0 >> (64 - n * n * n);
-    tbx_missed m;
-    tbx_iw unsure;
-    uint32_t low[TBX_WIDE];
-    uint32_t high[TBX_WIDE];
-    int32_t again[TBX_WIDE];
     int i;
-    if (g->n == 0) {
-        return;
-    }
-    tbx_group_pad(g);
-    unsure = tbx_group_decide(&fill->quick, g, fill->mesh, n, &m);
-    TBX_COPY(low, &m.low, sizeof low);
-    TBX_COPY(high, &m.high, sizeof high);
-    TBX_COPY(again, &unsure, sizeof again);
-    for (i = 0; i < g->n; i++) {
-        if (TBX_RARELY(again[i] != 0)) {
+    for (i = 0; i < g->n; i++, unsure >>= 1) {
+        if (TBX_RARELY((unsure & 1u) != 0)) {
             tbx_fill_any(fill, g->box[i], g->word[i], g->triangle[i]);
         } else {
-            const uint64_t missed = n == 4 ? low[i] | (uint64_t)high[i] << 32 : low[i];
-            tbx_group_set(fill, g, i, n, ~missed & all);
+            tbx_group_set(fill, g, i, n, voxels[i]);
         }
+    }
+}
+
+/* Decides a group by its class, and sets its voxels. */
+TBX_FN void tbx_group_flush(tbx_fill *fill, tbx_group *g, unsigned c)
+{
+    uint64_t voxels[TBX_WIDE];
+    const unsigned unsure = tbx_group_decide(&fill->quick, fill->source, g, c, voxels);
+    if (c <= TBX_CLASS_2) {
+        tbx_group_store(fill, g, 2, unsure, voxels);
+    } else if (c == TBX_CLASS_3) {
+        tbx_group_store(fill, g, 3, unsure, voxels);
+    } else {
+        tbx_group_store(fill, g, 4, unsure, voxels);
     }
     g->n = 0;
     g->lattice = 0;
 }
 
-TBX_NOINLINE void tbx_group_flush2(tbx_fill *fill, tbx_group *g)
+/* The word of a box's first voxel; 0 where that is not in the region. */
+TBX_FORCED size_t tbx_block_word(const int32_t box[4], size_t row_words, size_t layer_words)
 {
-    tbx_group_flush(fill, g, 2);
+    const size_t word = (size_t)(uint32_t)box[2] * layer_words + (size_t)(uint32_t)box[1] * row_words +
+                        ((size_t)(uint32_t)box[0] >> 6);
+    return (box[3] & TBX_IS_CUT) != 0 ? 0 : word;
 }
 
-TBX_NOINLINE void tbx_group_flush3(tbx_fill *fill, tbx_group *g)
+/* Asks for the memory of the voxels of boxes of up to 4^3. */
+TBX_FN void tbx_block_fetch(const tbx_block *b, const tbx_fill *fill)
 {
-    tbx_group_flush(fill, g, 3);
-}
-
-TBX_NOINLINE void tbx_group_flush4(tbx_fill *fill, tbx_group *g)
-{
-    tbx_group_flush(fill, g, 4);
-}
-
-/* Boxes, and the words of the first voxels of those in the region. */
-typedef struct tbx_batch {
-    tbx_i4 box[TBX_BATCH];
-    size_t word[TBX_BATCH];
-} tbx_batch;
-
-/* Boxes of WIDE triangles: those listed, or from the first on if there is no list. */
-TBX_FORCED void tbx_boxes_set(tbx_i4 out[TBX_WIDE], const tbx_fill *fill, int indexed, const size_t *list,
-                              size_t first)
-{
-    tbx_points v[3];
-    tbx_boxes box;
-    tbx_load_corners(v, fill->mesh, indexed, list, first);
-    tbx_boxes_of(&fill->quick, v, 0, &box);
-    if (TBX_RARELY(tbx_boxes_are_special(&box))) {
-        const tbx_points corner[3] = { v[0], v[1], v[2] };
-        tbx_boxes any = box;
-        tbx_boxes_special(&fill->quick, corner, &any, out);
-    } else {
-        tbx_points_to(out, box.first[0], box.first[1], box.first[2], tbx_extents(&box));
-    }
-}
-
-/* The boxes of so many triangles from t, BATCH at most; asks for the memory of their voxels. */
-TBX_NOINLINE void tbx_batch_set(tbx_batch *b, const tbx_fill *fill, size_t t, int count)
-{
-    const tbx_target *target = fill->target;
+    const size_t row_words = fill->target->row_words;
     const size_t layer_words = fill->quick.layer_words;
-    const int indexed = fill->mesh->indices != NULL;
-    int i;
-    if (count == TBX_BATCH && indexed) {
-        for (i = 0; i < TBX_BATCH; i += TBX_WIDE) {
-            tbx_boxes_set(b->box + i, fill, 1, NULL, t + (size_t)i);
-        }
-    } else if (count == TBX_BATCH) {
-        for (i = 0; i < TBX_BATCH; i += TBX_WIDE) {
-            tbx_boxes_set(b->box + i, fill, 0, NULL, t + (size_t)i);
-        }
-    } else {
-        size_t list[TBX_BATCH];
-        for (i = 0; i < TBX_BATCH; i++) {
-            list[i] = t + (size_t)(i < count ? i : 0);
-        }
-        for (i = 0; i < count; i += TBX_WIDE) {
-            tbx_boxes_set(b->box + i, fill, indexed, list + i, 0);
-        }
-    }
-    for (i = 0; i < count; i++) {
-        const tbx_i4 box = b->box[i];
-        b->word[i] = 0;
-        if (box[3] >= 0 && box[3] < TBX_IS_CUT) {
-            const size_t word = (size_t)(box[2] - TBX_MARGIN) * layer_words +
-                                (size_t)(box[1] - TBX_MARGIN) * target->row_words +
-                                ((size_t)(box[0] - TBX_MARGIN) >> 6);
-            b->word[i] = word;
-            TBX_PREFETCH((uintptr_t)target->bits + sizeof(uint64_t) * word);
-            TBX_PREFETCH((uintptr_t)target->bits + sizeof(uint64_t) * (word + layer_words));
+    const uintptr_t bits = (uintptr_t)fill->target->bits;
+    int c;
+    int j;
+    for (c = 0; c <= TBX_CLASS_LARGE; c++) {
+        for (j = 0; j < b->count[c]; j++) {
+            const size_t word = tbx_block_word(b->box[b->list[c][j]], row_words, layer_words);
+            TBX_PREFETCH(bits + sizeof(uint64_t) * word);
+            TBX_PREFETCH(bits + sizeof(uint64_t) * (word + layer_words));
         }
     }
 }
 
-/* The short ways of a box of up to 2^3 voxels: all are set, or none is missed since it is longer than one
- * voxel on one axis at most. Returns 0 where neither holds. */
-TBX_FORCED int tbx_fill_short(const tbx_fill *fill, tbx_i4 box, size_t word)
+/* Sets boxes of one voxel or two. */
+TBX_FN void tbx_block_short(const tbx_block *b, const tbx_fill *fill)
 {
-    const int more = box[3];
-    const int x = (box[0] - TBX_MARGIN) & 63;
-    const uint64_t run = (uint64_t)(1 + 2 * (more & 1)) << x;
-    const size_t y1 = fill->target->row_words & ((size_t)0 - (size_t)(more >> 8 & 1));
-    const size_t z1 = fill->quick.layer_words & ((size_t)0 - (size_t)(more >> 16 & 1));
-    uint64_t *row = fill->target->bits + word;
-    if (x + (more & 1) > 63) {
-        return 0;
+    const size_t row_words = fill->target->row_words;
+    const size_t layer_words = fill->quick.layer_words;
+    uint64_t *const bits = fill->target->bits;
+    const unsigned char *list = b->list[TBX_CLASS_SHORT];
+    const int count = b->count[TBX_CLASS_SHORT];
+    int j;
+    for (j = 0; j < count; j++) {
+        const int32_t *box = b->box[list[j]];
+        const int32_t more = box[3];
+        const uint64_t run = (uint64_t)(1 + 2 * (more & 1)) << (box[0] & 63);
+        const size_t up = (row_words & ((size_t)0 - (size_t)(more >> 8 & 1))) |
+                          (layer_words & ((size_t)0 - (size_t)(more >> 16 & 1)));
+        uint64_t *row = bits + tbx_block_word(box, row_words, layer_words);
+        row[0] |= run;
+        row[up] |= run;
+        if (TBX_RARELY((box[0] & 63) + (more & 1) > 63)) {
+            row[1] |= 1;
+        }
     }
-    if ((row[0] & row[y1] & row[z1] & row[y1 + z1] & run) == run) {
-        return 1;
-    }
-    if ((more & (more - 1) & ~TBX_ON_LATTICE) != 0 || fill->quick.thin) {
-        return 0;
-    }
-    row[0] |= run;
-    row[y1] |= run;
-    row[z1] |= run;
-    return 1;
 }
 
-/* So many triangles from t, BATCH at most. */
-TBX_NOINLINE void tbx_fill_batch(tbx_fill *fill, size_t t, int count)
+/* Drops boxes of up to 2^3 voxels that are all set from a list; words of the others. */
+TBX_FN int tbx_block_open(const tbx_block *b, const tbx_fill *fill, unsigned char *list, int count,
+                          size_t word_of[TBX_BLOCK])
 {
-    const int thin = fill->quick.thin;
-    tbx_batch batch;
-    int i;
-    tbx_batch_set(&batch, fill, t, count);
-    for (i = 0; i < count; i++, t++) {
-        const tbx_i4 box = batch.box[i];
-        const int more = box[3] & ~TBX_ON_LATTICE; /* fits 2^3, 3^3, 4^3 voxels? */
-        if ((more & ~0x010101) == 0 && tbx_fill_short(fill, box, batch.word[i])) {
-            continue;
+    const size_t row_words = fill->target->row_words;
+    const size_t layer_words = fill->quick.layer_words;
+    const uint64_t *const bits = fill->target->bits;
+    int left = 0;
+    int j;
+    for (j = 0; j < count; j++) {
+        const unsigned char i = list[j];
+        const int32_t *box = b->box[i];
+        const int32_t more = box[3];
+        const int x = box[0] & 63;
+        const uint64_t run = (uint64_t)(1 + 2 * (more & 1)) << x;
+        const size_t y1 = row_words & ((size_t)0 - (size_t)(more >> 8 & 1));
+        const size_t z1 = layer_words & ((size_t)0 - (size_t)(more >> 16 & 1));
+        const size_t word = tbx_block_word(box, row_words, layer_words);
+        const uint64_t *row = bits + word;
+        const uint64_t set = row[0] & row[y1] & row[z1] & row[y1 + z1];
+        list[left] = i;
+        word_of[left] = word;
+        left += ((~set & run) != 0) | (x + (more & 1) > 63);
+    }
+    return left;
+}
+
+/* So many triangles from t, BLOCK at most. */
+TBX_NOINLINE void tbx_fill_block(tbx_fill *fill, size_t t, int count)
+{
+    tbx_block b;
+    size_t word_of[TBX_BLOCK];
+    unsigned c;
+    int j;
+    tbx_block_find(&b, fill->frame->grid, &fill->quick, fill->source, t, count);
+    if (fill->quick.fetch) {
+        tbx_block_fetch(&b, fill);
+    }
+    tbx_block_short(&b, fill);
+    for (c = TBX_CLASS_FLAT; c <= TBX_CLASS_LARGE; c++) {
+        unsigned char *list = b.list[c];
+        int left = b.count[c];
+        tbx_group g;
+        if (c <= TBX_CLASS_2) {
+            left = tbx_block_open(&b, fill, list, left, word_of);
+        } else {
+            for (j = 0; j < left; j++) {
+                word_of[j] = tbx_block_word(b.box[list[j]], fill->target->row_words, fill->quick.layer_words);
+            }
         }
-        if (thin || (more & ~0x030303) != 0 || (more != box[3] && fill->quick.upper_open)) {
-            tbx_fill_any(fill, box, batch.word[i], t);
-        } else if ((more & ~0x010101) == 0) {
-            if (tbx_group_add(&fill->group[0], box, batch.word[i], t)) {
-                tbx_group_flush2(fill, &fill->group[0]);
+        g.n = 0;
+        g.lattice = 0;
+        for (j = 0; j < left; j++) {
+            const tbx_i4 box = tbx_load4i(b.box[list[j]]);
+            if (c == TBX_CLASS_LARGE) {
+                tbx_fill_any(fill, box, word_of[j], t + list[j]);
+            } else if (tbx_group_add(&g, box, word_of[j], t + list[j]) || j + 1 == left) {
+                tbx_group_flush(fill, &g, c);
             }
-        } else if (((more + 0x010101) & ~0x030303) == 0) {
-            if (tbx_group_add(&fill->group[1], box, batch.word[i], t)) {
-                tbx_group_flush3(fill, &fill->group[1]);
-            }
-        } else if (tbx_group_add(&fill->group[2], box, batch.word[i], t)) {
-            tbx_group_flush4(fill, &fill->group[2]);
         }
     }
 }
 
 /* What the other ways have left. */
-TBX_FN void tbx_fill_doubts(tbx_fill *fill, const tribox_grid *grid)
+TBX_FN void tbx_fill_doubts(tbx_fill *fill)
 {
     int i;
     int k;
@@ -10471,45 +10787,38 @@ TBX_FN void tbx_fill_doubts(tbx_fill *fill, const tribox_grid *grid)
             part.first[k] = d->first[k];
             part.last[k] = d->last[k];
         }
-        tbx_fill_part(grid, fill->fine, fill->mesh, d->triangle, &part, fill->target);
+        tbx_fill_triangle(fill->frame, fill->source, fill->next - d->back, &part, fill->target);
     }
     fill->doubts = 0;
 }
 
 /* All triangles. Returns how many are done: 0 if the grid's numbers are out of range. */
-TBX_FN size_t tbx_fill_quick(const tribox_grid *grid, const tbx_fine *fine, const tribox_mesh *mesh,
-                             const tbx_target *target)
+TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, const tbx_target *target)
 {
     tbx_fill fill;
     size_t t = 0;
-    int i;
-    fill.mesh = mesh;
+    fill.frame = frame;
+    fill.source = source;
     fill.target = target;
-    fill.fine = fine;
     fill.doubts = 0;
-    for (i = 0; i < 3; i++) {
-        fill.group[i].n = 0;
-        fill.group[i].lattice = 0;
-    }
     fill.rows[0].n = fill.rows[1].n = 0;
     fill.rows[0].lattice = fill.rows[1].lattice = 0;
-    tbx_quick_init(&fill.quick, grid, fine, target);
+    tbx_quick_init(&fill.quick, frame->grid, target);
     if (!fill.quick.on) {
         return 0;
     }
-    while (t < mesh->triangles) {
-        const size_t rest = mesh->triangles - t;
-        const int count = rest < TBX_BATCH ? (int)rest : TBX_BATCH;
-        tbx_fill_batch(&fill, t, count);
-        tbx_fill_doubts(&fill, grid);
-        t += (size_t)count;
+    while (t < source->triangles) {
+        const size_t rest = source->triangles - t;
+        const int count = rest < TBX_BLOCK ? (int)rest : TBX_BLOCK;
+        fill.next = t + (size_t)count;
+        tbx_fill_block(&fill, t, count);
+        t = fill.next;
+        if (t % 32768 == 0 || t == source->triangles) { /* so that a doubt's `back` fits */
+            tbx_rows_flush_few(&fill, &fill.rows[0]);
+            tbx_rows_flush(&fill, &fill.rows[1]);
+        }
+        tbx_fill_doubts(&fill);
     }
-    tbx_group_flush2(&fill, &fill.group[0]);
-    tbx_group_flush3(&fill, &fill.group[1]);
-    tbx_group_flush4(&fill, &fill.group[2]);
-    tbx_rows_flush_few(&fill, &fill.rows[0]);
-    tbx_rows_flush(&fill, &fill.rows[1]);
-    tbx_fill_doubts(&fill, grid);
     return t;
 }
 
@@ -11299,6 +11608,7 @@ TBX_FORCED tbx_iw tbx_solid_whole(const tbx_solid_quick *q, int k, tbx_fw x)
 TBX_FORCED void tbx_solid_place_all(tbx_solid_placed *p, const tbx_solid_quick *q, const tbx_solid_group *g)
 {
     const int32_t end = (int32_t)q->solid->n[0] + 16;
+    tbx_source source;
     tbx_iw y;
     tbx_iw z;
     tbx_fw x;
@@ -11307,11 +11617,8 @@ TBX_FORCED void tbx_solid_place_all(tbx_solid_placed *p, const tbx_solid_quick *
     TBX_COPY(&z, g->z, sizeof z);
     p->unsure = tbx_wide_int(0);
     p->on_lattice = tbx_wide_int(0);
-    if (q->mesh.indices != NULL) {
-        tbx_load_corners(p->v, &q->mesh, 1, g->triangle, 0);
-    } else {
-        tbx_load_corners(p->v, &q->mesh, 0, g->triangle, 0);
-    }
+    tbx_source_float(&source, &q->mesh);
+    tbx_load_corners(p->v, &source, g->triangle);
     for (c = 0; c < 3; c++) {
         p->v[c].x = tbx_solid_tame(p->v[c].x, q->most[0], &p->unsure);
     }
