@@ -23,13 +23,16 @@ include tests/tests.mk
 include tests/check.mk
 include bench/bench.mk
 
-# include/tribox.h and a pkg-config file. DESTDIR is put before PREFIX, for packagers.
+# include/tribox.h, a pkg-config file, and the programs voxelize and check_voxels. DESTDIR is put before PREFIX, for
+# packagers.
+BINDIR       ?= $(PREFIX)/bin
 INCLUDEDIR   ?= $(PREFIX)/include
 PKGCONFIGDIR ?= $(PREFIX)/share/pkgconfig
 VERSION       = $(shell awk '/^.define TRIBOX_VERSION_(MAJOR|MINOR|PATCH) / { printf "%s%s", dot, $$3; dot = "." }' tribox.h)
 
-install: ## copy tribox.h and tribox.pc below PREFIX (and DESTDIR)
-	install -d '$(DESTDIR)$(INCLUDEDIR)' '$(DESTDIR)$(PKGCONFIGDIR)'
+install: $(B)/voxelize $(B)/check_voxels ## copy tribox.h, tribox.pc, voxelize and check_voxels below PREFIX (and DESTDIR)
+	install -d '$(DESTDIR)$(INCLUDEDIR)' '$(DESTDIR)$(PKGCONFIGDIR)' '$(DESTDIR)$(BINDIR)'
+	install -m 755 $(B)/voxelize $(B)/check_voxels '$(DESTDIR)$(BINDIR)'
 	install -m 644 tribox.h '$(DESTDIR)$(INCLUDEDIR)/tribox.h'
 	printf '%s\n' 'Name: tribox' 'Description: Exact triangle / axis-aligned box overlap tests in one C header' \
 	    'Version: $(VERSION)' 'Cflags: -I$(INCLUDEDIR)' > '$(DESTDIR)$(PKGCONFIGDIR)/tribox.pc'
@@ -37,6 +40,7 @@ install: ## copy tribox.h and tribox.pc below PREFIX (and DESTDIR)
 
 uninstall: ## remove what install copied
 	rm -f '$(DESTDIR)$(INCLUDEDIR)/tribox.h' '$(DESTDIR)$(PKGCONFIGDIR)/tribox.pc'
+	rm -f '$(DESTDIR)$(BINDIR)/voxelize' '$(DESTDIR)$(BINDIR)/check_voxels'
 
 help: ## list the targets
 	@echo 'tribox.h $(VERSION): copy the header, or choose a target.'
