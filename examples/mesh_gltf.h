@@ -467,6 +467,28 @@ static inline int gltf_triangles(gltf *g, const gltf_data *index, size_t count, 
     return 1;
 }
 
+/* The base colour of a primitive's material; the file has it linear, as parts of 1. */
+static inline void gltf_material(gltf *g, size_t primitive) {
+    const json *j = &g->j;
+    int64_t number = json_whole(j, primitive, "material");
+    size_t material = number >= 0 ? json_item(j, json_get(j, 0, "materials"), (size_t)number) : 0;
+    size_t metal = material ? json_get(j, material, "pbrMetallicRoughness") : 0;
+    size_t factor = metal ? json_get(j, metal, "baseColorFactor") : 0;
+    double rgb[3];
+    size_t i;
+    g->r->material = 0xffffffu;
+    if (!factor) {
+        return;
+    }
+    for (i = 0; i < 3; i++) {
+        size_t item = json_item(j, factor, i);
+        double light = item ? strtod(j->nodes[item].text, NULL) : 1;
+        rgb[i] = light > 0.0031308 ? 1.055 * pow(light, 1 / 2.4) - 0.055 : 12.92 * light;
+    }
+    g->r->material = mesh_colour(rgb, 1);
+    g->r->has_material = 1;
+}
+
 static inline int gltf_primitive(gltf *g, size_t primitive, gltf_matrix m) {
     const json *j = &g->j;
     size_t attributes = json_get(j, primitive, "attributes");
@@ -482,6 +504,7 @@ static inline int gltf_primitive(gltf *g, size_t primitive, gltf_matrix m) {
     if (mode < 4 || mode > 6 || !attributes || !json_get(j, attributes, "POSITION")) {
         return 1;
     }
+    gltf_material(g, primitive);
     if (!gltf_access(g, json_whole(j, attributes, "POSITION"), 3, &positions) || !gltf_positions(g, &positions, m)) {
         return 0;
     }

@@ -42,6 +42,10 @@ typedef struct mesh {
     uint32_t   *indices;        /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
     size_t      triangles;
     size_t      skipped;        /* faces with fewer than three corners */
+    uint32_t   *vertex_colours; /* 0xrrggbb, sRGB, of the first `vertices_coloured` vertices; NULL if there are none */
+    size_t      vertices_coloured;
+    uint32_t   *face_colours;   /* the same of triangles: what their material says */
+    size_t      faces_coloured;
     const char *format;         /* "OBJ", "binary STL", ... */
     size_t      warnings;       /* what was odd in the file, and the first of it as a sentence */
     char        warning[MESH_ERROR];
@@ -68,6 +72,10 @@ typedef struct mesh_reader {
     int                  zero_is_blank;     /* a zero byte parts words */
     size_t               vertex_room;
     size_t               index_room;
+    size_t               vertex_colour_room;
+    size_t               face_colour_room;
+    int                  has_material;      /* from here on triangles have a colour */
+    uint32_t             material;
     size_t               polygon_room;
     mesh_polygon        *polygons;
     size_t               polygon_count;
@@ -154,6 +162,37 @@ static inline int mesh_add_vertex(mesh_reader *r, const double position[3]) {
     return 1;
 }
 
+/* The colours of a list up to number `count`: those that were left out are white. */
+static inline int mesh_add_colour(mesh_reader *r, uint32_t **colours, size_t *coloured, size_t *room, size_t count,
+                                  uint32_t colour) {
+    void *items = *colours;
+    if (!mesh_reserve(r, &items, room, *coloured, count - *coloured, sizeof(uint32_t))) {
+        return 0;
+    }
+    *colours = (uint32_t *)items;
+    for (; *coloured < count; *coloured += 1) {
+        (*colours)[*coloured] = *coloured + 1 < count ? 0xffffffu : colour;
+    }
+    return 1;
+}
+
+/* The colour of the vertex added last. */
+static inline int mesh_colour_vertex(mesh_reader *r, uint32_t colour) {
+    mesh *m = r->out;
+    return mesh_add_colour(r, &m->vertex_colours, &m->vertices_coloured, &r->vertex_colour_room, m->vertices, colour);
+}
+
+/* Parts of 1, of 255 or of what a type holds, as 0xrrggbb. */
+static inline uint32_t mesh_colour(const double rgb[3], double most) {
+    uint32_t colour = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        double part = rgb[i] / most;
+        colour = colour << 8 | (uint32_t)(part > 0 ? part < 1 ? 255 * part + 0.5 : 255 : 0);
+    }
+    return colour;
+}
+
 static inline int mesh_add_triangle(mesh_reader *r, uint32_t a, uint32_t b, uint32_t c) {
     void *items = r->out->indices;
     uint32_t *corner;
@@ -166,7 +205,9 @@ static inline int mesh_add_triangle(mesh_reader *r, uint32_t a, uint32_t b, uint
     corner[1] = b;
     corner[2] = c;
     r->out->triangles += 1;
-    return 1;
+    return !r->has_material
+        || mesh_add_colour(r, &r->out->face_colours, &r->out->faces_coloured, &r->face_colour_room, r->out->triangles,
+                           r->material);
 }
 
 /* Vertices may follow the faces, so the largest index is kept for a check at the end. */
@@ -468,6 +509,8 @@ static inline int mesh_read_position(mesh_reader *r, int anywhere, int least) {
     return mesh_add_vertex(r, position);
 }
 
+static inline unsigned char *mesh_load_bytes(const char *path, size_t *out_size, char *error);
+
 /* ---- 3. OBJ ---------------------------------------------------------------------------------- */
 
 /* A corner "v", "v/vt", "v//vn" or "v/vt/vn". Positive indices count from 1, negative ones back from the
@@ -511,9 +554,113 @@ static inline int mesh_read_obj_face(mesh_reader *r) {
     return mesh_end_polygon(r);
 }
 
+/* Three numbers behind a position are a colour, each from 0 to 1. */
+static inline int obj_read_colour(mesh_reader *r) {
+    double rgb[4];
+    int count = 0;
+    mesh_word word;
+    while (count < 4 && mesh_next_word(r, &word) && word.text[0] != '#') {
+        char *end;
+        rgb[count] = strtod(word.text, &end);
+        if (end != word.text + word.length) {
+            return 1;
+        }
+        count += 1;
+    }
+    return count != 3 || mesh_colour_vertex(r, mesh_colour(rgb, 1));
+}
+
+/* Materials by their names' hashes: the texts that hold the names do not stay. */
+typedef struct obj_material {
+    uint64_t name;
+    uint32_t colour;
+} obj_material;
+
+typedef struct obj_materials {
+    obj_material *items;
+    size_t        count;
+    size_t        room;
+} obj_materials;
+
+/* The rest of the line as one number: the hash of Fowler, Noll and Vo. */
+static inline uint64_t obj_name(mesh_reader *r) {
+    uint64_t hash = 0xcbf29ce484222325u;
+    mesh_word word;
+    while (mesh_next_word(r, &word)) {
+        size_t i;
+        for (i = 0; i < word.length; i++) {
+            hash = (hash ^ (unsigned char)word.text[i]) * 0x100000001b3u;
+        }
+        hash = (hash ^ ' ') * 0x100000001b3u;
+    }
+    return hash;
+}
+
+/* One line of a material library: a name, or a diffuse colour (Kd). */
+static inline void obj_read_material(mesh_reader *m, obj_materials *list) {
+    void *items = list->items;
+    double rgb[3];
+    mesh_word word;
+    int i;
+    mesh_next_word(m, &word);
+    if (mesh_word_is(word, "newmtl") && mesh_reserve(m, &items, &list->room, list->count, 1, sizeof *list->items)) {
+        list->items = (obj_material *)items;
+        list->items[list->count].name = obj_name(m);
+        list->items[list->count].colour = 0xffffffu;
+        list->count += 1;
+    }
+    if (mesh_word_is(word, "kd") && list->count > 0) {
+        for (i = 0; i < 3 && mesh_next_word(m, &word) && mesh_word_double(m, word, &rgb[i]); i++) {
+        }
+        list->items[list->count - 1].colour = i == 3 ? mesh_colour(rgb, 1) : 0xffffffu;
+    }
+}
+
+/* A material library beside the file; one that cannot be read is a warning, not an error. */
+static inline void obj_read_library(mesh_reader *r, obj_materials *list) {
+    char path[4096];
+    char error[MESH_ERROR];
+    const char *slash = strrchr(r->path, '/');
+    size_t folder = slash ? (size_t)(slash - r->path) + 1 : 0;
+    mesh_reader m;
+    mesh_word word;
+    unsigned char *bytes;
+    memset(&m, 0, sizeof m);
+    if (!mesh_next_word(r, &word) || folder + word.length >= sizeof path || word.text[0] == '/'
+        || strcmp(r->path, "-") == 0) {
+        return;
+    }
+    memcpy(path, r->path, folder);
+    memcpy(path + folder, word.text, word.length);
+    path[folder + word.length] = 0;
+    bytes = strstr(path + folder, "..") || strchr(path + folder, ':') ? NULL : mesh_load_bytes(path, &m.size, error);
+    if (!bytes) {
+        mesh_warn(r, r->line, "the materials of '%.100s' are not read", path + folder);
+        return;
+    }
+    m.path = path;
+    m.error = error;
+    m.data = bytes;
+    do {
+        obj_read_material(&m, list);
+    } while (mesh_next_line(&m));
+    free(bytes);
+}
+
+static inline void obj_use_material(mesh_reader *r, const obj_materials *list) {
+    uint64_t name = obj_name(r);
+    size_t i;
+    r->material = 0xffffffu;
+    for (i = 0; i < list->count; i++) {
+        if (list->items[i].name == name) {
+            r->material = list->items[i].colour;
+            r->has_material = 1;
+        }
+    }
+}
+
 /* A backslash joins lines of numbers only: comments and names may end in one. */
-static inline int mesh_read_obj(mesh_reader *r) {
-    r->out->format = "OBJ";
+static inline int obj_read_lines(mesh_reader *r, obj_materials *list) {
     do {
         mesh_word word;
         r->continued = 0;
@@ -521,17 +668,32 @@ static inline int mesh_read_obj(mesh_reader *r) {
             continue;
         }
         r->continued = word.text[0] == 'v' || word.text[0] == 'f' || word.text[0] == 'V' || word.text[0] == 'F';
-        if (mesh_word_is(word, "v") && !mesh_read_position(r, 0, 2)) {
+        if (mesh_word_is(word, "v") && (!mesh_read_position(r, 0, 2) || !obj_read_colour(r))) {
             return 0;
+        }
+        if (mesh_word_is(word, "mtllib")) {
+            obj_read_library(r, list);
+        }
+        if (mesh_word_is(word, "usemtl")) {
+            obj_use_material(r, list);
         }
         if ((mesh_word_is(word, "f") || mesh_word_is(word, "fo")) && !mesh_read_obj_face(r)) {
             return 0;
         }
     } while (mesh_next_line(r));
-    if (r->out->vertices == 0 && r->out->triangles == 0) {
+    return 1;
+}
+
+static inline int mesh_read_obj(mesh_reader *r) {
+    obj_materials list = {NULL, 0, 0};
+    int ok;
+    r->out->format = "OBJ";
+    ok = obj_read_lines(r, &list);
+    free(list.items);
+    if (ok && r->out->vertices == 0 && r->out->triangles == 0) {
         return mesh_fail_file(r, "no vertex found: not an OBJ, STL, PLY, OFF or glTF file");
     }
-    return 1;
+    return ok;
 }
 
 /* ---- 4. STL ---------------------------------------------------------------------------------- */
@@ -704,7 +866,7 @@ static inline int mesh_stl_is_binary(const mesh_reader *r, int starts_solid) {
 
 enum { PLY_I8, PLY_U8, PLY_I16, PLY_U16, PLY_I32, PLY_U32, PLY_F32, PLY_F64, PLY_NO_TYPE };
 /* What a property is read for. */
-enum { PLY_OTHER, PLY_X, PLY_Y, PLY_Z, PLY_FACE, PLY_STRIP };
+enum { PLY_OTHER, PLY_X, PLY_Y, PLY_Z, PLY_RED, PLY_GREEN, PLY_BLUE, PLY_FACE, PLY_STRIP };
 
 typedef struct ply_property {
     int type;
@@ -748,6 +910,10 @@ static inline int ply_type(mesh_word word) {
 static inline int ply_role(mesh_word element, mesh_word name, int is_list) {
     if (mesh_word_is(element, "vertex") && !is_list && name.length == 1) {
         return *name.text == 'x' ? PLY_X : *name.text == 'y' ? PLY_Y : *name.text == 'z' ? PLY_Z : PLY_OTHER;
+    }
+    if (mesh_word_is(element, "vertex") && !is_list) {
+        return mesh_word_is(name, "red") ? PLY_RED : mesh_word_is(name, "green") ? PLY_GREEN
+             : mesh_word_is(name, "blue") ? PLY_BLUE : PLY_OTHER;
     }
     if (is_list && (mesh_word_is(name, "vertex_indices") || mesh_word_is(name, "vertex_index"))) {
         return mesh_word_is(element, "face") ? PLY_FACE
@@ -795,7 +961,7 @@ static inline int ply_read_element(mesh_reader *r, ply_header *h) {
     ply_element element;
     void *items = h->elements;
     mesh_word word;
-    int64_t rows;
+    int64_t rows = 0;
     if (!mesh_next_word(r, &element.name)) {
         return mesh_fail_word(r, element.name, "element name");
     }
@@ -956,6 +1122,8 @@ static inline int ply_read_list(mesh_reader *r, const ply_header *h, const ply_p
 static inline int ply_read_row(mesh_reader *r, const ply_header *h, const ply_element *element,
                                int is_vertex) {
     double position[3] = {0, 0, 0};
+    double rgb[3] = {0, 0, 0};
+    double most = 0;
     size_t i;
     for (i = 0; i < element->properties; i++) {
         const ply_property *property = &h->properties[element->first + i];
@@ -967,9 +1135,16 @@ static inline int ply_read_row(mesh_reader *r, const ply_header *h, const ply_el
         if (property->role >= PLY_X && property->role <= PLY_Z) {
             position[property->role - PLY_X] = number;
         }
+        if (property->role >= PLY_RED && property->role <= PLY_BLUE) {
+            rgb[property->role - PLY_RED] = number;
+            most = property->type >= PLY_F32 ? 1 : property->type <= PLY_U8 ? 255 : 65535;
+        }
     }
     if (h->by_lines && element->properties > 0) {
         mesh_next_line(r);      /* values beyond the declared ones are no row's */
+    }
+    if (is_vertex && most > 0) {
+        return mesh_add_vertex(r, position) && mesh_colour_vertex(r, mesh_colour(rgb, most));
     }
     return is_vertex ? mesh_add_vertex(r, position) : 1;
 }
@@ -1042,6 +1217,7 @@ static inline int ply_read_body(mesh_reader *r, ply_header *h) {
     r->out->triangles = 0;
     r->out->skipped = 0;
     r->out->warnings = empty.warnings;
+    r->out->vertices_coloured = 0;
     h->by_lines = 0;
     ok = ply_read_elements(r, h);
     if (!ok) {
@@ -1167,6 +1343,8 @@ static inline int mesh_read_off(mesh_reader *r) {
 static inline void mesh_free(mesh *m) {
     free(m->positions);
     free(m->exact);
+    free(m->vertex_colours);
+    free(m->face_colours);
     free(m->indices);
     memset(m, 0, sizeof *m);
 }

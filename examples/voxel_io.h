@@ -413,6 +413,8 @@ typedef struct vox_file {
     size_t        n[3];         /* upright */
     vox_model    *models;
     size_t        model_count;
+    const unsigned char *index;     /* of each voxel's colour in the palette, from 1, x fastest; NULL: by height */
+    const uint32_t *palette;        /* 255 of 0xrrggbb */
 } vox_file;
 
 static inline void vox_int(FILE *file, size_t value) {
@@ -460,7 +462,8 @@ static inline size_t vox_visit(const vox_file *f, const vox_model *model, FILE *
                     place = f->turn.flip[a] ? f->n[a] - 1 - place : place;
                     fputc((int)(place - model->lo[a]), file);
                     if (a == 2) {
-                        fputc((int)(1 + place * 254 / f->n[2]), file);
+                        fputc(f->index ? f->index[(at[2] * f->v->n[1] + at[1]) * f->v->n[0] + at[0]]
+                                       : (int)(1 + place * 254 / f->n[2]), file);
                     }
                 }
             }
@@ -559,9 +562,10 @@ static inline void vox_scene(const vox_file *f) {
     }
 }
 
-/* Colours from deep blue at the foot over green to sand at the top. */
-static inline void vox_palette(FILE *file) {
+/* The palette given, or colours from deep blue at the foot over green to sand at the top. */
+static inline void vox_palette(const vox_file *f) {
     static const double stops[4][3] = {{38, 70, 120}, {42, 157, 143}, {233, 196, 106}, {244, 240, 225}};
+    FILE *file = f->file;
     int i;
     int a;
     vox_chunk(file, "RGBA", 1024, 0);
@@ -569,7 +573,7 @@ static inline void vox_palette(FILE *file) {
         double at = i < 254 ? 3 * i / 254.0 : 2.999;
         int stop = (int)at;
         for (a = 0; a < 3; a++) {
-            fputc((int)(stops[stop][a] + (at - stop) * (stops[stop + 1][a] - stops[stop][a])), file);
+            fputc(f->palette ? (int)(f->palette[i < 255 ? i : 254] >> (16 - 8 * a) & 255) : (int)(stops[stop][a] + (at - stop) * (stops[stop + 1][a] - stops[stop][a])), file);
         }
         fputc(255, file);
     }
@@ -618,16 +622,20 @@ static inline int vox_write_models(vox_file *f, const char *path, char *error) {
     if (f->model_count > 1) {       /* one model needs no scene */
         vox_scene(f);
     }
-    vox_palette(f->file);
+    vox_palette(f);
     return voxels_close(f->file, path, error);
 }
 
-static inline int vox_write(const char *path, const voxels *v, upright turn, char *error) {
+/* `index` and `palette` as in vox_file, or NULL for colours by height. */
+static inline int vox_write_coloured(const char *path, const voxels *v, upright turn, const unsigned char *index,
+                                     const uint32_t *palette, char *error) {
     vox_file f;
     int ok;
     memset(&f, 0, sizeof f);
     f.v = v;
     f.turn = turn;
+    f.index = index;
+    f.palette = palette;
     ok = vox_cut(&f);
     if (ok && vox_is_far(&f)) {
         fprintf(stderr, "warning: %.200s: the scene reaches beyond %d voxels from its middle, where MagicaVoxel shows "
@@ -636,6 +644,10 @@ static inline int vox_write(const char *path, const voxels *v, upright turn, cha
     ok = ok ? vox_write_models(&f, path, error) : voxels_fail(path, "out of memory", error);
     free(f.models);
     return ok;
+}
+
+static inline int vox_write(const char *path, const voxels *v, upright turn, char *error) {
+    return vox_write_coloured(path, v, turn, NULL, NULL, error);
 }
 
 /* ---- 5. OBJ of the exposed faces ------------------------------------------------------------- */

@@ -227,3 +227,29 @@ says 'x 5411932.7 to 5411933.7, y 0 to 1'
 text floats.obj 'v 0.1 0.3 0.7\nv 1.1 0.3 0.7\nv 0.1 123456.7 0.7\nf 1 2 3\n'
 run 0 "$bin/voxelize" "$tmp/floats.obj" --size 1000
 says 'x 0.1 to 1.1, y 0.3 to 123456.7'
+
+# ---- Colours: of the vertices, of the materials, into a palette
+
+printf 'newmtl red one\nKd 1 0 0\nnewmtl blue\nKd 0 0 .5\n' > "$tmp/colours.mtl"
+text colours.obj 'mtllib colours.mtl\nv 0 0 0\nv 4 0 0\nv 0 4 0\nv 4 4 0\nusemtl red one\nf 1 2 3\nusemtl blue\nf 2 4 3\n'
+run 0 "$bin/colours" "$tmp/colours.obj" 16 "$tmp/colours.vox"
+says 'each with a colour: of the materials'
+checks=$((checks + 1))     # the palette begins with the two: red and blue
+od -An -v -tx1 "$tmp/colours.vox" | tr -d ' \n' | grep -Eq '524742410004000000000000(ff0000ff000080ff|000080ffff0000ff)' ||
+    fail 'the palette holds the materials'
+text vertex.obj 'v 0 0 0 1 0 0\nv 4 0 0 1 0 0\nv 0 4 0 1 0 0\nf 1 2 3\n'
+run 0 "$bin/colours" "$tmp/vertex.obj" 16 "$tmp/vertex.ply"
+says 'mean      red 1.00 green 0.00 blue 0.00'
+checks=$((checks + 1))
+grep -q ' 255 0 0$' "$tmp/vertex.ply" || fail 'the PLY holds the colours'
+text lost.obj 'mtllib lost.mtl\nv 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n'
+run 0 "$bin/voxelize" "$tmp/lost.obj" 8
+says "warning: $tmp/lost.obj: line 1: the materials of 'lost.mtl' are not read"
+sed 's/property float z/&\nproperty uchar red\nproperty uchar green\nproperty uchar blue/; s/^0 0 0$/0 0 0 0 255 0/; s/^1 0 0$/1 0 0 0 255 0/; s/^0 1 0$/0 1 0 0 255 0/' \
+    "$tmp/beyond.ply" > "$tmp/green.ply"
+run 0 "$bin/colours" "$tmp/green.ply" 16
+says 'mean      red 0.00 green 1.00 blue 0.00'
+sed 's/"indices":1}/"indices":1,"material":0}/; s/"accessors"/"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0,1,1]}}],&/' \
+    "$tmp/data.gltf" > "$tmp/material.gltf"
+run 0 "$bin/colours" "$tmp/material.gltf" 8
+says 'mean      red 0.74 green 0.00 blue 1.00'
