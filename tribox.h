@@ -764,6 +764,16 @@ TRIBOX_FN size_t tribox_mesh_query_f64(const tribox_mesh_f64 *mesh, const double
 TBX_FN void tbx_copy(void *dst, const void *src, size_t bytes)
 {
     size_t i;
+#if defined(_MSC_VER) && !defined(__clang__) && !defined(__GNUC__)
+    if (bytes == sizeof(uint32_t)) {
+        *(__unaligned uint32_t *)dst = *(const __unaligned uint32_t *)src;
+        return;
+    }
+    if (bytes == sizeof(uint64_t)) {
+        *(__unaligned uint64_t *)dst = *(const __unaligned uint64_t *)src;
+        return;
+    }
+#endif
     for (i = 0; i < bytes; i++) {
         ((unsigned char *)dst)[i] = ((const unsigned char *)src)[i];
     }
@@ -1583,24 +1593,59 @@ TBX_FN int tbx_corners_finite(const double v0[3], const double v1[3], const doub
 /* Without a branch where the compiler has a way to say so: signs are coin tosses. */
 TBX_FN double tbx_abs(double x)
 {
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if TBX_GNU && !defined(__CUDACC__)
     return __builtin_fabs(x);
 #else
     return x < 0.0 ? -x : x;
 #endif
 }
 
+/* Of numbers that can be compared as they are: one instruction each. */
+TBX_FN double tbx_lesser(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+TBX_FN double tbx_greater(double a, double b)
+{
+#if TBX_HAS_ASM && defined(__SSE2_MATH__) && !defined(__clang__)
+    TBX_KEEP_SCALAR(a); /* gcc would find the comparison of tbx_lesser, and branch on it for both */
+#endif
+    return a > b ? a : b;
+}
+
+/* Is the magnitude 0 or in [2^-200, 2^300)? Such doubles are multiples of 2^-252, and so are their
+ * differences: nothing is flushed to zero, and nothing that the filter computes overflows. */
+TBX_FN unsigned tbx_is_usual(const double *x)
+{
+    const uint64_t magnitude = tbx_bits64(x) & 0x7fffffffffffffffu;
+    return (unsigned)(magnitude == 0) |
+           (unsigned)(magnitude - ((uint64_t)(1023 - 200) << 52) < (uint64_t)500 << 52);
+}
+
+TBX_FN unsigned tbx_is_usual3(const double x[3])
+{
+    return tbx_is_usual(&x[0]) & tbx_is_usual(&x[1]) & tbx_is_usual(&x[2]);
+}
+
+TBX_COLD int tbx_all_usual(const double v0[3], const double v1[3], const double v2[3], const double box_min[3],
+                           const double box_max[3])
+{
+    return (int)(tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2) & tbx_is_usual3(box_min) &
+                 tbx_is_usual3(box_max));
+}
+
 /* The box, clipped to the triangle's bounding box. Bit k of open_lo, open_hi: that face is not in the box. */
 typedef struct tbx_clip {
     double lo[3];
     double hi[3];
-    double extent[3]; /* of the triangle */
     unsigned open_lo;
     unsigned open_hi;
 } tbx_clip;
 
-/* Decides emptiness and the faces, on integer keys. Returns 0 if there is nothing left of the box. A face is
- * replaced by the triangle's extent, and then closed, only where it lies strictly outside. */
+/* Decides emptiness and the faces of finite corners and any box, on integer keys. Returns 0 if there is nothing
+ * left of the box. A face is replaced by the triangle's extent, and then closed, only where it lies strictly
+ * outside. */
 TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3], const double v2[3],
                         const double box_min[3], const double box_max[3], unsigned flags)
 {
@@ -1624,26 +1669,102 @@ TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3], 
         clip->hi[k] = hi > key_max ? t_max : box_max[k];
         clip->open_lo |= (unsigned)(lo_is_open && lo >= key_min) << k;
         clip->open_hi |= (unsigned)(hi_is_open && hi <= key_max) << k;
-        clip->extent[k] = t_max - t_min;
-        if (key_min != key_max && tbx_sign(&clip->extent[k]) == 0) {
-            clip->extent[k] = TBX_POW2(-1022); /* flushed: out of the filter's range */
-        }
     }
     return 1;
 }
 
-/* The values of the filter: the worst edge of each plane, then the plane. Their bounds hold if in_range. */
+/* The same of usual numbers, which can be compared as they are, on axis k. */
+TBX_FN int tbx_clip_axis(tbx_clip *clip, int k, const double v[3], double lo, double hi, unsigned flags)
+{
+    const double t_min = tbx_lesser(tbx_lesser(v[0], v[1]), v[2]);
+    const double t_max = tbx_greater(tbx_greater(v[0], v[1]), v[2]);
+    const double lower = tbx_greater(lo, t_min);
+    const double upper = tbx_lesser(hi, t_max);
+    int parted = lower > upper; /* also where lo > hi */
+    clip->lo[k] = lower;
+    clip->hi[k] = upper;
+    if (flags != 0) {
+        const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
+        parted |= (lo >= hi) | (hi <= t_min) | (lo_is_open & (lo >= t_max));
+        clip->open_lo |= (unsigned)(lo_is_open & (lo >= t_min)) << k;
+        clip->open_hi |= (unsigned)(hi <= t_max) << k;
+    }
+    return parted;
+}
+
+/* The values of the filter: the worst edge of each plane, then the plane; and their bounds. */
 typedef struct tbx_values {
     double value[4];
     double bound[4];
-    int in_range;
 } tbx_values;
 
-/* An extent that the bounds hold for: 0 or in [2^-300, 2^301). Read from its bits. */
-TBX_FN int tbx_extent_in_range(double extent)
+/* One axis of a question: a_1, a_2, m, h, the lengths of the edges, and x >= X. */
+typedef struct tbx_axis {
+    double a1;
+    double a2;
+    double m;
+    double h;
+    double e0;
+    double e1;
+    double e2;
+    double x;
+} tbx_axis;
+
+/* Corners v of this axis, and the clipped box. */
+TBX_FN void tbx_axis_set(tbx_axis *r, double v0, double v1, double v2, double lo, double hi)
 {
-    const uint64_t bits = tbx_bits64(&extent) & 0x7fffffffffffffffu;
-    return bits == 0 || bits - ((uint64_t)(1023 - 300) << 52) < ((uint64_t)601 << 52);
+    double a1 = v1 - v0;
+    double a2 = v2 - v0;
+    double from = lo - v0;
+    double h = hi - lo;
+    TBX_KEEP_SCALAR(a1);
+    TBX_KEEP_SCALAR(a2);
+    TBX_KEEP_SCALAR(from);
+    TBX_KEEP_SCALAR(h);
+    r->a1 = a1;
+    r->a2 = a2;
+    r->m = 2.0 * from + h;
+    r->h = h;
+    r->e0 = tbx_abs(a1);
+    r->e1 = tbx_abs(a2 - a1);
+    r->e2 = tbx_abs(a2);
+    r->x = r->e0 + r->e2;
+}
+
+/* The least value of the three edges in the plane of two axes; out_n: that component of the normal. */
+TBX_FN double tbx_filter_edges(const tbx_axis *b, const tbx_axis *c, double *out_n)
+{
+    const double n = b->a1 * c->a2 - c->a1 * b->a2;
+    const double c0 = b->a1 * c->m - c->a1 * b->m;
+    const double s0 = n - c0;
+    const double s2 = n - (b->m * c->a2 - c->m * b->a2);
+    const double s1 = c0 - s2;
+    const double g0 = b->e0 * c->h + (c->e0 * b->h - tbx_abs(s0));
+    const double g1 = b->e1 * c->h + (c->e1 * b->h - tbx_abs(s1));
+    const double g2 = b->e2 * c->h + (c->e2 * b->h - tbx_abs(s2));
+    *out_n = n;
+    return tbx_lesser(tbx_lesser(g0, g1), g2) + tbx_abs(n);
+}
+
+/* Corners and the clipped box are usual. */
+TBX_FN void tbx_filter(tbx_values *out, const double v0[3], const double v1[3], const double v2[3],
+                       const tbx_clip *clip)
+{
+    const double ulps = TBX_ULPS * TBX_U64;
+    tbx_axis x[3];
+    double n[3];
+    tbx_axis_set(&x[0], v0[0], v1[0], v2[0], clip->lo[0], clip->hi[0]);
+    tbx_axis_set(&x[1], v0[1], v1[1], v2[1], clip->lo[1], clip->hi[1]);
+    tbx_axis_set(&x[2], v0[2], v1[2], v2[2], clip->lo[2], clip->hi[2]);
+    out->value[0] = tbx_filter_edges(&x[1], &x[2], &n[0]);
+    out->value[1] = tbx_filter_edges(&x[2], &x[0], &n[1]);
+    out->value[2] = tbx_filter_edges(&x[0], &x[1], &n[2]);
+    out->value[3] = (tbx_abs(n[0]) * x[0].h + tbx_abs(n[1]) * x[1].h + tbx_abs(n[2]) * x[2].h) -
+                    tbx_abs(n[0] * x[0].m + n[1] * x[1].m + n[2] * x[2].m);
+    out->bound[0] = ulps * x[1].x * x[2].x;
+    out->bound[1] = ulps * x[2].x * x[0].x;
+    out->bound[2] = ulps * x[0].x * x[1].x;
+    out->bound[3] = out->bound[2] * x[2].x;
 }
 
 /* The power of two that maps an extent in (0, 2^301) to [2^14, 2^15). */
@@ -1653,62 +1774,40 @@ TBX_FN double tbx_lattice_scale(double extent)
     return tbx_from_bits64((uint64_t)(2046 + 14 - exponent) << 52);
 }
 
-/* Is x a multiple of 1/scale, a power of two, and below 2^52 of them? Subnormals read as zero are not.
- * Where doubles may have 24 bits, nothing is. */
-TBX_FN int tbx_on_lattice(double x, double scale)
+/* Is x, usual or 0 where subnormals are, a multiple of `unit`, a power of two, and below 2^51 of them? The sum
+ * with 1.5 * 2^52 of them is the multiple nearest to x, or beside it. Where doubles may have 24 bits, nothing is. */
+TBX_FN int tbx_is_whole(double x, double unit)
 {
-    const double limit = 4503599627370496.0; /* 2^52 */
-    const double units = x * scale;
-    if (!TBX_DOUBLE_IS_53_BITS || !(units < limit && units > -limit)) {
-        return 0;
-    }
-    return (double)(int64_t)units == units && (tbx_sign(&units) != 0 || tbx_sign(&x) == 0);
+    const double middle = unit * 6755399441055744.0; /* 1.5 * 2^52 */
+    double sum = x + middle;
+    TBX_KEEP_SCALAR(sum);
+    sum -= middle;
+    return TBX_DOUBLE_IS_53_BITS & !(sum < x) & !(sum > x) & (tbx_abs(x) < unit * 2251799813685248.0); /* 2^51 */
 }
 
-TBX_FN void tbx_filter(tbx_values *out, const double v0[3], const double v1[3], const double v2[3],
-                       const tbx_clip *clip)
+TBX_FN int tbx_whole3(const double x[3], double unit)
 {
-    const double ulps = TBX_ULPS * TBX_U64;
-    const double *x = clip->extent;
-    double d[4][3]; /* a_1, a_2, lo - v_0, h */
-    double m[3];
-    double e[3][3]; /* absolute edges */
-    double support = 0.0;
-    double at = 0.0;
-    int k;
-    for (k = 0; k < 3; k++) {
-        d[0][k] = v1[k] - v0[k];
-        d[1][k] = v2[k] - v0[k];
-        d[2][k] = clip->lo[k] - v0[k];
-        d[3][k] = clip->hi[k] - clip->lo[k];
-    }
-    TBX_KEEP(d);
-    for (k = 0; k < 3; k++) {
-        m[k] = 2.0 * d[2][k] + d[3][k];
-        e[0][k] = tbx_abs(d[0][k]);
-        e[1][k] = tbx_abs(d[1][k] - d[0][k]);
-        e[2][k] = tbx_abs(d[1][k]);
-    }
-    for (k = 0; k < 3; k++) {
-        const int b = k < 2 ? k + 1 : 0;
-        const int c = k > 0 ? k - 1 : 2;
-        const double n = d[0][b] * d[1][c] - d[0][c] * d[1][b];
-        const double c0 = d[0][b] * m[c] - d[0][c] * m[b];
-        const double s0 = n - c0;
-        const double s2 = n - (m[b] * d[1][c] - m[c] * d[1][b]);
-        const double s1 = c0 - s2;
-        const double g0 = e[0][b] * d[3][c] + (e[0][c] * d[3][b] - tbx_abs(s0));
-        const double g1 = e[1][b] * d[3][c] + (e[1][c] * d[3][b] - tbx_abs(s1));
-        const double g2 = e[2][b] * d[3][c] + (e[2][c] * d[3][b] - tbx_abs(s2));
-        const double g = g0 < g1 ? g0 : g1;
-        out->value[k] = (g < g2 ? g : g2) + tbx_abs(n);
-        out->bound[k] = ulps * x[b] * x[c];
-        support += tbx_abs(n) * d[3][k];
-        at += n * m[k];
-    }
-    out->value[3] = support - tbx_abs(at);
-    out->bound[3] = ulps * x[0] * x[1] * x[2];
-    out->in_range = tbx_extent_in_range(x[0]) & tbx_extent_in_range(x[1]) & tbx_extent_in_range(x[2]);
+    return tbx_is_whole(x[0], unit) & tbx_is_whole(x[1], unit) & tbx_is_whole(x[2], unit);
+}
+
+/* The same of any x below 2^900, in units of 1/scale; subnormals, which may be read as zero, are none. */
+TBX_FN int tbx_on_lattice(double x, double scale)
+{
+    const uint64_t magnitude = tbx_bits64(&x) & 0x7fffffffffffffffu;
+    const double unit = tbx_from_bits64(((uint64_t)2046 << 52) - tbx_bits64(&scale));
+    return (magnitude - 1u >= 0x000fffffffffffffu) & tbx_is_whole(x, unit);
+}
+
+/* The unit of which an extent in [2^-300, 2^301) is from 2^14 to 2^15. */
+TBX_FN double tbx_lattice_unit(double extent)
+{
+    return tbx_from_bits64((tbx_bits64(&extent) & 0x7ff0000000000000u) - ((uint64_t)14 << 52));
+}
+
+/* The triangle's extent along axis k, or up to twice that. */
+TBX_FN double tbx_extent64(const double v0[3], const double v1[3], const double v2[3], int k)
+{
+    return tbx_abs(v1[k] - v0[k]) + tbx_abs(v2[k] - v0[k]);
 }
 
 /* Are all values of the filter exact? Coordinates that are multiples of some unit, and differ by less
@@ -1716,16 +1815,63 @@ TBX_FN void tbx_filter(tbx_values *out, const double v0[3], const double v1[3], 
 TBX_FN int tbx_clip_on_lattice(const double v0[3], const double v1[3], const double v2[3],
                                const tbx_clip *clip)
 {
-    const double *x = clip->extent;
-    const double longest = x[0] > x[1] ? x[0] : x[1];
-    const double scale = tbx_lattice_scale(longest > x[2] ? longest : x[2]);
-    int whole = 1;
+    const double longest = tbx_greater(tbx_greater(tbx_extent64(v0, v1, v2, 0), tbx_extent64(v0, v1, v2, 1)),
+                                       tbx_extent64(v0, v1, v2, 2));
+    double unit;
+    if (!(longest > 0.0)) {
+        return 0;
+    }
+    unit = tbx_lattice_unit(longest);
+    return tbx_whole3(v0, unit) && tbx_whole3(v1, unit) && tbx_whole3(v2, unit) && tbx_whole3(clip->lo, unit) &&
+           tbx_whole3(clip->hi, unit);
+}
+
+/* Do the projections of three usual corners lie on one line? So where they do not move along one of the axes, or
+ * if they are whole numbers below 2^25 there, whose products are exact; else unknown, 0. */
+TBX_FN int tbx_is_line(const double v0[3], const double v1[3], const double v2[3], int b, int c)
+{
+    const double x_b = tbx_extent64(v0, v1, v2, b);
+    const double x_c = tbx_extent64(v0, v1, v2, c);
+    double u_b;
+    double u_c;
+    double p;
+    double q;
+    if (!(x_b > 0.0) || !(x_c > 0.0)) {
+        return 1;
+    }
+    u_b = tbx_lattice_unit(x_b) * 0.0009765625; /* 2^-10 */
+    u_c = tbx_lattice_unit(x_c) * 0.0009765625;
+    if (!(tbx_is_whole(v0[b], u_b) & tbx_is_whole(v1[b], u_b) & tbx_is_whole(v2[b], u_b) &
+          tbx_is_whole(v0[c], u_c) & tbx_is_whole(v1[c], u_c) & tbx_is_whole(v2[c], u_c))) {
+        return 0;
+    }
+    p = (v1[b] - v0[b]) * (v2[c] - v0[c]);
+    q = (v1[c] - v0[c]) * (v2[b] - v0[b]);
+    return !(p < q) & !(p > q);
+}
+
+/* Of usual numbers. */
+TBX_FN int tbx_same_point(const double a[3], const double b[3])
+{
+    return !(a[0] < b[0]) & !(a[0] > b[0]) & !(a[1] < b[1]) & !(a[1] > b[1]) & !(a[2] < b[2]) & !(a[2] > b[2]);
+}
+
+/* The values of a segment, whose edges are one, and which has no plane. */
+TBX_FN void tbx_filter_segment(tbx_values *out, const double p[3], const double q[3], const tbx_clip *clip)
+{
+    tbx_axis x[3];
     int k;
     for (k = 0; k < 3; k++) {
-        whole &= tbx_on_lattice(v0[k], scale) & tbx_on_lattice(v1[k], scale) & tbx_on_lattice(v2[k], scale) &
-                 tbx_on_lattice(clip->lo[k], scale) & tbx_on_lattice(clip->hi[k], scale);
+        tbx_axis_set(&x[k], p[k], q[k], q[k], clip->lo[k], clip->hi[k]);
     }
-    return whole;
+    for (k = 0; k < 3; k++) {
+        const tbx_axis *b = &x[(k + 1) % 3];
+        const tbx_axis *c = &x[(k + 2) % 3];
+        out->value[k] = b->e0 * c->h + (c->e0 * b->h - tbx_abs(b->a1 * c->m - c->a1 * b->m));
+        out->bound[k] = TBX_ULPS * TBX_U64 * b->e0 * c->e0;
+    }
+    out->value[3] = 0.0;
+    out->bound[3] = 0.0;
 }
 
 /* What the filter leaves open, by exact signs. */
@@ -1744,110 +1890,90 @@ TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const dou
     return tbx_exact_axes(&f, unsure, clip->open_lo, clip->open_hi);
 }
 
-/* Could a processor that reads or writes subnormals as zero see other numbers, or other differences?
- * Doubles of at least 2^-900 are multiples of 2^-952, and so are their differences. */
-TBX_NOINLINE int tbx_may_flush64(const double v0[3], const double v1[3], const double v2[3],
-                                 const double box_min[3], const double box_max[3])
+/* The filter leaves conditions open. Corners that repeat make a segment, which has a filter of its own; values of
+ * whole numbers are exact, and 0 where the bound leaves no other (an edge's is a multiple of the unit squared, its
+ * bound below 2^-15 of it); a triangle without area has no plane. The rest is said by exact signs. */
+TBX_COLD int tbx_clipped_unsure(const double v0[3], const double v1[3], const double v2[3],
+                                const tbx_clip *clip, const tbx_values *filter)
 {
-    const uint64_t least = (uint64_t)(1023 - 900) << 52;
-    const double *v[5];
-    int may = 0;
-    int i;
-    v[0] = v0;
-    v[1] = v1;
-    v[2] = v2;
-    v[3] = box_min;
-    v[4] = box_max;
-    for (i = 0; i < 15; i++) {
-        const uint64_t magnitude = tbx_bits64(&v[i / 3][i % 3]) & 0x7fffffffffffffffu;
-        may |= magnitude - 1u < least - 1u;
-    }
-    return may;
-}
-
-/* Does this processor? */
-TBX_FN int tbx_flushes64(void)
-{
-    double tiny = tbx_from_bits64(1); /* 2^-1074 */
-    TBX_KEEP(tiny);
-    tiny += tiny;
-    TBX_KEEP(tiny);
-    return tbx_bits64(&tiny) == 0;
-}
-
-/* What tbx_clip_box does, by comparing numbers instead of keys. Returns 0 where that may fail: at
- * NaN, out of the filter's range, and where subnormals may be read as zero. The extents are from X to 2X. */
-TBX_FN int tbx_clip_quick(tbx_clip *clip, int *out_parted, const double v0[3], const double v1[3],
-                          const double v2[3], const double box_min[3], const double box_max[3],
-                          unsigned flags)
-{
-    const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
-    double span[3];
-    int parted = 0;
-    int usable = 1;
+    const int is_first = tbx_same_point(v0, v1);
+    const unsigned open = clip->open_lo | clip->open_hi;
+    tbx_values segment;
+    unsigned unsure = 0;
     int k;
-    clip->open_lo = 0;
-    clip->open_hi = 0;
-    for (k = 0; k < 3; k++) {
-        const double low = v0[k] < v1[k] ? v0[k] : v1[k];
-        const double high = v0[k] > v1[k] ? v0[k] : v1[k];
-        const double t_min = low < v2[k] ? low : v2[k];
-        const double t_max = high > v2[k] ? high : v2[k];
-        const double lo = box_min[k];
-        const double hi = box_max[k];
-        clip->lo[k] = lo > t_min ? lo : t_min;
-        clip->hi[k] = hi < t_max ? hi : t_max;
-        clip->extent[k] = tbx_abs(v1[k] - v0[k]) + tbx_abs(v2[k] - v0[k]);
-        span[k] = hi - lo;
-        parted |= clip->lo[k] > clip->hi[k];
-        if (flags != 0) {
-            parted |= (hi_is_open & ((lo >= hi) | (hi <= t_min))) | (lo_is_open & (lo >= t_max));
-            clip->open_lo |= (unsigned)(lo_is_open & (lo >= t_min)) << k;
-            clip->open_hi |= (unsigned)(hi_is_open & (hi <= t_max)) << k;
+    if (is_first || tbx_same_point(v0, v2) || tbx_same_point(v1, v2)) {
+        tbx_filter_segment(&segment, v0, is_first ? v2 : v1, clip);
+        filter = &segment;
+    }
+    for (k = 0; k < 4; k++) {
+        if (filter->value[k] < -filter->bound[k]) {
+            return 0;
         }
+        unsure |= (unsigned)!(filter->value[k] >= filter->bound[k]) << k;
     }
-    TBX_KEEP(clip->extent);
-    TBX_KEEP(span);
-    for (k = 0; k < 3; k++) {
-        usable &= tbx_extent_in_range(clip->extent[k]) & !tbx_is_nan(&span[k]);
+    if (unsure == 0) {
+        return 1;
     }
-    *out_parted = parted;
-    return usable && !(tbx_flushes64() && tbx_may_flush64(v0, v1, v2, box_min, box_max));
+    if (tbx_clip_on_lattice(v0, v1, v2, clip)) {
+        if (filter->value[3] < 0.0) {
+            return 0;
+        }
+        unsure &= open == 0 ? 0u : filter->value[3] > 0.0 ? 7u : 15u;
+    }
+    if ((unsure & 8u) != 0 && tbx_is_line(v0, v1, v2, 0, 1) && tbx_is_line(v0, v1, v2, 1, 2) &&
+        tbx_is_line(v0, v1, v2, 2, 0)) {
+        unsure &= 7u;
+    }
+    return unsure == 0 || tbx_clipped_exact(v0, v1, v2, clip, unsure);
 }
 
-/* The scalar body, which is the specification: emptiness, faces and rules, from bits where comparing might
- * fail, the nine edges and the plane by the filter in double, what that leaves open by exact signs. */
+/* The verdict for usual numbers: emptiness and the faces first, then the nine edges and the plane by the filter,
+ * and what that leaves open by exact signs. */
+TBX_NOINLINE int tbx_overlap_usual(const double v0[3], const double v1[3], const double v2[3],
+                                   const double box_min[3], const double box_max[3], unsigned flags)
+{
+    const double x[3] = { v0[0], v1[0], v2[0] };
+    const double y[3] = { v0[1], v1[1], v2[1] };
+    const double z[3] = { v0[2], v1[2], v2[2] };
+    tbx_clip clip;
+    tbx_values filter;
+    double least;
+    double most;
+    clip.open_lo = 0;
+    clip.open_hi = 0;
+    if (tbx_clip_axis(&clip, 0, x, box_min[0], box_max[0], flags) |
+        tbx_clip_axis(&clip, 1, y, box_min[1], box_max[1], flags) |
+        tbx_clip_axis(&clip, 2, z, box_min[2], box_max[2], flags)) {
+        return 0;
+    }
+    tbx_filter(&filter, v0, v1, v2, &clip);
+    least = tbx_lesser(tbx_lesser(filter.value[0] - filter.bound[0], filter.value[1] - filter.bound[1]),
+                       tbx_lesser(filter.value[2] - filter.bound[2], filter.value[3] - filter.bound[3]));
+    most = tbx_lesser(tbx_lesser(filter.value[0] + filter.bound[0], filter.value[1] + filter.bound[1]),
+                      tbx_lesser(filter.value[2] + filter.bound[2], filter.value[3] + filter.bound[3]));
+    /* one branch, hardly ever missed: a hit alone is a coin toss, and compilers would branch on it */
+    if (tbx_opaque32((uint32_t)(least >= 0.0) | (uint32_t)(most < 0.0)) != 0) {
+        return least >= 0.0;
+    }
+    return tbx_clipped_unsure(v0, v1, v2, &clip, &filter);
+}
+
+/* The scalar body, which is the specification. Numbers that are not usual are clipped by their keys. */
 TBX_NOINLINE int tbx_overlap(const double v0[3], const double v1[3], const double v2[3],
                              const double box_min[3], const double box_max[3], unsigned flags)
 {
+    const unsigned usual = tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2);
     tbx_clip clip;
-    tbx_values filter;
-    unsigned unsure = 0;
-    int miss = 0;
-    int k;
-    if (TBX_RARELY(!tbx_clip_quick(&clip, &miss, v0, v1, v2, box_min, box_max, flags))) {
-        if (!tbx_corners_finite(v0, v1, v2) || !tbx_clip_box(&clip, v0, v1, v2, box_min, box_max, flags)) {
-            return 0;
-        }
-        miss = 0;
+    if (usual & tbx_is_usual3(box_min) & tbx_is_usual3(box_max)) {
+        return tbx_overlap_usual(v0, v1, v2, box_min, box_max, flags);
     }
-    tbx_filter(&filter, v0, v1, v2, &clip);
-    if (TBX_RARELY(!filter.in_range)) {
-        return tbx_clipped_exact(v0, v1, v2, &clip, TBX_ALL_AXES);
+    if (!tbx_corners_finite(v0, v1, v2) || !tbx_clip_box(&clip, v0, v1, v2, box_min, box_max, flags)) {
+        return 0;
     }
-    for (k = 0; k < 4; k++) {
-        miss |= filter.value[k] < -filter.bound[k];
-        unsure |= (unsigned)!(filter.value[k] >= filter.bound[k]) << k;
+    if (flags == 0 && (usual & tbx_is_usual3(clip.lo) & tbx_is_usual3(clip.hi))) {
+        return tbx_overlap_usual(v0, v1, v2, clip.lo, clip.hi, 0); /* an infinite box, perhaps */
     }
-    if (miss | (unsure == 0)) { /* one branch, hardly ever missed: miss alone is a coin toss */
-        return !miss;
-    }
-    if ((clip.open_lo | clip.open_hi) == 0 && tbx_clip_on_lattice(v0, v1, v2, &clip)) {
-        /* an edge is a multiple of the unit squared, its bound below 2^-15 of it: unsure is zero */
-        return filter.value[3] >= 0.0;
-    }
-    return tbx_clipped_exact(v0, v1, v2, &clip, unsure);
+    return tbx_clipped_exact(v0, v1, v2, &clip, TBX_ALL_AXES);
 }
 
 TBX_FN float tbx_minf(float a, float b)
@@ -1862,7 +1988,7 @@ TBX_FN float tbx_maxf(float a, float b)
 
 TBX_FN float tbx_absf(float a)
 {
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if TBX_GNU && !defined(__CUDACC__)
     return __builtin_fabsf(a);
 #else
     const float zero = 0.0f; /* a constant might be a double: FLT_EVAL_METHOD 1 */
@@ -1902,19 +2028,50 @@ TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const d
     return tbx_overlap(v0, v1, v2, box_min, box_max, 0);
 }
 
-/* The float entry of the scalar body. */
+/* Two floats' bits in one word: is one of them neither 0 nor normal? Bits 31 and 63 say so, without a carry
+ * from one to the other: the first sum of infinity and NaN has them, the second of all but 0, the third of
+ * normal numbers. */
+TBX_FN uint64_t tbx_unusual_pair(uint64_t pair)
+{
+    const uint64_t magnitudes = pair & 0x7fffffff7fffffffu;
+    return (magnitudes + 0x0080000000800000u) |
+           ((magnitudes + 0x7fffffff7fffffffu) & ~(magnitudes + 0x7f8000007f800000u));
+}
+
+TBX_FN uint64_t tbx_unusual3(const float x[3])
+{
+    uint64_t xy;
+    TBX_COPY(&xy, x, sizeof xy);
+    return tbx_unusual_pair(tbx_opaque64(xy)) | tbx_unusual_pair(tbx_bits32(x + 2));
+}
+
+TBX_FN void tbx_widen_normal3(double out[3], const float x[3])
+{
+    out[0] = (double)x[0];
+    out[1] = (double)x[1];
+    out[2] = (double)x[2];
+}
+
+/* The float entry of the scalar body. As doubles, zeros and normal floats are usual. */
 TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
                                      const float box_min[3], const float box_max[3], unsigned flags)
 {
     double wide[5][3];
-    int k;
-    for (k = 0; k < 3; k++) {
-        tbx_widen(&wide[0][k], v0 + k);
-        tbx_widen(&wide[1][k], v1 + k);
-        tbx_widen(&wide[2][k], v2 + k);
-        tbx_widen(&wide[3][k], box_min + k);
-        tbx_widen(&wide[4][k], box_max + k);
+    const uint64_t unusual = tbx_unusual3(v0) | tbx_unusual3(v1) | tbx_unusual3(v2) | tbx_unusual3(box_min) |
+                             tbx_unusual3(box_max);
+    if (!TBX_RARELY((unusual & 0x8000000080000000u) != 0)) {
+        tbx_widen_normal3(wide[0], v0);
+        tbx_widen_normal3(wide[1], v1);
+        tbx_widen_normal3(wide[2], v2);
+        tbx_widen_normal3(wide[3], box_min);
+        tbx_widen_normal3(wide[4], box_max);
+        return tbx_overlap_usual(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
     }
+    tbx_widen3(wide[0], v0);
+    tbx_widen3(wide[1], v1);
+    tbx_widen3(wide[2], v2);
+    tbx_widen3(wide[3], box_min);
+    tbx_widen3(wide[4], box_max);
     return tbx_overlap(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
 }
 
@@ -7905,6 +8062,7 @@ typedef float tbx_f4 __attribute__((vector_size(16)));
 typedef int32_t tbx_i4 __attribute__((vector_size(16)));
 typedef uint32_t tbx_u4 __attribute__((vector_size(16)));
 typedef double tbx_d2 __attribute__((vector_size(16)));
+typedef int64_t tbx_l2 __attribute__((vector_size(16)));
 
 /* Lanes i, j, k, l of a (0..3) and b (4..7). */
 #if defined(__clang__)
@@ -7925,17 +8083,23 @@ TBX_FN tbx_i4 tbx_order(int32_t i, int32_t j, int32_t k, int32_t l)
 #define TBX_JOIN(a, b, i) TBX_LANES(a, b, 0, 1, 2, 4 + (i))
 #endif
 
-TBX_FN tbx_f4 tbx_load3(const void *v)
+/* Three floats' bits, and 0. */
+TBX_FN tbx_i4 tbx_load3i(const void *v)
 {
-    tbx_f4 z = { 0.0f, 0.0f, 0.0f, 0.0f };
-    tbx_d2 xy = { 0.0, 0.0 };
-    double pair;
-    float last;
+    tbx_i4 z = { 0, 0, 0, 0 };
+    tbx_l2 xy = { 0, 0 };
+    int64_t pair;
+    int32_t last;
     TBX_COPY(&pair, v, sizeof pair);
     TBX_COPY(&last, (const char *)v + sizeof pair, sizeof last);
     xy[0] = pair;
     z[0] = last;
-    return TBX_LANES((tbx_f4)xy, z, 0, 1, 4, 5);
+    return TBX_LANES((tbx_i4)xy, z, 0, 1, 4, 5);
+}
+
+TBX_FN tbx_f4 tbx_load3(const void *v)
+{
+    return (tbx_f4)tbx_load3i(v);
 }
 
 TBX_FN tbx_f4 tbx_load4(const float v[4])
@@ -8078,84 +8242,162 @@ TBX_FN tbx_f4 tbx_edge4(tbx_f4 e, tbx_f4 e_yzx, tbx_f4 h, tbx_f4 h_yzx, tbx_f4 s
     return e * h_yzx + (e_yzx * h - tbx_abs4(s));
 }
 
-/* The verdict of the float filter. rule: the box is not closed, so equality at a face is unsure. */
-TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                       const float box_max[3], int rule)
+/* Lanes whose upper 16 bits are the greater of a's and b's, both of positive numbers; the lower are anything. */
+TBX_FN tbx_i4 tbx_greater_high(tbx_i4 a, tbx_i4 b)
 {
-    const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f }; /* 2^-149 */
-    const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
-    const tbx_f4 ulps = tbx_splat(TBX_ULPS * TBX_U32);
+#if defined(__SSE2__) && !defined(__clang__)
+    typedef short tbx_s8 __attribute__((vector_size(16)));
+    return (tbx_i4)__builtin_ia32_pmaxsw128((tbx_s8)a, (tbx_s8)b);
+#elif defined(__SSE2__)
+    typedef short tbx_s8 __attribute__((vector_size(16)));
+    const tbx_s8 more = (tbx_s8)a > (tbx_s8)b; /* with the next line, one instruction of clang's */
+    return (tbx_i4)(((tbx_s8)a & more) | ((tbx_s8)b & ~more));
+#else
+    const tbx_i4 more = a > b;
+    return (a & more) | (b & ~more);
+#endif
+}
+
+/* The greatest upper halves of five vectors of bits, without their signs. */
+TBX_FN tbx_i4 tbx_greatest5(tbx_i4 a, tbx_i4 b, tbx_i4 c, tbx_i4 d, tbx_i4 e)
+{
+    const tbx_i4 positive = tbx_splat_int(0x7fffffff);
+    return tbx_greater_high(tbx_greater_high(tbx_greater_high(a & positive, b & positive), c & positive),
+                            tbx_greater_high(d & positive, e & positive));
+}
+
+/* A segment in float: the verdict for a clipped box, whose size is not negative; range is checked. */
+TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper)
+{
+    tbx_f4 a = q - p;
+    tbx_f4 l = lower - p;
+    tbx_f4 h = upper - lower;
+    TBX_KEEP_VECTOR(a);
+    TBX_KEEP_VECTOR(l);
+    TBX_KEEP_VECTOR(h);
+    {
+        const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
+        const tbx_f4 m = l + l + h;
+        const tbx_f4 e = tbx_abs4(a);
+        const tbx_f4 c = a * tbx_yzx(m) - tbx_yzx(a) * m;
+        const tbx_f4 value = tbx_edge4(e, tbx_yzx(e), h, tbx_yzx(h), c);
+        const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * e * tbx_yzx(e);
+        if (tbx_any(value + bound < zero)) {
+            return TBX_MISS;
+        }
+        return tbx_any((tbx_i4)(value - bound)) ? TBX_UNSURE : TBX_HIT;
+    }
+}
+
+/* The rare cases of the float filter. found: UNSURE, where the box's faces are known to hold, or the verdict
+ * where subnormals may have been read as zero. */
+TBX_COLD int tbx_filter4_rare(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                              const float box_max[3], int found)
+{
     const tbx_f4 p0 = tbx_load3(v0);
     const tbx_f4 p1 = tbx_load3(v1);
     const tbx_f4 p2 = tbx_load3(v2);
-    const tbx_f4 lo = tbx_load3(box_min);
-    const tbx_f4 hi = tbx_load3(box_max);
-    const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
-    const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
-    const tbx_f4 lower = tbx_max4(lo, t_min);
-    const tbx_f4 upper = tbx_min4(hi, t_max);
-    tbx_f4 a1 = p1 - p0;
-    tbx_f4 a2 = p2 - p0;
-    tbx_f4 l = lower - p0;
-    tbx_f4 h = upper - lower;
-    tbx_f4 span = hi - lo;
-    TBX_KEEP_VECTOR(a1);
-    TBX_KEEP_VECTOR(a2);
-    TBX_KEEP_VECTOR(l);
-    TBX_KEEP_VECTOR(h);
-    TBX_KEEP_VECTOR(span);
+    const int apart01 = tbx_any((p0 < p1) | (p0 > p1));
+    if (tbx_may_flush(v0) || tbx_may_flush(v1) || tbx_may_flush(v2) || tbx_may_flush(box_min) ||
+        tbx_may_flush(box_max)) {
+        return TBX_UNSURE;
+    }
+    if (found == TBX_UNSURE &&
+        !(apart01 && tbx_any((p0 < p2) | (p0 > p2)) && tbx_any((p1 < p2) | (p1 > p2)))) {
+        /* corners that repeat: a segment */
+        const tbx_f4 q = apart01 ? p1 : p2;
+        return tbx_segment4(p0, q, tbx_max4(tbx_load3(box_min), tbx_min4(p0, q)),
+                            tbx_min4(tbx_load3(box_max), tbx_max4(p0, q)));
+    }
+    return found;
+}
+
+/* The verdict of the float filter. rule: the box is not closed, so equality at a face is unsure. Coordinates of
+ * 2^39 and more, infinity and NaN are refused by their bits, before anything is computed with them. */
+TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                       const float box_max[3], int rule)
+{
+    const tbx_i4 tiny_bits = { 0, 0, 0, 1 }; /* 2^-149 */
+    const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
+    const tbx_f4 ulps = tbx_splat(TBX_ULPS * TBX_U32);
+    tbx_f4 p0 = tbx_load3(v0);
+    tbx_f4 p1 = tbx_load3(v1);
+    tbx_f4 p2 = tbx_load3(v2);
+    tbx_f4 lo = tbx_load3(box_min);
+    tbx_f4 hi = tbx_load3(box_max);
+    const tbx_i4 greatest = tbx_greatest5((tbx_i4)p0, (tbx_i4)p1, (tbx_i4)p2, (tbx_i4)lo, (tbx_i4)hi);
+    if (TBX_RARELY(tbx_any(tbx_splat_int(0x52ffffff) - greatest))) {
+        return TBX_UNSURE;
+    }
+    TBX_KEEP_VECTOR(p0);
+    TBX_KEEP_VECTOR(p1);
+    TBX_KEEP_VECTOR(p2);
+    TBX_KEEP_VECTOR(lo);
+    TBX_KEEP_VECTOR(hi);
     {
-        const tbx_f4 m = l * tbx_splat(2.0f) + h;
-        const tbx_f4 e0 = tbx_abs4(a1);
-        const tbx_f4 e1 = tbx_abs4(a2 - a1);
-        const tbx_f4 e2 = tbx_abs4(a2);
-        const tbx_f4 m_yzx = tbx_yzx(m);
-        const tbx_f4 h_yzx = tbx_yzx(h);
-        const tbx_f4 a1_yzx = tbx_yzx(a1);
-        const tbx_f4 a2_yzx = tbx_yzx(a2);
-        const tbx_f4 c0 = a1 * m_yzx - a1_yzx * m;
-        const tbx_f4 c2 = m * a2_yzx - m_yzx * a2;
-        const tbx_f4 n = a1 * a2_yzx - a1_yzx * a2;
-        const tbx_f4 n_xyz = tbx_yzx(n);
-        const tbx_f4 sums = tbx_sums3(n_xyz * m, tbx_abs4(n_xyz) * h);
-        const tbx_f4 s0 = n - c0;
-        const tbx_f4 s2 = n - c2;
-        const tbx_f4 s1 = c0 - s2;
-        /* lane 3: -|n.m| here, and |n|.h in place of |n| make it the plane */
-        const tbx_f4 g0 = tbx_edge4(e0, tbx_abs4(a1_yzx), h, h_yzx, TBX_JOIN(s0, sums, 0));
-        const tbx_f4 g1 = tbx_edge4(e1, tbx_yzx(e1), h, h_yzx, s1);
-        const tbx_f4 g2 = tbx_edge4(e2, tbx_abs4(a2_yzx), h, h_yzx, s2);
-        const tbx_f4 g = tbx_min4(tbx_min4(g1, g2), g0);
-        const tbx_f4 value = g + TBX_JOIN(tbx_abs4(n), sums, 1);
-        /* from X to 2X; NaN, or beyond the range, where a corner is */
-        const tbx_f4 x = e0 + e2;
-        const tbx_f4 x_yzx = tbx_yzx(x);
-        const tbx_f4 area = x * x_yzx;
-        const tbx_f4 volume = area * tbx_yzx(x_yzx);
-        const tbx_f4 size = TBX_JOIN(area, volume, 0);
-        /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as zero */
-        const int refused = tbx_signs(tbx_above(x, 0x53000000) | tbx_above(tbx_abs4(span), 0x7f800000) |
-                                      tbx_below(x + tiny, 0x30800000));
-        /* h < 0: a face parts them, or min > max. Far apart, values overflow to NaN: never min them with h */
-        const int miss = tbx_signs((h < zero) | (value + ulps * size < zero)) != 0;
-        const int at_face = rule ? tbx_signs((lo >= t_max) | (t_min >= hi) | (lo >= hi)) & 7 : 0;
-        const int doubt = (tbx_signs((tbx_i4)(value - ulps * size)) | at_face) != 0;
-        const int open = doubt & !miss;
-        /* one branch, hardly ever taken: miss alone is a coin toss */
-        if (TBX_RARELY((refused != 8) | open)) {
-            if (open || (refused & 7) != 0 || tbx_may_flush(v0) || tbx_may_flush(v1) || tbx_may_flush(v2) ||
-                tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
-                return TBX_UNSURE;
+        const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
+        const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
+        const tbx_f4 lower = tbx_max4(lo, t_min);
+        const tbx_f4 upper = tbx_min4(hi, t_max);
+        tbx_f4 a1 = p1 - p0;
+        tbx_f4 a2 = p2 - p0;
+        tbx_f4 l = lower - p0;
+        tbx_f4 h = upper - lower;
+        TBX_KEEP_VECTOR(a1);
+        TBX_KEEP_VECTOR(a2);
+        TBX_KEEP_VECTOR(l);
+        TBX_KEEP_VECTOR(h);
+        {
+            const tbx_f4 m = l * tbx_splat(2.0f) + h;
+            const tbx_f4 e0 = tbx_abs4(a1);
+            const tbx_f4 e1 = tbx_abs4(a2 - a1);
+            const tbx_f4 e2 = tbx_abs4(a2);
+            const tbx_f4 m_yzx = tbx_yzx(m);
+            const tbx_f4 h_yzx = tbx_yzx(h);
+            const tbx_f4 a1_yzx = tbx_yzx(a1);
+            const tbx_f4 a2_yzx = tbx_yzx(a2);
+            const tbx_f4 c0 = a1 * m_yzx - a1_yzx * m;
+            const tbx_f4 c2 = m * a2_yzx - m_yzx * a2;
+            const tbx_f4 n = a1 * a2_yzx - a1_yzx * a2;
+            const tbx_f4 n_xyz = tbx_yzx(n);
+            const tbx_f4 sums = tbx_sums3(n_xyz * m, tbx_abs4(n_xyz) * h);
+            const tbx_f4 s0 = n - c0;
+            const tbx_f4 s2 = n - c2;
+            const tbx_f4 s1 = c0 - s2;
+            /* lane 3: -|n.m| here, and |n|.h in place of |n| make it the plane */
+            const tbx_f4 g0 = tbx_edge4(e0, tbx_abs4(a1_yzx), h, h_yzx, TBX_JOIN(s0, sums, 0));
+            const tbx_f4 g1 = tbx_edge4(e1, tbx_yzx(e1), h, h_yzx, s1);
+            const tbx_f4 g2 = tbx_edge4(e2, tbx_abs4(a2_yzx), h, h_yzx, s2);
+            const tbx_f4 g = tbx_min4(tbx_min4(g1, g2), g0);
+            const tbx_f4 value = g + TBX_JOIN(tbx_abs4(n), sums, 1);
+            const tbx_f4 x = e0 + e2; /* from X to 2X */
+            const tbx_f4 x_yzx = tbx_yzx(x);
+            const tbx_f4 area = x * x_yzx;
+            const tbx_f4 volume = area * tbx_yzx(x_yzx);
+            const tbx_f4 bound = ulps * TBX_JOIN(area, volume, 0);
+            /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as zero */
+            const int refused = tbx_signs(tbx_below(x + (tbx_f4)tiny_bits, 0x30800000));
+            /* h < 0: a face parts them, or min > max */
+            const int miss = tbx_signs((tbx_i4)(tbx_min4(h, value + bound) < zero)) != 0;
+            const int at_face = rule ? tbx_signs((lo >= t_max) | (t_min >= hi) | (lo >= hi)) & 7 : 0;
+            const int doubt = (tbx_signs((tbx_i4)(value - bound)) | at_face) != 0;
+            const int open = doubt & !miss;
+            /* one branch, hardly ever taken: miss alone is a coin toss */
+            if (TBX_RARELY((refused != 8) | open)) {
+                int found = TBX_UNSURE;
+                if ((refused & 7) != 0 || (open && at_face != 0)) {
+                    return TBX_UNSURE;
+                }
+                found = open != 0 ? found : !miss;
+                return tbx_filter4_rare(v0, v1, v2, box_min, box_max, found);
             }
+            return !miss;
         }
-        return !miss;
     }
 }
 
 /* The same filter in double. What each axis does alone: x and y in two lanes, then z and 0. The planes:
  * edges 0 and 2 in two lanes, edge 1 in both. */
-typedef int64_t tbx_l2 __attribute__((vector_size(16)));
-
 #if defined(__clang__)
 #define TBX_PAIR(a, b, i, j) __builtin_shufflevector(a, b, i, j)
 #else
@@ -8178,6 +8420,16 @@ TBX_FN tbx_d2 tbx_load2(const double v[2])
     tbx_d2 r;
     TBX_COPY(&r, v, sizeof r);
     return r;
+}
+
+/* A double, and 0. */
+TBX_FN tbx_d2 tbx_load1(const double *v)
+{
+    tbx_l2 r = { 0, 0 };
+    int64_t bits;
+    TBX_COPY(&bits, v, sizeof bits);
+    r[0] = bits;
+    return (tbx_d2)r;
 }
 
 TBX_FN tbx_l2 tbx_splat_long(int64_t x)
@@ -8230,6 +8482,13 @@ TBX_FN int tbx_signs2(tbx_l2 mask)
 }
 #endif
 
+/* The upper 32 bits of two doubles of a and two of b. */
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+#define TBX_HIGH_WORDS(a, b) TBX_LANES((tbx_i4)(a), (tbx_i4)(b), 0, 2, 4, 6)
+#else
+#define TBX_HIGH_WORDS(a, b) TBX_LANES((tbx_i4)(a), (tbx_i4)(b), 1, 3, 5, 7)
+#endif
+
 /* Two axes of the question; names as in tbx_filter4. */
 typedef struct tbx_axes {
     tbx_d2 a1;
@@ -8239,39 +8498,38 @@ typedef struct tbx_axes {
     tbx_d2 x;
     tbx_l2 refused; /* sign bits */
     tbx_l2 at_face;
-} tbx_axes;
+} TBX_ALIGNED tbx_axes;
 
 /* tiny: 0, or 2^-1074 in a lane without a coordinate: refused unless this processor reads or writes
  * subnormals as zero. */
-TBX_FN void tbx_axes_set(tbx_axes *r, tbx_d2 p0, tbx_d2 p1, tbx_d2 p2, tbx_d2 lo, tbx_d2 hi, tbx_d2 tiny)
+TBX_FN void tbx_axes_set(tbx_axes *r, tbx_d2 p0, tbx_d2 p1, tbx_d2 p2, tbx_d2 lo, tbx_d2 hi, tbx_l2 tiny)
 {
-    const tbx_l2 infinite = tbx_splat_long((int64_t)2047 << 52);
-    const tbx_l2 most = tbx_splat_long((int64_t)(1023 + 300) << 52);
     const tbx_l2 least = tbx_splat_long((int64_t)(1023 - 300) << 52);
-    const tbx_d2 t_min = tbx_min2(tbx_min2(p0, p1), p2);
-    const tbx_d2 t_max = tbx_max2(tbx_max2(p0, p1), p2);
-    const tbx_d2 lower = tbx_max2(lo, t_min);
-    const tbx_d2 upper = tbx_min2(hi, t_max);
-    tbx_d2 a1 = p1 - p0;
-    tbx_d2 a2 = p2 - p0;
-    tbx_d2 l = lower - p0;
-    tbx_d2 h = upper - lower;
-    tbx_d2 span = hi - lo;
-    TBX_KEEP_VECTOR(a1);
-    TBX_KEEP_VECTOR(a2);
-    TBX_KEEP_VECTOR(l);
-    TBX_KEEP_VECTOR(h);
-    TBX_KEEP_VECTOR(span);
+    const tbx_d2 two = { 2.0, 2.0 };
     {
-        const tbx_d2 x = tbx_abs2(a1) + tbx_abs2(a2);
-        const tbx_l2 bits = (tbx_l2)(x + tiny);
-        r->a1 = a1;
-        r->a2 = a2;
-        r->m = l * tbx_pair(2.0, 2.0) + h;
-        r->h = h;
-        r->x = x;
-        r->refused = (most - bits) | ((bits - least) & -bits) | (infinite - (tbx_l2)tbx_abs2(span));
-        r->at_face = (lo >= t_max) | (t_min >= hi) | (lo >= hi);
+        const tbx_d2 t_min = tbx_min2(tbx_min2(p0, p1), p2);
+        const tbx_d2 t_max = tbx_max2(tbx_max2(p0, p1), p2);
+        const tbx_d2 lower = tbx_max2(lo, t_min);
+        const tbx_d2 upper = tbx_min2(hi, t_max);
+        tbx_d2 a1 = p1 - p0;
+        tbx_d2 a2 = p2 - p0;
+        tbx_d2 l = lower - p0;
+        tbx_d2 h = upper - lower;
+        TBX_KEEP_VECTOR(a1);
+        TBX_KEEP_VECTOR(a2);
+        TBX_KEEP_VECTOR(l);
+        TBX_KEEP_VECTOR(h);
+        {
+            const tbx_d2 x = tbx_abs2(a1) + tbx_abs2(a2);
+            const tbx_l2 bits = (tbx_l2)(x + (tbx_d2)tiny);
+            r->a1 = a1;
+            r->a2 = a2;
+            r->m = l * two + h;
+            r->h = h;
+            r->x = x;
+            r->refused = (bits - least) & -bits;
+            r->at_face = (lo >= t_max) | (t_min >= hi) | (lo >= hi);
+        }
     }
 }
 
@@ -8284,7 +8542,7 @@ typedef struct tbx_side {
     tbx_d2 m;
     tbx_d2 h;
     tbx_d2 x;
-} tbx_side;
+} TBX_ALIGNED tbx_side;
 
 TBX_FN void tbx_side_set(tbx_side *r, tbx_d2 a, tbx_d2 m, tbx_d2 h, tbx_d2 x)
 {
@@ -8311,14 +8569,25 @@ TBX_FN tbx_d2 tbx_edges2(const tbx_side *b, const tbx_side *c, tbx_d2 *out_n)
     return tbx_min2(g, g1) + tbx_abs2(n);
 }
 
-/* The verdict of the double filter. rule as in tbx_filter4. */
+/* The verdict of the double filter. rule as in tbx_filter4. Coordinates of 2^300 and more are refused. */
 TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3], const double box_min[3],
                        const double box_max[3], int rule)
 {
     const tbx_d2 zero = { 0.0, 0.0 };
-    const tbx_d2 tiny = { 0.0, tbx_from_bits64(1) };
+    const tbx_l2 none = { 0, 0 };
+    const tbx_l2 tiny = { 0, 1 }; /* 2^-1074 */
     const double ulp = TBX_ULPS * TBX_U64;
     const tbx_d2 ulps = tbx_pair(ulp, ulp);
+    const tbx_d2 p0 = tbx_load2(v0);
+    const tbx_d2 p1 = tbx_load2(v1);
+    const tbx_d2 p2 = tbx_load2(v2);
+    const tbx_d2 lo = tbx_load2(box_min);
+    const tbx_d2 hi = tbx_load2(box_max);
+    const tbx_d2 z0 = tbx_load1(v0 + 2);
+    const tbx_d2 z1 = tbx_load1(v1 + 2);
+    const tbx_d2 z2 = tbx_load1(v2 + 2);
+    const tbx_d2 z_lo = tbx_load1(box_min + 2);
+    const tbx_d2 z_hi = tbx_load1(box_max + 2);
     tbx_axes xy;
     tbx_axes z;
     tbx_side sx;
@@ -8327,10 +8596,14 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
     tbx_d2 n_x;
     tbx_d2 n_y;
     tbx_d2 n_z;
-    tbx_axes_set(&xy, tbx_load2(v0), tbx_load2(v1), tbx_load2(v2), tbx_load2(box_min), tbx_load2(box_max),
-                 zero);
-    tbx_axes_set(&z, tbx_pair(v0[2], 0.0), tbx_pair(v1[2], 0.0), tbx_pair(v2[2], 0.0),
-                 tbx_pair(box_min[2], 0.0), tbx_pair(box_max[2], 0.0), tiny);
+    tbx_i4 greatest;
+    greatest = tbx_greatest5(TBX_HIGH_WORDS(p0, p1), TBX_HIGH_WORDS(p2, lo), TBX_HIGH_WORDS(hi, z0),
+                             TBX_HIGH_WORDS(z1, z2), TBX_HIGH_WORDS(z_lo, z_hi));
+    if (TBX_RARELY(tbx_any(tbx_splat_int(((1023 + 300) << 20) - 1) - greatest))) {
+        return TBX_UNSURE;
+    }
+    tbx_axes_set(&xy, p0, p1, p2, lo, hi, none);
+    tbx_axes_set(&z, z0, z1, z2, z_lo, z_hi, tiny);
     tbx_side_set(&sx, TBX_PAIR(xy.a1, xy.a2, 0, 2), TBX_PAIR(xy.m, xy.m, 0, 0), TBX_PAIR(xy.h, xy.h, 0, 0),
                  TBX_PAIR(xy.x, xy.x, 0, 0));
     tbx_side_set(&sy, TBX_PAIR(xy.a1, xy.a2, 1, 3), TBX_PAIR(xy.m, xy.m, 1, 1), TBX_PAIR(xy.h, xy.h, 1, 1),
@@ -8359,7 +8632,7 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
         const int doubt = (tbx_signs2(below) | at_face) != 0;
         const int open = doubt & !miss;
         if (TBX_RARELY((refused != 2) | open)) {
-            if (open || (refused & ~2) != 0 || tbx_may_flush64(v0, v1, v2, box_min, box_max)) {
+            if (open || (refused & ~2) != 0 || !tbx_all_usual(v0, v1, v2, box_min, box_max)) {
                 return TBX_UNSURE;
             }
         }
@@ -12140,6 +12413,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_U32
 #undef TBX_U64
 #undef TBX_LANES
+#undef TBX_HIGH_WORDS
 #undef TBX_JOIN
 #undef TBX_PAIR
 #undef TBX_KEY32_MAX

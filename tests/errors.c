@@ -69,11 +69,12 @@ __attribute__((noinline)) static void one_box(computed *r, const numbers *q)
     tbx_values values;
     int k;
 
-    if (!tbx_clip_box(&r->clip, q->x, q->x + 3, q->x + 6, q->x + 9, q->x + 12, 0)) {
+    if (!tbx_all_usual(q->x, q->x + 3, q->x + 6, q->x + 9, q->x + 12) ||
+        !tbx_clip_box(&r->clip, q->x, q->x + 3, q->x + 6, q->x + 9, q->x + 12, 0)) {
         return;
     }
     tbx_filter(&values, q->x, q->x + 3, q->x + 6, &r->clip);
-    for (k = 0; k < 4 && values.in_range; k++) {
+    for (k = 0; k < 4; k++) {
         r->value[k] = values.value[k];
         r->bound[k] = values.bound[k];
     }
