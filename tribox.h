@@ -607,6 +607,29 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
                                    uint32_t *out_triangles, size_t capacity);
 TRIBOX_FN size_t tribox_mesh_query_f64(const tribox_mesh_f64 *mesh, const double box_min[3],
                                        const double box_max[3], uint32_t *out_triangles, size_t capacity);
+
+/* Receives a voxel; non-zero stops the walk. */
+typedef int (*tribox_voxel_fn)(void *user, int x, int y, int z);
+
+/* Which voxels does the segment pass, in order?
+ *
+ *   grid   the region; flags 0: every voxel that it touches. TRIBOX_HALF_OPEN: each of its points in exactly
+ *          one voxel. TRIBOX_OPEN: voxels whose interior it meets. TRIBOX_THIN, with whatever else, means
+ *          closed here
+ *   p, q   its ends; may coincide, may lie anywhere
+ *   emit   receives the voxels until it returns non-zero; NULL: only counts
+ *   user   handed on to emit
+ *
+ * Returns     how many were emitted, that at which emit stopped included; saturates at SIZE_MAX. A non-finite
+ *             end, or an invalid grid: 0.
+ * Guarantees  Exact. Voxels come in the order in which the segment enters them; of those entered at the same
+ *             point in the order of z, then y, then x, each ascending where q's coordinate is >= p's, else
+ *             descending.
+ * Cost        0.3 us, and 6 ns a voxel; a microsecond where two planes are crossed within rounding of each
+ *             other. Nothing for what lies outside of the region.
+ */
+TRIBOX_FN size_t tribox_grid_segment(const tribox_grid *grid, const double p[3], const double q[3],
+                                     tribox_voxel_fn emit, void *user);
 #endif /* TRIBOX_NO_COMPANIONS */
 
 /* ---- 3. Platform --------------------------------------------------------------------------------------- */
@@ -8048,6 +8071,401 @@ TRIBOX_FN size_t tribox_mesh_query_f64(const tribox_mesh_f64 *mesh, const double
     return tbx_query_run(&q, q.index, q.stride, TBX_DOUBLE);
 }
 
+/* ---- segment through a grid
+ *
+ * On each axis the segment crosses planes one after the other, plane i at t_i = (origin + i*size - p) / (q - p).
+ * What happens at one t is an event: on the axes that cross a plane there, the voxel before it and the one after
+ * are touched, on the others one voxel (two, where the segment runs along a plane). The voxels of an event are
+ * entered at the same point; most events cross one plane, and enter one voxel. The times are known in double to
+ * within an error; integers tell those apart that are closer.
+ *
+ * The walk begins where the region does, at its last entry, and counts the planes that are left within region
+ * and segment, so no end depends on a comparison of floating-point numbers. */
+enum { TBX_CLOSED, TBX_HALF_OPEN, TBX_OPEN }; /* rules */
+
+typedef struct tbx_segment {
+    const tribox_grid *grid;
+    tribox_voxel_fn emit;
+    void *user;
+    size_t count;
+    int stopped;
+    int rule;
+    double p[3];
+    double q[3];
+    int way[3];       /* 1, -1, or 0: q = p on this axis */
+    int two[3];       /* closed, and the segment runs along the plane above the voxel */
+    int64_t voxel[3]; /* where the segment is */
+    int64_t plane[3]; /* the next one that it crosses */
+    int64_t left[3];  /* how many more it crosses */
+    double from[3];   /* t_i is from + i*step, to within error*(1 + |t_i|) */
+    double step[3];
+    double error;
+    double t[3];      /* of `plane`, if any are left */
+} tbx_segment;
+
+#define TBX_SEGMENT_ERROR (32.0 * TBX_U64)
+
+/* r = plane i of axis k - p */
+TBX_FN void tbx_segment_offset(tbx_calc *c, const tbx_segment *s, int k, int64_t i, tbx_num *r)
+{
+    tbx_real x[3];
+    tbx_num y;
+    tbx_num z;
+    tbx_read(&x[0], &s->grid->origin[k], 1, TBX_DOUBLE);
+    tbx_read(&x[1], &s->grid->size[k], 1, TBX_DOUBLE);
+    tbx_read(&x[2], &s->p[k], 1, TBX_DOUBLE);
+    tbx_num_difference(c, r, &x[0], &x[2]);
+    tbx_num_of(c, &y, &x[1]);
+    tbx_num_integer(c, &z, i, 0);
+    tbx_num_mul(c, &y, &y, &z);
+    tbx_num_add(c, r, r, &y, 1);
+}
+
+/* The sign of t_i of axis k less t_j of axis l, both not 0: of (plane_i - p_k)(q_l - p_l) - (plane_j - p_l)(q_k
+ * - p_k), times the signs of the divisors. */
+TBX_COLD int tbx_segment_order_exact(const tbx_segment *s, int k, int64_t i, int l, int64_t j)
+{
+    tbx_limb store[TBX_STORE];
+    tbx_calc c = { 1, 0, 0, NULL };
+    tbx_real x[4];
+    tbx_num a;
+    tbx_num b;
+    tbx_num d;
+    c.store = store;
+    tbx_read(&x[0], &s->q[l], 1, TBX_DOUBLE);
+    tbx_read(&x[1], &s->p[l], 1, TBX_DOUBLE);
+    tbx_read(&x[2], &s->q[k], 1, TBX_DOUBLE);
+    tbx_read(&x[3], &s->p[k], 1, TBX_DOUBLE);
+    tbx_segment_offset(&c, s, k, i, &a);
+    tbx_num_difference(&c, &d, &x[0], &x[1]);
+    tbx_num_mul(&c, &a, &a, &d);
+    tbx_segment_offset(&c, s, l, j, &b);
+    tbx_num_difference(&c, &d, &x[2], &x[3]);
+    tbx_num_mul(&c, &b, &b, &d);
+    tbx_num_add(&c, &a, &a, &b, -1);
+    return a.sign * s->way[k] * s->way[l];
+}
+
+/* The same, in double where that is certain. */
+TBX_FN int tbx_segment_order(const tbx_segment *s, int k, int64_t i, int l, int64_t j)
+{
+    const double t = s->from[k] + (double)i * s->step[k];
+    const double u = s->from[l] + (double)j * s->step[l];
+    const double error = s->error * (2.0 + tbx_abs(t) + tbx_abs(u));
+    if (t - u > error || u - t > error) {
+        return t > u ? 1 : -1;
+    }
+    return tbx_segment_order_exact(s, k, i, l, j);
+}
+
+/* Emits a voxel, if it lies in the region. */
+TBX_FN void tbx_segment_emit(tbx_segment *s, int64_t x, int64_t y, int64_t z)
+{
+    const tribox_grid *g = s->grid;
+    if (!s->stopped && x >= g->lo[0] && x < g->hi[0] && y >= g->lo[1] && y < g->hi[1] && z >= g->lo[2] &&
+        z < g->hi[2]) {
+        s->count = tbx_saturating_add(s->count, 1);
+        s->stopped = s->emit != NULL && s->emit(s->user, (int)x, (int)y, (int)z) != 0;
+    }
+}
+
+/* The voxels touched where the planes of the axes in `crossed` are: before and after each, in the order of z,
+ * y, x. Those before all planes were entered earlier, but for the first event. */
+TBX_FN void tbx_segment_closed(tbx_segment *s, unsigned crossed, int first)
+{
+    int more[3]; /* the second voxel on the axis, if there is one */
+    int x;
+    int y;
+    int z;
+    int k;
+    for (k = 0; k < 3; k++) {
+        more[k] = (crossed >> k & 1u) != 0 ? s->way[k] : s->two[k];
+    }
+    for (z = 0; z <= (more[2] != 0); z++) {
+        for (y = 0; y <= (more[1] != 0); y++) {
+            for (x = 0; x <= (more[0] != 0); x++) {
+                const unsigned after = (unsigned)(x | y << 1 | z << 2) & crossed;
+                if (first || after != 0) {
+                    tbx_segment_emit(s, s->voxel[0] + x * more[0], s->voxel[1] + y * more[1],
+                                     s->voxel[2] + z * more[2]);
+                }
+            }
+        }
+    }
+}
+
+/* One event, by the rule. HALF_OPEN: the point itself belongs to the upper voxels; then those after it, if the
+ * segment goes on. OPEN: those after it. */
+TBX_NOINLINE void tbx_segment_event(tbx_segment *s, unsigned crossed, int first, int last)
+{
+    unsigned up = 0;
+    int64_t at[3];
+    int64_t after[3];
+    int k;
+    if (s->rule == TBX_CLOSED) {
+        tbx_segment_closed(s, crossed, first);
+    } else {
+        for (k = 0; k < 3; k++) {
+            const int crosses = (int)(crossed >> k & 1u);
+            up |= (unsigned)(crosses && s->way[k] > 0) << k;
+            after[k] = s->voxel[k] + crosses * s->way[k];
+            at[k] = s->way[k] > 0 ? after[k] : s->voxel[k];
+        }
+        if (s->rule == TBX_HALF_OPEN && (first || up != 0)) {
+            tbx_segment_emit(s, at[0], at[1], at[2]);
+        }
+        if (s->rule == TBX_HALF_OPEN ? !last && crossed != up : !last || crossed == 0) {
+            tbx_segment_emit(s, after[0], after[1], after[2]);
+        }
+    }
+    for (k = 0; k < 3; k++) {
+        s->voxel[k] += (crossed >> k & 1u) != 0 ? s->way[k] : 0;
+    }
+}
+
+/* The next plane of an axis, after one that was crossed, or none. */
+TBX_FN void tbx_segment_next(tbx_segment *s, int k)
+{
+    s->plane[k] += s->way[k];
+    s->left[k]--;
+    s->t[k] = s->left[k] > 0 ? s->from[k] + (double)s->plane[k] * s->step[k] : 4.0;
+}
+
+/* The axes whose next plane is crossed first. */
+TBX_NOINLINE unsigned tbx_segment_first(const tbx_segment *s)
+{
+    unsigned axes = 0;
+    int best = -1;
+    int k;
+    for (k = 0; k < 3; k++) {
+        if (s->left[k] > 0) {
+            const int order = best < 0 ? -1 : tbx_segment_order(s, k, s->plane[k], best, s->plane[best]);
+            if (order <= 0) {
+                axes = order < 0 ? 1u << k : axes | 1u << k;
+                best = order < 0 ? k : best;
+            }
+        }
+    }
+    return axes;
+}
+
+TBX_FN int tbx_segment_inside(const tbx_segment *s, int k)
+{
+    return s->two[k] || (s->voxel[k] >= s->grid->lo[k] && s->voxel[k] < s->grid->hi[k]);
+}
+
+/* One plane of axis k, at a time of its own; the voxel behind it was inside the region on the other axes.
+ * Returns 0 if the segment leaves the region here. */
+TBX_FN int tbx_segment_cross(tbx_segment *s, int k, int many)
+{
+    if (many) {
+        tbx_segment_event(s, 1u << k, 0, 0);
+    } else {
+        s->voxel[k] += s->way[k];
+    }
+    if (!tbx_segment_inside(s, k)) {
+        return 0;
+    }
+    if (!many) {
+        s->count = tbx_saturating_add(s->count, 1);
+        s->stopped = s->emit != NULL && s->emit(s->user, (int)s->voxel[0], (int)s->voxel[1], (int)s->voxel[2]) != 0;
+    }
+    tbx_segment_next(s, k);
+    return 1;
+}
+
+/* From the first event on, plane by plane. */
+TBX_FN void tbx_segment_walk(tbx_segment *s)
+{
+    const int many = s->two[0] | s->two[1] | s->two[2];
+    const double error = 8.0 * s->error;
+    int inside = tbx_segment_inside(s, 0) & tbx_segment_inside(s, 1) & tbx_segment_inside(s, 2);
+    int k;
+    for (k = 0; k < 3; k++) {
+        s->t[k] = s->left[k] > 0 ? s->from[k] + (double)s->plane[k] * s->step[k] : 4.0;
+    }
+    while (inside && !s->stopped && (s->left[0] | s->left[1] | s->left[2]) != 0) {
+        const double x = s->t[0] + error;
+        const double y = s->t[1] + error;
+        const double z = s->t[2] + error;
+        if (x < s->t[1] && x < s->t[2] && s->left[0] > 0) {
+            inside = tbx_segment_cross(s, 0, many);
+        } else if (y < s->t[0] && y < s->t[2] && s->left[1] > 0) {
+            inside = tbx_segment_cross(s, 1, many);
+        } else if (z < s->t[0] && z < s->t[1] && s->left[2] > 0) {
+            inside = tbx_segment_cross(s, 2, many);
+        } else {
+            const unsigned crossed = tbx_segment_first(s);
+            tbx_segment_event(s, crossed, 0, 0);
+            for (k = 0; k < 3; k++) {
+                inside &= tbx_segment_inside(s, k);
+                if ((crossed >> k & 1u) != 0) {
+                    tbx_segment_next(s, k);
+                }
+            }
+        }
+    }
+}
+
+/* Times in double on axis k: an offset errs by 3 u of what it is made of, the quotient by a few u, and i*step
+ * by as much of |t| + |from|. */
+TBX_FN void tbx_segment_times(tbx_segment *s, int k)
+{
+    const double *origin = &s->grid->origin[k];
+    const double *size = &s->grid->size[k];
+    double d = s->q[k] - s->p[k];
+    TBX_KEEP_SCALAR(d);
+    if (TBX_DOUBLE_IS_53_BITS && tbx_sign(&d) != 0 && tbx_is_ordinary(&d, 300) && tbx_is_ordinary(origin, 300) &&
+        tbx_is_ordinary(size, 300) && tbx_is_ordinary(&s->p[k], 300) && tbx_is_ordinary(&s->q[k], 300)) {
+        const double error = (tbx_abs(*origin) + tbx_abs(s->p[k]) + tbx_abs(s->q[k])) / tbx_abs(d) + 1.0;
+        s->from[k] = (*origin - s->p[k]) / d;
+        s->step[k] = *size / d;
+        s->error = s->error < TBX_SEGMENT_ERROR * error ? TBX_SEGMENT_ERROR * error : s->error;
+    } else {
+        s->from[k] = s->step[k] = 0.0;
+        s->error = 4.0; /* integers alone */
+    }
+}
+
+/* Where axis k is at the beginning, p, and what is left of it. Sets the voxel, the plane at or after p, and
+ * whether that is at p. Returns 0 if the region is not touched. */
+TBX_FN int tbx_segment_axis(tbx_segment *s, int k, int *on)
+{
+    const tribox_grid *g = s->grid;
+    const int64_t lo = g->lo[k];
+    const int64_t hi = g->hi[k];
+    const double p = s->p[k];
+    const double q = s->q[k];
+    const int64_t up = tbx_plane_search(g, k, lo, hi + 1, p, 0); /* the least >= p */
+    const int64_t up_q = tbx_plane_search(g, k, lo, hi + 1, q, 0);
+    const int at_p = up <= hi && tbx_plane_compare(g, k, up, p) == 0;
+    const int at_q = up_q <= hi && tbx_plane_compare(g, k, up_q, q) == 0;
+    const int lower_p = up == lo && !at_p; /* below the region, or on the way into it */
+    const int lower_q = up_q == lo && !at_q;
+    const int way = (tbx_less(&p, &q) != 0) - (tbx_less(&q, &p) != 0);
+    int64_t last;
+    s->way[k] = way;
+    s->two[k] = 0;
+    s->left[k] = 0;
+    *on = at_p;
+    if ((lower_p && lower_q) || (up > hi && up_q > hi)) {
+        return 0;
+    }
+    if (way == 0) {
+        s->voxel[k] = up - 1;
+        *on = 0;
+        if (at_p && s->rule == TBX_HALF_OPEN) {
+            s->voxel[k] = up;
+        }
+        s->two[k] = at_p && s->rule == TBX_CLOSED;
+        return s->rule == TBX_CLOSED || (tbx_segment_inside(s, k) && !(at_p && s->rule == TBX_OPEN));
+    }
+    if (way > 0) {
+        s->plane[k] = up;
+        s->voxel[k] = up - 1;
+        last = at_q ? up_q : up_q - 1;
+        last -= at_q && s->rule == TBX_OPEN;
+    } else {
+        s->plane[k] = at_p ? up : up - 1;
+        s->voxel[k] = s->plane[k];
+        last = up_q + (at_q && s->rule != TBX_CLOSED);
+    }
+    s->left[k] = (last - s->plane[k]) * way + 1;
+    s->left[k] = s->left[k] > 0 ? s->left[k] : 0;
+    return 1;
+}
+
+/* Moves axis k to the time t_i of axis e: over the planes that it crosses before. Returns 1 if it crosses one
+ * just then. */
+TBX_FN int tbx_segment_advance(tbx_segment *s, int k, int e, int64_t i)
+{
+    int64_t lo = 0;
+    int64_t hi = s->left[k];
+    while (lo < hi) {
+        const int64_t mid = lo + (hi - lo) / 2;
+        if (tbx_segment_order(s, k, s->plane[k] + mid * s->way[k], e, i) < 0) {
+            lo = mid + 1;
+        } else {
+            hi = mid;
+        }
+    }
+    s->voxel[k] += lo * s->way[k];
+    s->plane[k] += lo * s->way[k];
+    s->left[k] -= lo;
+    return s->left[k] > 0 && tbx_segment_order(s, k, s->plane[k], e, i) == 0;
+}
+
+/* The first event: at p, or, if that is outside of the region on some axes, where the last of these is entered.
+ * Returns 0 if it never is. */
+TBX_FN int tbx_segment_start(tbx_segment *s, const int on[3])
+{
+    unsigned crossed = 0;
+    int e = -1; /* the last to be entered */
+    int last;
+    int64_t i = 0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        if (s->way[k] != 0 && !on[k] && !tbx_segment_inside(s, k)) {
+            if (s->left[k] == 0) {
+                return 0;
+            }
+            if (e < 0 || tbx_segment_order(s, k, s->plane[k], e, i) > 0) {
+                e = k;
+                i = s->plane[k];
+            }
+        }
+    }
+    last = e < 0 ? s->way[0] == 0 && s->way[1] == 0 && s->way[2] == 0
+                 : tbx_plane_compare(s->grid, e, i, s->q[e]) == 0;
+    for (k = 0; k < 3; k++) {
+        const int crosses = e < 0 ? on[k] : s->way[k] != 0 && tbx_segment_advance(s, k, e, i);
+        crossed |= (unsigned)crosses << k;
+    }
+    tbx_segment_event(s, crossed, 1, last);
+    for (k = 0; k < 3; k++) {
+        if ((crossed >> k & 1u) != 0) {
+            tbx_segment_next(s, k);
+        }
+    }
+    return 1;
+}
+
+TRIBOX_FN size_t tribox_grid_segment(const tribox_grid *grid, const double p[3], const double q[3],
+                                     tribox_voxel_fn emit, void *user)
+{
+    tbx_segment s;
+    int on[3];
+    int k;
+    if (!tbx_grid_valid(grid) || !tbx_finite3(p) || !tbx_finite3(q)) {
+        return 0;
+    }
+    s.grid = grid;
+    s.emit = emit;
+    s.user = user;
+    s.count = 0;
+    s.stopped = 0;
+    s.error = 0.0;
+    s.rule = (grid->flags & TRIBOX_THIN) != 0        ? TBX_CLOSED
+             : (grid->flags & TRIBOX_OPEN) != 0      ? TBX_OPEN
+             : (grid->flags & TRIBOX_HALF_OPEN) != 0 ? TBX_HALF_OPEN
+                                                     : TBX_CLOSED;
+    for (k = 0; k < 3; k++) {
+        s.p[k] = p[k];
+        s.q[k] = q[k];
+        if (!tbx_segment_axis(&s, k, &on[k])) {
+            return 0;
+        }
+        s.from[k] = s.step[k] = 0.0;
+        if (s.way[k] != 0) {
+            tbx_segment_times(&s, k);
+        }
+    }
+    if (tbx_segment_start(&s, on)) {
+        tbx_segment_walk(&s);
+    }
+    return s.count;
+}
+
 #endif /* TRIBOX_NO_COMPANIONS */
 
 /* ---- 11. SIMD ------------------------------------------------------------------------------------------ */
@@ -12466,6 +12884,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_SOLID_NORMAL_ERROR
 #undef TBX_SOLID_PLANE_ERROR
 #undef TBX_GAP_ALL
+#undef TBX_SEGMENT_ERROR
 #undef TBX_GAP_CLOSE
 #undef TBX_GAP_ERROR4
 #undef TBX_GAP_ROOT

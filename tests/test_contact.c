@@ -959,6 +959,279 @@ static void gaps_without_a_question(void)
     CHECK(s >= 2 && s <= 2 && x[1] <= -1);
 }
 
+/* ---- segments through grids ---------------------------------------------------------------------------- */
+
+#define EDGE 5 /* voxels of the region on each axis */
+
+/* On a lattice: one axis of grid and segment, in small integers. */
+typedef struct way {
+    int64_t origin;
+    int64_t size;
+    int64_t p;
+    int64_t q;
+    int lo;
+    int hi;
+} way;
+
+/* The t in [0, 1] of one voxel on one axis or on all. Strict ends do not belong. */
+typedef struct span_of_t {
+    fraction from;
+    fraction to;
+    int from_strict;
+    int to_strict;
+    fraction entry; /* where the closed voxel is entered */
+    int none;
+} span_of_t;
+
+static void narrow_from(span_of_t *r, fraction t, int strict)
+{
+    const int order = fraction_order(t, r->from);
+    if (order >= 0) {
+        r->from_strict = order > 0 ? strict : r->from_strict | strict;
+        r->from = t;
+    }
+    r->entry = fraction_order(t, r->entry) > 0 ? t : r->entry;
+}
+
+static void narrow_to(span_of_t *r, fraction t, int strict)
+{
+    const int order = fraction_order(t, r->to);
+    if (order <= 0) {
+        r->to_strict = order < 0 ? strict : r->to_strict | strict;
+        r->to = t;
+    }
+}
+
+/* rule: 0 closed, 1 half-open, 2 open */
+static void narrow(span_of_t *r, const way *w, int voxel, int rule)
+{
+    const int64_t lower = w->origin + voxel * w->size;
+    const int64_t upper = lower + w->size;
+    const int64_t d = w->q - w->p;
+    const int lower_strict = rule == 2;
+    const int upper_strict = rule != 0;
+    if (d == 0) {
+        r->none |= w->p < lower + lower_strict || w->p > upper - upper_strict;
+    } else {
+        narrow_from(r, make_fraction(d > 0 ? lower - w->p : upper - w->p, d), d > 0 ? lower_strict : upper_strict);
+        narrow_to(r, make_fraction(d > 0 ? upper - w->p : lower - w->p, d), d > 0 ? upper_strict : lower_strict);
+    }
+}
+
+typedef struct passed {
+    fraction entry;
+    int at[3];
+} passed;
+
+static int passed_before(const passed *a, const passed *b, const way w[3])
+{
+    const int order = fraction_order(a->entry, b->entry);
+    int k;
+    for (k = 2; k >= 0 && order == 0; k--) {
+        if (a->at[k] != b->at[k]) {
+            return (a->at[k] < b->at[k]) == (w[k].q >= w[k].p);
+        }
+    }
+    return order < 0;
+}
+
+/* Every voxel of the region asked for itself; sorted. */
+static int find_passed(const way w[3], int rule, passed *out)
+{
+    int count = 0;
+    int at[3];
+    int k;
+    for (at[2] = w[2].lo; at[2] < w[2].hi; at[2]++) {
+        for (at[1] = w[1].lo; at[1] < w[1].hi; at[1]++) {
+            for (at[0] = w[0].lo; at[0] < w[0].hi; at[0]++) {
+                span_of_t r = {{0, 1}, {1, 1}, 0, 0, {0, 1}, 0};
+                passed v;
+                int i;
+                int order;
+                for (k = 0; k < 3; k++) {
+                    narrow(&r, &w[k], at[k], rule);
+                }
+                order = fraction_order(r.from, r.to);
+                if (r.none || order > 0 || (order == 0 && (r.from_strict || r.to_strict))) {
+                    continue;
+                }
+                v.entry = r.entry;
+                memcpy(v.at, at, sizeof at);
+                for (i = count++; i > 0 && passed_before(&v, &out[i - 1], w); i--) {
+                    out[i] = out[i - 1];
+                }
+                out[i] = v;
+            }
+        }
+    }
+    return count;
+}
+
+typedef struct walked {
+    int at[EDGE * EDGE * EDGE + 1][3];
+    int count;
+    int stop_at; /* non-zero is returned there */
+} walked;
+
+static int walk(void *user, int x, int y, int z)
+{
+    walked *w = (walked *)user;
+    if (w->count <= EDGE * EDGE * EDGE) {
+        w->at[w->count][0] = x;
+        w->at[w->count][1] = y;
+        w->at[w->count][2] = z;
+    }
+    w->count++;
+    return w->count == w->stop_at;
+}
+
+static void any_way(way *w)
+{
+    const int reach = 1 + random_below(3); /* lattice of whole, half or third voxels */
+    w->size = reach;
+    w->origin = random_below(7) - 3;
+    w->lo = random_below(7) - 3;
+    w->hi = w->lo + 1 + random_below(EDGE);
+    w->p = w->origin + w->lo * w->size + random_below((int)((w->hi - w->lo + 4) * w->size)) - 2 * w->size;
+    w->q = w->origin + w->lo * w->size + random_below((int)((w->hi - w->lo + 4) * w->size)) - 2 * w->size;
+    if (random_below(5) == 0) {
+        w->q = w->p;
+    }
+}
+
+/* Every rule, on a lattice, where many planes are crossed at once, begun and ended on planes; at scales at which
+ * doubles round. */
+static void segments_pass_voxels_in_order(void)
+{
+    static const unsigned flags[8] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN, TRIBOX_OPEN | TRIBOX_HALF_OPEN,
+                                      TRIBOX_THIN, TRIBOX_THIN | TRIBOX_OPEN | TRIBOX_HALF_OPEN, 8u, 0xfffffff9u};
+    static const int rules[8] = {0, 1, 2, 2, 0, 0, 0, 1};
+    int i;
+    int k;
+    int hits = 0;
+    random_seed(67);
+    for (i = 0; i < TEST_LOOPS(40000); i++) {
+        static passed truth[EDGE * EDGE * EDGE];
+        static walked got;
+        const int kind = random_below(8);
+        tribox_grid grid;
+        double p[3];
+        double q[3];
+        way w[3];
+        int count;
+        int ok;
+        for (k = 0; k < 3; k++) {
+            double scale = 1;
+            if (random_below(2)) {
+                scale = (double)(134217729 + 2 * random_below(1 << 20)) * power_of_two(random_below(1800) - 950);
+            }
+            any_way(&w[k]);
+            if (random_below(4) == 0 && k > 0) {
+                w[k] = w[k - 1];
+            }
+            grid.origin[k] = (double)w[k].origin * scale;
+            grid.size[k] = (double)w[k].size * scale;
+            p[k] = (double)w[k].p * scale;
+            q[k] = (double)w[k].q * scale;
+            grid.lo[k] = w[k].lo;
+            grid.hi[k] = w[k].hi;
+        }
+        grid.flags = flags[kind];
+        count = find_passed(w, rules[kind], truth);
+        hits += count > 0;
+        got.count = 0;
+        got.stop_at = -1;
+        ok = tribox_grid_segment(&grid, p, q, walk, &got) == (size_t)count && got.count == count;
+        for (k = 0; k < count && ok; k++) {
+            ok = memcmp(got.at[k], truth[k].at, sizeof truth[k].at) == 0;
+        }
+        ok = ok && tribox_grid_segment(&grid, p, q, NULL, NULL) == (size_t)count;
+        if (ok && count > 0) {
+            got.stop_at = 1 + random_below(count);
+            got.count = 0;
+            ok = tribox_grid_segment(&grid, p, q, walk, &got) == (size_t)got.stop_at && got.count == got.stop_at;
+        }
+        if (!CHECK(ok) && test_wants_details()) {
+            for (k = 0; k < 3; k++) {
+                printf("  axis %d: origin %d size %d p %d q %d region %d..%d\n", k, (int)w[k].origin,
+                       (int)w[k].size, (int)w[k].p, (int)w[k].q, w[k].lo, w[k].hi);
+            }
+            printf("  flags %x: %d voxels, truth %d:", grid.flags, got.count, count);
+            for (k = 0; k < count || k < got.count; k++) {
+                if (k < count) {
+                    printf(" (%d %d %d)", truth[k].at[0], truth[k].at[1], truth[k].at[2]);
+                }
+                if (k < got.count) {
+                    printf("[%d %d %d]", got.at[k][0], got.at[k][1], got.at[k][2]);
+                }
+            }
+            printf("\n");
+        }
+    }
+    CHECK(hits > i / 4 && hits < i - i / 8);
+}
+
+/* What lies outside of the region costs nothing, and INT_MAX voxels are counted; what is no number is nothing. */
+static void segments_far_and_none(void)
+{
+    tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {2, 2, 2}, 0};
+    double p[3] = {-1e300, .5, .5};
+    double q[3] = {1e300, .5, .5};
+    walked got;
+    int k;
+    got.count = 0;
+    got.stop_at = -1;
+    CHECK(tribox_grid_segment(&grid, p, q, walk, &got) == 2 && got.at[0][0] == 0 && got.at[1][0] == 1);
+    grid.flags = TRIBOX_OPEN;
+    p[2] = q[2] = 1;
+    grid.lo[0] = -2147483647 - 1;
+    grid.hi[0] = 2147483647;
+    CHECK(tribox_grid_segment(&grid, p, q, NULL, NULL) == 0);
+    grid.flags = 0;
+    p[0] = -10;
+    q[0] = 1e4;
+    CHECK(tribox_grid_segment(&grid, p, q, NULL, NULL) == 2 * (11 + 10001)); /* both ends on planes */
+    for (k = 0; k < 9; k++) {
+        double *at = k < 3 ? &p[k] : k < 6 ? &q[k - 3] : &grid.size[k - 6];
+        const double was = *at;
+        *at = k < 6 ? (double)infinity() : -1.0;
+        CHECK(tribox_grid_segment(&grid, p, q, NULL, NULL) == 0);
+        *at = (double)not_a_number();
+        CHECK(tribox_grid_segment(&grid, p, q, NULL, NULL) == 0);
+        *at = was;
+    }
+    grid.hi[1] = grid.lo[1];
+    CHECK(tribox_grid_segment(&grid, p, q, NULL, NULL) == 0);
+}
+
+/* Any doubles: under HALF_OPEN the voxels form a path of neighbours from the end's to the other's, and are those
+ * of tribox_grid_spans for the segment as a triangle; closed, as many as its spans hold. */
+static void segments_are_thin_triangles(void)
+{
+    int i;
+    int k;
+    random_seed(68);
+    for (i = 0; i < TEST_LOOPS(6000); i++) {
+        tribox_grid grid;
+        double p[3];
+        double q[3];
+        for (k = 0; k < 3; k++) {
+            const double scale = random_below(3) ? 1.0 : power_of_two(random_below(600) - 300);
+            grid.size[k] = (0.1 + (double)random_below(100) / 100.0) * scale;
+            grid.origin[k] = random_signed() * 3 * scale;
+            p[k] = random_signed() * 4 * scale;
+            q[k] = random_below(6) ? random_signed() * 4 * scale : p[k];
+            grid.lo[k] = random_below(10) - 9;
+            grid.hi[k] = grid.lo[k] + 1 + random_below(12);
+        }
+        for (k = 0; k < 3; k++) {
+            grid.flags = (1u << k) >> 1;
+            CHECK(tribox_grid_segment(&grid, p, q, NULL, NULL) ==
+                  tribox_grid_spans_f64(&grid, p, q, q, NULL, NULL));
+        }
+    }
+}
+
 int main(void)
 {
     RUN(open_sweeps_are_exact);
@@ -971,5 +1244,8 @@ int main(void)
     RUN(gaps_on_a_lattice);
     RUN(gaps_of_slivers);
     RUN(gaps_without_a_question);
+    RUN(segments_pass_voxels_in_order);
+    RUN(segments_far_and_none);
+    RUN(segments_are_thin_triangles);
     return test_report("test_contact");
 }
