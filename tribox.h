@@ -8095,15 +8095,20 @@ typedef struct tbx_segment {
     int way[3];       /* 1, -1, or 0: q = p on this axis */
     int two[3];       /* closed, and the segment runs along the plane above the voxel */
     int64_t voxel[3]; /* where the segment is */
-    int64_t plane[3]; /* the next one that it crosses */
-    int64_t left[3];  /* how many more it crosses */
-    double from[3];   /* t_i is from + i*step, to within error*(1 + |t_i|) */
+    int64_t left[3];  /* how many planes it crosses from there */
+    double from[3];   /* t of the plane behind a voxel is from + voxel*step, to within error*(1 + |t|) */
     double step[3];
     double error;
-    double t[3];      /* of `plane`, if any are left */
+    double t[3];      /* of the next plane, if any are left */
 } tbx_segment;
 
 #define TBX_SEGMENT_ERROR (32.0 * TBX_U64)
+
+/* The plane behind the segment's voxel on axis k. */
+TBX_FN int64_t tbx_segment_plane(const tbx_segment *s, int k)
+{
+    return s->voxel[k] + (s->way[k] > 0);
+}
 
 /* r = plane i of axis k - p */
 TBX_FN void tbx_segment_offset(tbx_calc *c, const tbx_segment *s, int k, int64_t i, tbx_num *r)
@@ -8146,7 +8151,8 @@ TBX_COLD int tbx_segment_order_exact(const tbx_segment *s, int k, int64_t i, int
     return a.sign * s->way[k] * s->way[l];
 }
 
-/* The same, in double where that is certain. */
+/* The sign of the difference of the times at which the planes behind voxel i of axis k and voxel j of axis l
+ * are crossed, in double where that is certain. */
 TBX_FN int tbx_segment_order(const tbx_segment *s, int k, int64_t i, int l, int64_t j)
 {
     const double t = s->from[k] + (double)i * s->step[k];
@@ -8155,7 +8161,7 @@ TBX_FN int tbx_segment_order(const tbx_segment *s, int k, int64_t i, int l, int6
     if (t - u > error || u - t > error) {
         return t > u ? 1 : -1;
     }
-    return tbx_segment_order_exact(s, k, i, l, j);
+    return tbx_segment_order_exact(s, k, i + (s->way[k] > 0), l, j + (s->way[l] > 0));
 }
 
 /* Emits a voxel, if it lies in the region. */
@@ -8223,12 +8229,11 @@ TBX_NOINLINE void tbx_segment_event(tbx_segment *s, unsigned crossed, int first,
     }
 }
 
-/* The next plane of an axis, after one that was crossed, or none. */
+/* The next plane of an axis, whose voxel has been moved over one, or none. */
 TBX_FN void tbx_segment_next(tbx_segment *s, int k)
 {
-    s->plane[k] += s->way[k];
     s->left[k]--;
-    s->t[k] = s->left[k] > 0 ? s->from[k] + (double)s->plane[k] * s->step[k] : 4.0;
+    s->t[k] = s->left[k] > 0 ? s->from[k] + (double)s->voxel[k] * s->step[k] : 4.0;
 }
 
 /* The axes whose next plane is crossed first. */
@@ -8239,7 +8244,7 @@ TBX_NOINLINE unsigned tbx_segment_first(const tbx_segment *s)
     int k;
     for (k = 0; k < 3; k++) {
         if (s->left[k] > 0) {
-            const int order = best < 0 ? -1 : tbx_segment_order(s, k, s->plane[k], best, s->plane[best]);
+            const int order = best < 0 ? -1 : tbx_segment_order(s, k, s->voxel[k], best, s->voxel[best]);
             if (order <= 0) {
                 axes = order < 0 ? 1u << k : axes | 1u << k;
                 best = order < 0 ? k : best;
@@ -8254,61 +8259,67 @@ TBX_FN int tbx_segment_inside(const tbx_segment *s, int k)
     return s->two[k] || (s->voxel[k] >= s->grid->lo[k] && s->voxel[k] < s->grid->hi[k]);
 }
 
-/* One plane of axis k, at a time of its own; the voxel behind it was inside the region on the other axes.
- * Returns 0 if the segment leaves the region here. */
-TBX_FN int tbx_segment_cross(tbx_segment *s, int k, int many)
+/* One plane of axis k, at a time of its own, into the next voxel: only the last may lie outside of the region. */
+TBX_FN void tbx_segment_cross(tbx_segment *s, int k)
 {
-    if (many) {
-        tbx_segment_event(s, 1u << k, 0, 0);
-    } else {
-        s->voxel[k] += s->way[k];
-    }
-    if (!tbx_segment_inside(s, k)) {
-        return 0;
-    }
-    if (!many) {
-        s->count = tbx_saturating_add(s->count, 1);
-        s->stopped = s->emit != NULL && s->emit(s->user, (int)s->voxel[0], (int)s->voxel[1], (int)s->voxel[2]) != 0;
+    s->voxel[k] += s->way[k];
+    if (s->left[k] == 1 && !tbx_segment_inside(s, k)) {
+        s->stopped = 1;
+        return;
     }
     tbx_segment_next(s, k);
-    return 1;
+    s->count += s->count != (size_t)-1;
+    if (s->emit != NULL && s->emit(s->user, (int)s->voxel[0], (int)s->voxel[1], (int)s->voxel[2]) != 0) {
+        s->stopped = 1;
+    }
 }
 
-/* From the first event on, plane by plane. */
-TBX_FN void tbx_segment_walk(tbx_segment *s)
+/* One event in the midst of the walk. */
+TBX_NOINLINE void tbx_segment_tie(tbx_segment *s)
 {
-    const int many = s->two[0] | s->two[1] | s->two[2];
-    const double error = 8.0 * s->error;
-    int inside = tbx_segment_inside(s, 0) & tbx_segment_inside(s, 1) & tbx_segment_inside(s, 2);
+    const unsigned crossed = tbx_segment_first(s);
     int k;
+    tbx_segment_event(s, crossed, 0, 0);
     for (k = 0; k < 3; k++) {
-        s->t[k] = s->left[k] > 0 ? s->from[k] + (double)s->plane[k] * s->step[k] : 4.0;
-    }
-    while (inside && !s->stopped && (s->left[0] | s->left[1] | s->left[2]) != 0) {
-        const double x = s->t[0] + error;
-        const double y = s->t[1] + error;
-        const double z = s->t[2] + error;
-        if (x < s->t[1] && x < s->t[2] && s->left[0] > 0) {
-            inside = tbx_segment_cross(s, 0, many);
-        } else if (y < s->t[0] && y < s->t[2] && s->left[1] > 0) {
-            inside = tbx_segment_cross(s, 1, many);
-        } else if (z < s->t[0] && z < s->t[1] && s->left[2] > 0) {
-            inside = tbx_segment_cross(s, 2, many);
-        } else {
-            const unsigned crossed = tbx_segment_first(s);
-            tbx_segment_event(s, crossed, 0, 0);
-            for (k = 0; k < 3; k++) {
-                inside &= tbx_segment_inside(s, k);
-                if ((crossed >> k & 1u) != 0) {
-                    tbx_segment_next(s, k);
-                }
-            }
+        if ((crossed >> k & 1u) != 0) {
+            s->stopped |= !tbx_segment_inside(s, k);
+            tbx_segment_next(s, k);
         }
     }
 }
 
-/* Times in double on axis k: an offset errs by 3 u of what it is made of, the quotient by a few u, and i*step
- * by as much of |t| + |from|. */
+/* From the first event on. Where the segment runs along a plane, each event is of several voxels. */
+TBX_FN void tbx_segment_walk(tbx_segment *s)
+{
+    const double error = s->two[0] | s->two[1] | s->two[2] ? 4.0 : 8.0 * s->error;
+    int k;
+    for (k = 0; k < 3; k++) {
+        s->t[k] = s->left[k] > 0 ? s->from[k] + (double)s->voxel[k] * s->step[k] : 4.0;
+        s->stopped |= !tbx_segment_inside(s, k);
+    }
+    while (!s->stopped && (s->left[0] | s->left[1] | s->left[2]) != 0) {
+        const double x = s->t[0];
+        const double y = s->t[1];
+        const double z = s->t[2];
+        if (x + error < y) {
+            if (x + error < z && s->left[0] > 0) {
+                tbx_segment_cross(s, 0);
+                continue;
+            }
+        } else if (y + error < x && y + error < z && s->left[1] > 0) {
+            tbx_segment_cross(s, 1);
+            continue;
+        }
+        if (z + error < x && z + error < y && s->left[2] > 0) {
+            tbx_segment_cross(s, 2);
+        } else {
+            tbx_segment_tie(s);
+        }
+    }
+}
+
+/* Times in double on axis k: an offset errs by u of what it is made of, the quotients by a few u of themselves,
+ * and what is added up by a few u more of |from|, |step| and |t|. */
 TBX_FN void tbx_segment_times(tbx_segment *s, int k)
 {
     const double *origin = &s->grid->origin[k];
@@ -8317,9 +8328,10 @@ TBX_FN void tbx_segment_times(tbx_segment *s, int k)
     TBX_KEEP_SCALAR(d);
     if (TBX_DOUBLE_IS_53_BITS && tbx_sign(&d) != 0 && tbx_is_ordinary(&d, 300) && tbx_is_ordinary(origin, 300) &&
         tbx_is_ordinary(size, 300) && tbx_is_ordinary(&s->p[k], 300) && tbx_is_ordinary(&s->q[k], 300)) {
-        const double error = (tbx_abs(*origin) + tbx_abs(s->p[k]) + tbx_abs(s->q[k])) / tbx_abs(d) + 1.0;
-        s->from[k] = (*origin - s->p[k]) / d;
+        const double sum = tbx_abs(*origin) + tbx_abs(s->p[k]) + tbx_abs(s->q[k]) + *size;
+        const double error = sum / tbx_abs(d) + 1.0;
         s->step[k] = *size / d;
+        s->from[k] = (*origin - s->p[k]) / d + (s->way[k] > 0 ? s->step[k] : 0.0);
         s->error = s->error < TBX_SEGMENT_ERROR * error ? TBX_SEGMENT_ERROR * error : s->error;
     } else {
         s->from[k] = s->step[k] = 0.0;
@@ -8361,38 +8373,35 @@ TBX_FN int tbx_segment_axis(tbx_segment *s, int k, int *on)
         return s->rule == TBX_CLOSED || (tbx_segment_inside(s, k) && !(at_p && s->rule == TBX_OPEN));
     }
     if (way > 0) {
-        s->plane[k] = up;
         s->voxel[k] = up - 1;
         last = at_q ? up_q : up_q - 1;
         last -= at_q && s->rule == TBX_OPEN;
     } else {
-        s->plane[k] = at_p ? up : up - 1;
-        s->voxel[k] = s->plane[k];
+        s->voxel[k] = at_p ? up : up - 1;
         last = up_q + (at_q && s->rule != TBX_CLOSED);
     }
-    s->left[k] = (last - s->plane[k]) * way + 1;
+    s->left[k] = (last - tbx_segment_plane(s, k)) * way + 1;
     s->left[k] = s->left[k] > 0 ? s->left[k] : 0;
     return 1;
 }
 
-/* Moves axis k to the time t_i of axis e: over the planes that it crosses before. Returns 1 if it crosses one
- * just then. */
+/* Moves axis k to the time at which the plane behind voxel i of axis e is crossed: over the planes that it
+ * crosses before. Returns 1 if it crosses one just then. */
 TBX_FN int tbx_segment_advance(tbx_segment *s, int k, int e, int64_t i)
 {
     int64_t lo = 0;
     int64_t hi = s->left[k];
     while (lo < hi) {
         const int64_t mid = lo + (hi - lo) / 2;
-        if (tbx_segment_order(s, k, s->plane[k] + mid * s->way[k], e, i) < 0) {
+        if (tbx_segment_order(s, k, s->voxel[k] + mid * s->way[k], e, i) < 0) {
             lo = mid + 1;
         } else {
             hi = mid;
         }
     }
     s->voxel[k] += lo * s->way[k];
-    s->plane[k] += lo * s->way[k];
     s->left[k] -= lo;
-    return s->left[k] > 0 && tbx_segment_order(s, k, s->plane[k], e, i) == 0;
+    return s->left[k] > 0 && tbx_segment_order(s, k, s->voxel[k], e, i) == 0;
 }
 
 /* The first event: at p, or, if that is outside of the region on some axes, where the last of these is entered.
@@ -8409,14 +8418,14 @@ TBX_FN int tbx_segment_start(tbx_segment *s, const int on[3])
             if (s->left[k] == 0) {
                 return 0;
             }
-            if (e < 0 || tbx_segment_order(s, k, s->plane[k], e, i) > 0) {
+            if (e < 0 || tbx_segment_order(s, k, s->voxel[k], e, i) > 0) {
                 e = k;
-                i = s->plane[k];
+                i = s->voxel[k];
             }
         }
     }
     last = e < 0 ? s->way[0] == 0 && s->way[1] == 0 && s->way[2] == 0
-                 : tbx_plane_compare(s->grid, e, i, s->q[e]) == 0;
+                 : tbx_plane_compare(s->grid, e, tbx_segment_plane(s, e), s->q[e]) == 0;
     for (k = 0; k < 3; k++) {
         const int crosses = e < 0 ? on[k] : s->way[k] != 0 && tbx_segment_advance(s, k, e, i);
         crossed |= (unsigned)crosses << k;
@@ -11911,7 +11920,8 @@ TBX_FN int tbx_gap_near_end(double centre, double reach, double error, double sq
     root += root * rest * (0.5 + 0.375 * rest);
     *out_s = 0.5 * s * root;
     *in_out_root = tbx_with_sign(root, centre);
-    return (tbx_abs(s) > TBX_GAP_SURE * error) & (tbx_abs(centre) > error) & (square > TBX_GAP_LENGTH * terms);
+    return (int)(tbx_abs(s) > TBX_GAP_SURE * error) & (int)(tbx_abs(centre) > error) &
+           (int)(square > TBX_GAP_LENGTH * terms);
 }
 
 /* An edge x a unit vector, counted from corner p. A difference errs by u, w by 3 u (|w| + h); a term of the
