@@ -3,6 +3,7 @@
  * their two methods must agree; tribox.h has no say. Needs GMP. `make golden` runs it.
  */
 #include "companions_exact.h"
+#include "verify_solid.h"
 
 #include <stdio.h>
 
@@ -147,6 +148,49 @@ static uint64_t golden_ask_fill(const golden_grid *g, unsigned flags)
         }
     }
     return hash;
+}
+
+static uint64_t golden_ask_solid(const golden_grid *g)
+{
+    static const double no_step[3] = {0, 0, 0};
+    static const int64_t no_half[3] = {0, 0, 0};
+    static crossing_judge j;
+    static int ready;
+    double v[18], origin[3], size[3], point[3];
+    uint64_t hash = GOLDEN_BASIS;
+    int valid = 1, finite = 1, inside = 0, t, k, y, z;
+    if (!ready) {
+        crossing_init(&j);
+        ready = 1;
+    }
+    for (k = 0; k < (g->f64 ? 9 : 18); ++k) {
+        v[k] = companion_number(g->v[k], g->f64);
+    }
+    for (k = 0; k < 3; ++k) {
+        origin[k] = companion_number(g->origin[k], 1);
+        size[k] = companion_number(g->size[k], 1);
+        point[k] = companion_number(g->point[k], 1);
+        valid &= is_finite(origin[k]) && is_finite(size[k]) && sign_of_double(size[k]) > 0;
+        finite &= is_finite(point[k]);
+    }
+    for (z = 0; z < GOLDEN_EDGE; ++z) {
+        for (y = 0; y < GOLDEN_EDGE; ++y) {
+            uint64_t word = 0;
+            for (t = 0; t < (g->f64 ? 1 : 2) && valid; ++t) {
+                int64_t half[3];
+                half[1] = 2 * (int64_t)(g->lo[1] + y) + 1;
+                half[2] = 2 * (int64_t)(g->lo[2] + z) + 1;
+                word ^= ((uint64_t)1 << GOLDEN_EDGE) -
+                        ((uint64_t)1 << crossing_first(&j, v + 9 * t, origin, size, half, g->lo[0], GOLDEN_EDGE));
+            }
+            hash = golden_mix(hash, word);
+        }
+    }
+    for (t = 0; t < (g->f64 ? 1 : 2) && finite; ++t) {
+        int crosses = crossing_crosses(&j, v + 9 * t, point, no_step, no_half);
+        inside ^= crosses | (t == 0 && !g->f64 ? crosses << 1 : 0);
+    }
+    return golden_mix(hash, (uint64_t)inside);
 }
 
 static uint64_t golden_ask_locate(const golden_grid *g)

@@ -293,6 +293,48 @@ GOLDEN_FN uint64_t golden_ask_fill(const golden_grid *g, unsigned flags)
     return golden_fill_is_spans(g->v[0] ^ g->v[3], flags) && golden_fill_is_same(g, &grid, &mesh, bits) ? hash : ~hash;
 }
 
+/* The solid of both triangles, or of the first where they are doubles; is the point inside of it? */
+GOLDEN_FN uint64_t golden_ask_solid(const golden_grid *g)
+{
+    tribox_grid grid;
+    double point[3];
+    uint64_t bits[GOLDEN_EDGE * GOLDEN_EDGE];
+    uint64_t hash = GOLDEN_BASIS;
+    int inside;
+    int i;
+    golden_region(g, 0, &grid);
+    golden_doubles(point, g->point, 3);
+    for (i = 0; i < GOLDEN_EDGE * GOLDEN_EDGE; ++i) {
+        bits[i] = 0;
+    }
+    if (g->f64) {
+        double v[9];
+        tribox_mesh_f64 mesh;
+        golden_doubles(v, g->v, 9);
+        mesh.positions = v;
+        mesh.stride = 0;
+        mesh.indices = NULL;
+        mesh.triangles = 1;
+        inside = tribox_mesh_contains_f64(&mesh, point);
+        tribox_grid_fill_solid_f64(&grid, &mesh, bits);
+    } else {
+        float v[18];
+        tribox_mesh mesh;
+        golden_floats(v, g->v, 18);
+        mesh.positions = v;
+        mesh.stride = 0;
+        mesh.indices = NULL;
+        mesh.triangles = 2;
+        inside = tribox_mesh_contains(&mesh, point);
+        tribox_grid_fill_solid(&grid, &mesh, bits);
+        inside |= tribox_ray_crosses(v, v + 3, v + 6, point) << 1;
+    }
+    for (i = 0; i < GOLDEN_EDGE * GOLDEN_EDGE; ++i) {
+        hash = golden_mix(hash, bits[i]);
+    }
+    return golden_mix(hash, (uint64_t)inside);
+}
+
 GOLDEN_FN uint64_t golden_ask_locate(const golden_grid *g)
 {
     tribox_grid grid;

@@ -5,7 +5,8 @@
  * exact judge of verify_exact.h. They define GOLDEN_FN (the linkage of functions) and, after the include, the
  * functions
  *
- *   golden_ask_single, golden_ask_grid, golden_ask_fill, golden_ask_locate, golden_ask_fit, golden_ask_companion
+ *   golden_ask_single, golden_ask_grid, golden_ask_fill, golden_ask_solid, golden_ask_locate, golden_ask_fit,
+ *   golden_ask_companion
  *
  * C99 that is also C++98 and CUDA; calls no library. No expression draws twice: the order would be the
  * compiler's.
@@ -49,6 +50,7 @@ typedef struct golden_grid {
 GOLDEN_FN uint32_t golden_ask_single(const golden_single *c);
 GOLDEN_FN uint64_t golden_ask_grid(const golden_grid *g, unsigned flags);
 GOLDEN_FN uint64_t golden_ask_fill(const golden_grid *g, unsigned flags);
+GOLDEN_FN uint64_t golden_ask_solid(const golden_grid *g);
 GOLDEN_FN uint64_t golden_ask_locate(const golden_grid *g);
 GOLDEN_FN uint64_t golden_ask_fit(const golden_grid *g);
 GOLDEN_FN void golden_ask_companion(const companion *c, companion_answer *out);
@@ -739,6 +741,9 @@ GOLDEN_FN uint64_t golden_mix_grid(uint64_t hash, uint64_t index, int hard)
             hash = golden_mix(hash, word);
         }
     }
+    word = golden_ask_solid(&g);
+    GOLDEN_SAY(hard ? "hard solid" : "solid", index, word);
+    hash = golden_mix(hash, word);
     word = golden_ask_locate(&g);
     GOLDEN_SAY(hard ? "hard locate" : "locate", index, word);
     hash = golden_mix(hash, word);

@@ -5,8 +5,8 @@
 #ifndef GOLDEN_OVERLAP_H
 #define GOLDEN_OVERLAP_H
 
-#define GOLDEN_HASH (((uint64_t)0x4b664887u << 32) | 0x6e412cffu)
-#define GOLDEN_HASH_EIGHTH (((uint64_t)0x9f4987a4u << 32) | 0x2937ca0bu)
+#define GOLDEN_HASH (((uint64_t)0x49b3f9f5u << 32) | 0x4ff6a8d3u)
+#define GOLDEN_HASH_EIGHTH (((uint64_t)0x54430d92u << 32) | 0x03570266u)
 #define GOLDEN_TABLE 300
 
 static const struct {

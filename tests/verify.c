@@ -14,6 +14,7 @@
 #include "companions_answers.h"
 #include "verify_cases.h"
 #include "verify_companions.h"
+#include "verify_solid.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,11 +22,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { ROW_FLIP = CASES, ROW_WALK, ROW_FILL, ROW_LOCATE, ROW_COMPANION, ROWS = ROW_COMPANION + COMPANIONS };
+enum { ROW_FLIP = CASES, ROW_WALK, ROW_FILL, ROW_SOLID, ROW_LOCATE, ROW_COMPANION, ROWS = ROW_COMPANION + COMPANIONS };
 
 static const char *row_name(int row)
 {
-    static const char *const more[ROW_COMPANION - CASES] = {"flip", "grid walks (rows)", "fills (voxels)",
+    static const char *const more[ROW_COMPANION - CASES] = {"flip", "grid walks (rows)", "fills (voxels)", "solids (rows)",
                                                             "locate"};
     return row < CASES           ? case_names[row]
            : row < ROW_COMPANION ? more[row - CASES]
@@ -51,6 +52,7 @@ typedef struct run {
     exact_judge x;
     exact_judge other;
     companion_work work;
+    crossing_judge solid;
     dice d;
     tally *count;
     uint64_t seed;
@@ -772,6 +774,108 @@ static void fill(run *r)
     }
 }
 
+/* A mesh of a few triangles in a region: in each row the bits are those that GMP flips; padding stays, and words
+ * around the array; doubles alike where there are none but floats. Points near corners and edges, too. */
+static void solid_points(run *r, const double *v, const float *t, const question *ask)
+{
+    static const double no_step[3] = {0, 0, 0};
+    static const int64_t no_half[3] = {0, 0, 0};
+    tribox_mesh_f64 mesh;
+    double point[3];
+    int want, k;
+    for (k = 0; k < 3; ++k) {
+        double at = dice_once_in(&r->d, 2) ? v[3 * dice_below(&r->d, 3) + k] : 0.5 * v[k] + 0.5 * v[3 + k];
+        point[k] = number_step(at, dice_between(&r->d, -1, 1), 1);
+    }
+    want = is_finite(point[0]) && is_finite(point[1]) && is_finite(point[2]) &&
+           crossing_crosses(&r->solid, v, point, no_step, no_half);
+    mesh.positions = v;
+    mesh.stride = 0;
+    mesh.indices = NULL;
+    mesh.triangles = 1;
+    expect(r, "tribox_mesh_contains_f64", 0, tribox_mesh_contains_f64(&mesh, point), want, ask);
+    if (t != NULL) {
+        expect(r, "tribox_ray_crosses", 0, tribox_ray_crosses(t, t + 3, t + 6, point), want, ask);
+    }
+}
+
+static void solid(run *r)
+{
+    static uint64_t bits[FILL_EDGE * FILL_EDGE * 2 + 2];
+    static uint64_t doubles[FILL_EDGE * FILL_EDGE * 2 + 2];
+    double v[9 * FILL_TRIANGLES];
+    float positions[9 * FILL_TRIANGLES];
+    question ask, next;
+    tribox_grid grid;
+    tribox_mesh mesh;
+    tribox_mesh_f64 mesh_f64;
+    size_t words;
+    int64_t half[3];
+    int n = dice_between(&r->d, 1, FILL_TRIANGLES);
+    int f64 = dice_once_in(&r->d, 4);
+    int rows, columns, i, k, x, y, z;
+    make_walk(r, &ask, f64);
+    if (!make_region(r, &ask, 8) || (long long)ask.last[0] - ask.index[0] >= FILL_EDGE) {
+        return;
+    }
+    question_grid(&ask, 0, &grid);
+    for (i = 0; i < n; ++i) {
+        next = ask;
+        if (dice_once_in(&r->d, 8)) {
+            make_walk(r, &next, f64);
+        } else if (i > 0) {
+            make_small(r, &ask, next.x);
+        }
+        for (k = 0; k < 9; ++k) {
+            v[9 * i + k] = number_fit(next.x[k], f64);
+            if (dice_once_in(&r->d, 16)) { /* on a line of centres, up to rounding */
+                double at =
+                    ask.x[9 + k % 3] +
+                    ((double)dice_between(&r->d, ask.index[k % 3], ask.last[k % 3]) + 0.5) * ask.x[12 + k % 3];
+                v[9 * i + k] = is_finite(at) ? number_fit(at, f64) : v[9 * i + k];
+            }
+            positions[9 * i + k] = (float)number_fit(v[9 * i + k], 0);
+        }
+    }
+    mesh.positions = positions;
+    mesh_f64.positions = v;
+    mesh.stride = mesh_f64.stride = 0;
+    mesh.indices = mesh_f64.indices = NULL;
+    mesh.triangles = mesh_f64.triangles = (size_t)n;
+    words = tribox_grid_words(&grid);
+    if (words > sizeof bits / sizeof bits[0] - 2) {
+        return;
+    }
+    memset(bits, 0, sizeof bits);
+    memset(doubles, 0, sizeof doubles);
+    tribox_grid_fill_solid_f64(&grid, &mesh_f64, doubles + 1);
+    if (f64) {
+        memcpy(bits, doubles, sizeof bits);
+    } else {
+        tribox_grid_fill_solid(&grid, &mesh, bits + 1);
+        expect(r, "tribox_grid_fill_solid_f64", 0, memcmp(bits, doubles, sizeof bits) == 0, 1, &ask);
+    }
+    expect(r, "words around the solid kept", 0, bits[0] == 0 && bits[words + 1] == 0, 1, &ask);
+    columns = ask.last[0] - ask.index[0] + 1;
+    rows = ask.last[1] - ask.index[1] + 1;
+    for (z = 0; z <= ask.last[2] - ask.index[2] && words != 0; ++z) {
+        for (y = 0; y < rows; ++y) {
+            uint64_t want = 0;
+            half[1] = 2 * (int64_t)(ask.index[1] + y) + 1;
+            half[2] = 2 * (int64_t)(ask.index[2] + z) + 1;
+            for (i = 0; i < n; ++i) {
+                x = crossing_first(&r->solid, v + 9 * i, grid.origin, grid.size, half, grid.lo[0], columns);
+                want ^= ((uint64_t)1 << columns) - ((uint64_t)1 << x);
+            }
+            ++r->count->asked[r->row];
+            expect(r, "row of tribox_grid_fill_solid", 0, bits[1 + z * rows + y] == want, 1, &ask);
+        }
+    }
+    for (i = 0; i < n; ++i) {
+        solid_points(r, v + 9 * i, f64 ? NULL : positions + 9 * i, &ask);
+    }
+}
+
 /* a point on or near a voxel's corner */
 static void locate(run *r)
 {
@@ -1018,6 +1122,10 @@ static void work(run *r, long thousands)
             r->row = ROW_FILL;
             fill(r);
         }
+        for (k = 0; k < 20; ++k) {
+            r->row = ROW_SOLID;
+            solid(r);
+        }
         for (k = 0; k < 200; ++k) {
             r->row = ROW_LOCATE;
             locate(r);
@@ -1087,6 +1195,7 @@ int main(int argc, char **argv)
             static run r;
             exact_init(&r.x);
             exact_init(&r.other);
+            crossing_init(&r.solid);
             companion_init(&r.work);
             r.count = counts + i;
             r.seed = seed;
