@@ -3240,8 +3240,8 @@ TBX_FN int tbx_source_triangle(const tbx_source *s, size_t t, double v[3][3])
  *
  * Coordinates are voxels from the region's minimum corner, y = (v - origin) * inverse - lo.
  *   Error of a coordinate: u for v - origin, 4 u for the inverse (fast-math divides by approximation), u for
- *   the product, all of |y + lo|; u for the last difference, of |y|: less than 8 u (|y| + |lo|). With reach
- *   the largest |y|, |lo| or |hi| there is,
+ *   the product, all of |y + lo|; u for the last difference, of |y|: at most 7 u (|y| + |lo|). With reach
+ *   above the largest |y|, |lo| and |hi|,
  *       delta = COORDINATE_ERROR * reach.
  *   Error of a line, slope s, in row r: the coordinates' (1 + |s|) delta; s is off by 8 u of itself (its edges 6 u,
  *   as differences of inputs are rounded once, and each division 4 u: 16 u), times at most 2 reach; the sum's
@@ -3251,7 +3251,7 @@ TBX_FN int tbx_source_triangle(const tbx_source *s, size_t t, double v[3][3])
  *   times |p| + |q|, which moves the plane, at most m voxels from its corner on each axis, by
  *       2 NORMAL_ERROR m (|p_y| + |q_y| + |p_z| + |q_z| + (|s_y| + |s_z|) (|p_x| + |q_x|)) / |n_x|.
  * tests/proofs/walk.gappa proves them, tests/errors.c looks for the largest errors there are. */
-#define TBX_COORDINATE_ERROR (8.0 * TBX_U64)
+#define TBX_COORDINATE_ERROR (10.0 * TBX_U64)
 #define TBX_LINE_ERROR 10.0
 #define TBX_NORMAL_ERROR (16.0 * TBX_U64)
 #define TBX_MOST_ERROR 0.0625       /* of what is evaluated in double at all */
@@ -3554,8 +3554,8 @@ TBX_FN void tbx_walk_plane(tbx_walk *w, double quantum)
     const double n_y = w->n[1];
     const double n_z = w->n[2];
     const double width = tbx_abs(w->n[0]);
-    const int divides =
-        width * most > tbx_abs(n_y) && width * most > tbx_abs(n_z) && width > 1.0 / (most * most);
+    const int divides = width * most > tbx_abs(n_y) && width * most > tbx_abs(n_z) &&
+                        width > 1.0 / (most * most) && width > 2.0 * TBX_NORMAL_ERROR * w->n_terms[0];
     double n_x = divides ? w->n[0] : 1.0;
     double inverse;
     double slope_y;

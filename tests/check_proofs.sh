@@ -26,17 +26,18 @@ TERMS=$(constant '.*bound = \([0-9.]*\) \* u \* terms + [0-9.]* \* TBX_U64 \* ma
 MADE=$(constant '.*bound = [0-9.]* \* u \* terms + \([0-9.]*\) \* TBX_U64 \* made.*')
 FACES=$(constant '.*bound = \([0-9.]*\) \* (double)TBX_U32 \* (bound > least.*')
 NORMAL=$(constant '.*abs(p) + tbx_abs(q)) \* (\([0-9.]*\) \* TBX_U64);.*')
-FRAME=$(constant '.*w->slack\[k\] = (farthest.*(\([0-9.]*\) \* TBX_U64);.*')
-REACH=$(constant '.*w->slack\[k\] += reach \* (\([0-9.]*\) \* TBX_U64);.*')
-LANES=$(constant '.*bound = c->bound \* scale + (double)(\([0-9.]*\)f \* TBX_U32);.*')
-GRID=$(constant '.*tbx_abs(along)) \* (\([0-9.]*\) \* TBX_U64);.*')
+COORDINATE=$(constant '^#define TBX_COORDINATE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+LINE=$(constant '^#define TBX_LINE_ERROR \([0-9.]*\)$')
+WALK_NORMAL=$(constant '^#define TBX_NORMAL_ERROR (\([0-9.]*\) \* TBX_U64)$')
+FIXED=$(constant '^#define TBX_FIXED_ERROR (\([0-9.]*\) \* TBX_U64)$')
+GRID=$(constant '^#define TBX_PLANE_ERROR (\([0-9.]*\) \* TBX_U64)$')
 # groups: delta's share of n u; the bounds in units of n delta and n^2 delta
 SHARE=$(constant '.*const float delta = \([0-9.]*\)f \* TBX_U32 \* (float)n + q->delta_low;.*')
 LINES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)n \* delta).*')
 PLANES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)(n \* n) \* delta).*')
-export SHARE LINES PLANES ULPS TERMS MADE FACES NORMAL FRAME REACH LANES GRID
+export SHARE LINES PLANES ULPS TERMS MADE FACES NORMAL COORDINATE LINE WALK_NORMAL FIXED GRID
 echo "constants of tribox.h: one box $ULPS; prepared $TERMS and $MADE, faces $FACES;" \
-    "sign of the normal $NORMAL; walk $FRAME, $REACH and $LANES; grid plane $GRID;" \
+    "sign of the normal $NORMAL; walk $COORDINATE, $LINE, $WALK_NORMAL and $FIXED; grid plane $GRID;" \
     "groups $SHARE, $LINES and $PLANES"
 
 # UNITS(n): n + 1/8 units of 2^-P, so that terms of second order fit. BELOW(n): n - 1 units, since the
@@ -46,7 +47,7 @@ prove() { # script, P, FUSED or PLAIN, N: lines for boxes of N^3 voxels
     rounding "$n"
     [ "$3" = PLAIN ] && other=FUSED
     sed -E -e "s/^$3 //" -e "/^$other /d" -e "s/@ULPS@/$ULPS/g; s/@TERMS@/$TERMS/g; s/@MADE@/$MADE/g" \
-        -e "s/@FACES@/$FACES/g; s/@NORMAL@/$NORMAL/g; s/@WALK@/$((REACH + FRAME - 2))/g; s/@LANES@/$LANES/g" \
+        -e "s/@FACES@/$FACES/g; s/@NORMAL@/$NORMAL/g; s/@COORDINATE@/$COORDINATE/g; s/@WALK_NORMAL@/$WALK_NORMAL/g; s/@FIXED@/$FIXED/g" \
         -e "s/@GRID@/$GRID/g; s/\bP\b/$2/g; s/^N$n //; /^N[2-4] /d" \
         -e "s/@M@/$((n - 1))/g; s/@N@/$n/g; s/@2MM@/$((2 * mm))/g; s/@4MM@/$((4 * mm))/g; s/@AREA@/$area/g" \
         -e "s/@NN@/$((n * n))/g; s/@3NNM@/$((3 * n * n * (n - 1)))/g; s/@EDGE@/$edge/g" \
@@ -87,6 +88,19 @@ groups_room() { # n
         }'
 }
 export -f prove rounding groups_room
+
+# A line of the walk, in units of delta, the coordinates' error, which is COORDINATE u reach or more: what multiplies 1 and
+# what multiplies the slope: coordinates; the slope's 16 u times 2 reach; its roundings.
+walk_room() {
+    awk -v c="$COORDINATE" -v line="$LINE" 'BEGIN {
+        one = 1 + 6.125 / c
+        slope = 1 + (32 + 9.125) / c
+        print "1:", one, "slope:", slope, "of", line
+        exit !(one <= 0.95 * line && slope <= 0.95 * line)
+    }'
+}
+export -f walk_room
+job "proof: grid walk, room in the bound of lines" walk_room
 
 # 23 and 52: u of every rounding mode; one more: that of rounding to nearest
 job "proof: rounding" prove rounding 23 PLAIN

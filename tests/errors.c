@@ -152,10 +152,19 @@ __attribute__((noinline)) static void prepared(computed *r, const numbers *q, in
     }
 }
 
+/* The walk bounds voxels, i >= floor(t), i <= floor(t): its conditions are width * (i + 1 - t) >= 0 and width * (t - i) >= 0. */
 __attribute__((noinline)) static void walked(computed *r, const numbers *q)
 {
+    static const int group_axis[3] = {2, 1, 0};
+    static const int bounded[3] = {0, 0, 1};
+    static const int rows[3] = {1, 2, 2};
+    tbx_frame f;
+    tbx_part all;
     tbx_walk w;
     tribox_grid grid;
+    double v[3][3];
+    int at[3];
+    int group;
     int i;
     int k;
 
@@ -165,20 +174,52 @@ __attribute__((noinline)) static void walked(computed *r, const numbers *q)
         grid.lo[k] = -1000;
         grid.hi[k] = 1000;
     }
+    for (i = 0; i < 9; i++) {
+        v[i / 3][i % 3] = q->x[i];
+    }
     grid.flags = q->thin ? TRIBOX_THIN : 0u;
-    if (!tbx_grid_valid(&grid) || !tbx_walk_start(&w, &grid, q->x, q->x + 3, q->x + 6) ||
-        w.on_lattice || !w.in_range) {
+    if (!tbx_frame_init(&f, &grid)) {
         return;
     }
-    for (i = 0; i < w.limits; i++) {
-        const tbx_limit *c = &w.limit[i];
-        int64_t at[3];
-        for (k = 0; k < 3; k++) {
-            at[k] = q->index[k] % w.count[k];
-            r->index[k] = (int)(w.base[k] + at[k]);
+    tbx_part_all(&all, &grid);
+    if (!tbx_walk_box(&w, &f, v, tbx_corners_kind(v), &all)) {
+        return;
+    }
+    tbx_walk_set_out(&w);
+    for (k = 0; k < 3; k++) {
+        at[k] = (int)(w.first[k] + q->index[k] % (w.last[k] - w.first[k] + 1));
+        r->index[k] = grid.lo[k] + at[k];
+    }
+    for (group = 0; group < 3; group++) {
+        const tbx_lines *l = &w.group[group];
+        const int b = bounded[group];
+        const int row = rows[group];
+        if (!w.uses[group] || !w.light || l->error > 0.0625) {
+            continue;
         }
-        r->value[c->id] = c->a[0] * (double)at[0] + c->a[1] * (double)at[1] + c->a[2] * (double)at[2] + c->d;
-        r->bound[c->id] = c->bound;
+        for (i = 0; i < 3; i++) {
+            const double width = fabs(v[(i + 1) % 3][row] - v[i][row]) * grid.size[b];
+            const double lower = l->at_lo[i] + l->slope[i] * (double)at[row] - 1.0;
+            const double upper = l->at_hi[i] + l->slope[i] * (double)at[row] - 1.0;
+            const int id = 3 * group_axis[group] + i;
+            if (fabs(lower) < 1e15 || fabs(upper) < 1e15) {
+                r->value[id] = width * (fabs(lower) < 1e15 ? (double)(at[b] + 1) - lower : upper - (double)at[b]);
+                r->bound[id] = width * l->error;
+            }
+        }
+    }
+    if (w.uses[3] && w.light) {
+        w.z = at[2];
+        tbx_walk_plane_to_layer(&w);
+        if (w.group[3].error <= 0.0625) {
+            const double width = fabs(w.n[0]) * grid.size[0] * grid.size[1] * grid.size[2];
+            const double lower = w.group[3].at_lo[0] + w.group[3].slope[0] * (double)at[1] - 1.0;
+            const double upper = w.group[3].at_hi[0] + w.group[3].slope[0] * (double)at[1] - 1.0;
+            const int below = w.n_sign[0] > 0 ? 9 : 10;
+            r->value[below] = width * ((double)(at[0] + 1) - lower);
+            r->value[19 - below] = width * (upper - (double)at[0]);
+            r->bound[9] = r->bound[10] = width * w.group[3].error;
+        }
     }
 }
 
@@ -323,8 +364,8 @@ __attribute__((noinline)) static void fill_rows(filled *r, const tbx_quick *quic
         tbx_lane_bounds_set(&r->bounds[k], l, 0, r->rows[row_axis[k]], r->start[b], r->rows[b]);
         for (i = 0; i < 3; i++) {
             /* NOWHERE is further away than any bound, and than its error */
-            r->bounds_side[i][k][0] = l->lo_least[i][0] > -0.5f * TBX_NOWHERE || l->lo_slope[i][0] != 0.0f;
-            r->bounds_side[i][k][1] = l->hi_most[i][0] < 0.5f * TBX_NOWHERE || l->hi_slope[i][0] != 0.0f;
+            r->bounds_side[i][k][0] = l->lo_least[i][0] > -32768.0f || l->lo_slope[i][0] != 0.0f;
+            r->bounds_side[i][k][1] = l->hi_most[i][0] < 32768.0f || l->hi_slope[i][0] != 0.0f;
             r->flat[k] |= r->bounds_side[i][k][0] && r->bounds_side[i][k][1];
         }
         for (j = 0; j < ROWS_ASKED; j++) {
@@ -340,7 +381,7 @@ __attribute__((noinline)) static void fill_rows(filled *r, const tbx_quick *quic
             }
         }
     }
-    r->has_plane = rows.hi_least[0] < TBX_NOWHERE;
+    r->has_plane = rows.hi_least[0] < 65536.0f;
     for (j = 0; j < ROWS_ASKED && r->has_plane; j++) {
         const float middle = rows.at[0] + (float)r->row[1][j] * rows.slope_z[0];
         const float step = (float)r->row[0][j] * rows.slope_y[0];
