@@ -5977,7 +5977,7 @@ TBX_FN int64_t tbx_fraction_guess(tbx_calc *c, const tbx_fraction *x, int format
     return sign * (magnitude < most ? magnitude : most);
 }
 
-/* The fraction in a format, as a key. From the guess, steps that double, then halve, find the greatest number
+/* The fraction, which is finite, in a format, as a key. From the guess, steps that double, then halve, find the greatest number
  * that x rounds to at least. In double the digits of a double are never certain. */
 TBX_FN int64_t tbx_fraction_round(tbx_calc *c, const tbx_fraction *x, int format, int rounding)
 {
@@ -5986,9 +5986,6 @@ TBX_FN int64_t tbx_fraction_round(tbx_calc *c, const tbx_fraction *x, int format
     int64_t hi = infinity + 1;
     int64_t step = 1;
     int64_t key;
-    if (tbx_num_sign(c, &x->d) == 0) {
-        return tbx_num_sign(c, &x->n) * infinity;
-    }
     if (format == TBX_DOUBLE && !c->exact) {
         c->unsure = 1;
     }
