@@ -5356,14 +5356,14 @@ TBX_FN int tbx_key_is_nan(int64_t key)
     return key > TBX_KEY_INFINITY || key < -TBX_KEY_INFINITY;
 }
 
-/* The magnitude of a float's bits as a double's, where exponents are not merely moved: 0, infinity, NaN, and
+/* The magnitude of a float's bits as a double's, where exponents are not merely moved: infinity, NaN, and
  * subnormals, which are mantissa * 2^-149. */
 TBX_NOINLINE uint64_t tbx_widen_odd(uint32_t magnitude)
 {
     uint64_t mantissa = magnitude;
     uint64_t exponent = 1023 - 126;
-    if (magnitude >= 0x7f800000u || magnitude == 0) {
-        return magnitude == 0 ? 0 : ((uint64_t)magnitude << 29) + ((uint64_t)(2047 - 255) << 52);
+    if (magnitude >= 0x7f800000u) {
+        return ((uint64_t)magnitude << 29) + ((uint64_t)(2047 - 255) << 52);
     }
     while (mantissa < 0x00800000u) {
         mantissa <<= 1;
@@ -5372,46 +5372,105 @@ TBX_NOINLINE uint64_t tbx_widen_odd(uint32_t magnitude)
     return (exponent << 52) | ((mantissa & 0x007fffffu) << 29);
 }
 
+TBX_FN uint64_t tbx_widen_magnitude(uint32_t magnitude)
+{
+    if (TBX_RARELY(magnitude - 0x00800000u >= 0x7f000000u)) {
+        return magnitude == 0 ? 0 : tbx_widen_odd(magnitude);
+    }
+    return ((uint64_t)magnitude << 29) + ((uint64_t)(1023 - 127) << 52);
+}
+
 /* Sets a number from the bits of a double's magnitude and its sign. */
 TBX_FN void tbx_real_set(tbx_real *r, uint64_t magnitude, uint64_t sign)
 {
     const uint64_t finite = magnitude < (uint64_t)TBX_KEY_INFINITY ? magnitude : 0;
-    r->key = sign != 0 ? -(int64_t)magnitude : (int64_t)magnitude;
+    r->key = (int64_t)((magnitude ^ (0u - sign)) + sign);
     r->value = tbx_from_bits64(finite | (sign << 63));
+}
+
+/* Numbers of doubles' magnitudes for which the run in double holds. */
+TBX_FN int tbx_is_odd(uint64_t magnitude)
+{
+    const uint64_t least = (uint64_t)(1023 - 97) << 52;
+    const uint64_t most = (uint64_t)(1023 + 130) << 52;
+    return (magnitude - 1u < least - 1u) | (magnitude >= most);
 }
 
 /* Reads n numbers of the format, at any alignment. Returns 1 if one is finite, and beyond the range of
  * the run in double. */
 TBX_FN int tbx_read(tbx_real *out, const void *x, int n, int format)
 {
-    const uint64_t least = (uint64_t)(1023 - 97) << 52;
-    const uint64_t most = (uint64_t)(1023 + 130) << 52;
     int odd = 0;
     int i;
     for (i = 0; i < n; i++) {
         if (format == TBX_FLOAT) {
             uint32_t bits;
-            uint32_t magnitude;
             TBX_COPY(&bits, (const char *)x + 4 * i, sizeof bits);
             bits = tbx_opaque32(bits);
-            magnitude = bits & 0x7fffffffu;
-            tbx_real_set(&out[i],
-                         TBX_RARELY(magnitude - 0x00800000u >= 0x7f000000u)
-                             ? tbx_widen_odd(magnitude)
-                             : ((uint64_t)magnitude << 29) + ((uint64_t)(1023 - 127) << 52),
-                         bits >> 31);
+            tbx_real_set(&out[i], tbx_widen_magnitude(bits & 0x7fffffffu), bits >> 31);
         } else {
             uint64_t bits;
             uint64_t magnitude;
             TBX_COPY(&bits, (const char *)x + 8 * i, sizeof bits);
             bits = tbx_opaque64(bits);
             magnitude = bits & 0x7fffffffffffffffu;
-            odd |= (magnitude - 1u < least - 1u) |
-                   ((magnitude >= most) & (magnitude < (uint64_t)TBX_KEY_INFINITY));
+            odd |= tbx_is_odd(magnitude) & (magnitude < (uint64_t)TBX_KEY_INFINITY);
             tbx_real_set(&out[i], magnitude, bits >> 63);
         }
     }
     return odd;
+}
+
+/* A function that is inlined twice, with each of the formats as a constant. */
+#if TBX_GNU && !defined(__CUDACC__)
+#define TBX_FOR_FORMAT TBX_FN __attribute__((always_inline))
+#else
+#define TBX_FOR_FORMAT TBX_FN
+#endif
+
+/* Looks at a number: negative unless it is 0, or finite, in the range of the run in double, and no subnormal
+ * float. */
+TBX_FOR_FORMAT int64_t tbx_scan(const char *x, int format)
+{
+    int64_t magnitude;
+    int64_t least = (int64_t)(1023 - 97) << 52;
+    int64_t most = ((int64_t)(1023 + 130) << 52) - 1;
+    if (format == TBX_FLOAT) {
+        uint32_t bits;
+        TBX_COPY(&bits, x, sizeof bits);
+        magnitude = (int64_t)(tbx_opaque32(bits) & 0x7fffffffu);
+        least = 0x00800000;
+        most = 0x7f7fffff;
+    } else {
+        uint64_t bits;
+        TBX_COPY(&bits, x, sizeof bits);
+        magnitude = (int64_t)(tbx_opaque64(bits) & 0x7fffffffffffffffu);
+    }
+    return ((magnitude - least) & -magnitude) | (most - magnitude);
+}
+
+TBX_FOR_FORMAT int64_t tbx_scan3(const void *x, int format)
+{
+    const size_t size = format == TBX_FLOAT ? sizeof(float) : sizeof(double);
+    return tbx_scan((const char *)x, format) | tbx_scan((const char *)x + size, format) |
+           tbx_scan((const char *)x + 2 * size, format);
+}
+
+/* Three numbers that were looked at, as doubles; not before: signalling NaN would raise a flag. */
+TBX_FOR_FORMAT void tbx_take3(double out[3], const void *x, int format)
+{
+    if (format == TBX_FLOAT) {
+        float narrow[3];
+        TBX_COPY(narrow, x, sizeof narrow);
+        TBX_KEEP_SCALAR(narrow[0]);
+        TBX_KEEP_SCALAR(narrow[1]);
+        TBX_KEEP_SCALAR(narrow[2]);
+        out[0] = (double)narrow[0];
+        out[1] = (double)narrow[1];
+        out[2] = (double)narrow[2];
+    } else {
+        TBX_COPY(out, x, 3 * sizeof *out);
+    }
 }
 
 #define TBX_FLOAT_INFINITY ((int64_t)0x7f800000)
@@ -6221,20 +6280,6 @@ TBX_COLD int64_t tbx_slabs_end_exact(const tbx_slabs *s, int e, int format)
     return tbx_slabs_end(&c, s, e, format);
 }
 
-TBX_NOINLINE int64_t tbx_slabs_round(const tbx_slabs *s, int e, int format)
-{
-    tbx_calc c = { 0, 0, 0, NULL };
-    const int64_t key = tbx_slabs_end(&c, s, e, format);
-    return c.unsure ? tbx_slabs_end_exact(s, e, format) : key;
-}
-
-TBX_FN int tbx_slabs_read(tbx_slabs *s, const void *origin, const void *dir, const void *t, const void *box_min,
-                          const void *box_max, int format)
-{
-    return tbx_ray_read(&s->ray, origin, dir, t, format) | tbx_read(s->face[0], box_min, 3, format) |
-           tbx_read(s->face[1], box_max, 3, format);
-}
-
 /* Bounds of the filter below. A difference, a reciprocal and their product are each rounded once, by 2^-52 in
  * any mode; the reciprocal, which fast-math may approximate, is checked to 2^-48: 2^-47 in all, and as much
  * again for the sum that compares two times. Nothing underflows: differences are 0 or at least 2^-149, dir is
@@ -6261,98 +6306,193 @@ TBX_FN int64_t tbx_slab_round(double t, int up)
 
 #define TBX_SLAB_BEYOND 2.037035976334486e+90 /* 2^300: past every time */
 
-/* The slabs in double, where the inputs are in range: a time is at most 2^131 * 2^97. Ends of the interval in
- * t; s->axis where only one axis may bring them. The largest lower and the least upper end are no farther
- * from the exact ones than their errors. */
-TBX_FN int tbx_slabs_filter(tbx_slabs *s, double t[2])
+/* A ray and a box as they came. */
+typedef struct tbx_ray_ask {
+    const void *origin;
+    const void *dir;
+    const void *t; /* t_min and t_max */
+    const void *box_min;
+    const void *box_max;
+    int format;
+} tbx_ray_ask;
+
+/* When a ray is inside the slab of axis k: in [out_first, out_last]. x: origin, dir, box_min, box_max. Returns 1
+ * where lo > hi, or the reciprocal is not known well enough. */
+TBX_FN int tbx_slab_times(double x[4][3], int k, double *out_first, double *out_last, int *outside)
 {
-    double ends[2][4];
-    double error;
-    int outside = 0;
-    int doubt = 0;
-    int e;
-    int k;
-    for (k = 0; k < 3; k++) {
-        const tbx_real *lo = &s->face[0][k];
-        const tbx_real *hi = &s->face[1][k];
-        const tbx_real *o = &s->ray.origin[k];
-        const int flat = s->ray.dir[k].key == 0;
-        const int down = s->ray.dir[k].key < 0;
-        const double d = flat ? 1.0 : s->ray.dir[k].value;
-        double inverse = 1.0 / d;
-        double a = lo->value - o->value;
-        double b = hi->value - o->value;
-        TBX_KEEP_SCALAR(inverse);
-        TBX_KEEP_SCALAR(a);
-        TBX_KEEP_SCALAR(b);
-        doubt |= !(tbx_abs(inverse * d - 1.0) <= TBX_SLAB_INVERSE_ERROR);
-        outside |= flat & ((o->key < lo->key) | (o->key > hi->key));
-        a = flat | (lo->key == -TBX_KEY_INFINITY) ? (down ? TBX_SLAB_BEYOND : -TBX_SLAB_BEYOND) : a * inverse;
-        b = flat | (hi->key == TBX_KEY_INFINITY) ? (down ? -TBX_SLAB_BEYOND : TBX_SLAB_BEYOND) : b * inverse;
-        ends[0][k] = down ? b : a;
-        ends[1][k] = down ? a : b;
+    const double o = x[0][k];
+    const double d = x[1][k];
+    const double lo = x[2][k];
+    const double hi = x[3][k];
+    const int flat = !(d < 0.0 || d > 0.0);
+    double divisor = flat ? 1.0 : d;
+    double inverse;
+    double from = lo - o;
+    double to = hi - o;
+    TBX_KEEP_SCALAR(divisor);
+    inverse = 1.0 / divisor;
+    TBX_KEEP_SCALAR(inverse);
+    TBX_KEEP_SCALAR(from);
+    TBX_KEEP_SCALAR(to);
+    from = from * inverse;
+    to = to * inverse;
+    *out_first = from < to ? from : to;
+    *out_last = from > to ? from : to;
+    if (TBX_RARELY(flat)) {
+        *outside |= (o < lo) | (o > hi);
+        *out_first = -TBX_SLAB_BEYOND;
+        *out_last = TBX_SLAB_BEYOND;
     }
-    ends[0][3] = tbx_key_is_finite(s->ray.t[0].key) ? s->ray.t[0].value : -TBX_SLAB_BEYOND;
-    ends[1][3] = tbx_key_is_finite(s->ray.t[1].key) ? s->ray.t[1].value : TBX_SLAB_BEYOND;
-    t[0] = ends[0][3];
-    t[1] = ends[1][3];
-    for (k = 0; k < 3; k++) {
-        t[0] = ends[0][k] > t[0] ? ends[0][k] : t[0];
-        t[1] = ends[1][k] < t[1] ? ends[1][k] : t[1];
-    }
-    error = TBX_SLAB_ERROR * (tbx_abs(t[0]) + tbx_abs(t[1]));
-    if (outside | (t[0] - t[1] > error)) {
-        return outside | !doubt ? TBX_MISS : TBX_UNSURE;
-    }
-    if (doubt | !(t[1] - t[0] > error)) {
-        return TBX_UNSURE;
-    }
-    for (e = 0; e < 2; e++) {
-        int reached = 0;
-        error = 2.0 * TBX_SLAB_ERROR * tbx_abs(t[e]);
-        for (k = 0; k < 4; k++) {
-            reached |= (tbx_abs(ends[e][k] - t[e]) <= error) << k;
-        }
-        if ((reached & (reached - 1)) != 0) {
-            return TBX_UNSURE; /* more than one may be first or last */
-        }
-        s->axis[e] = reached == 8 ? -1 : reached >> 1; /* 1, 2, 4: 0, 1, 2 */
-    }
-    return TBX_HIT;
+    return (lo > hi) | !(tbx_abs(inverse * divisor - 1.0) <= TBX_SLAB_INVERSE_ERROR);
 }
 
-/* The answer for a ray that was read; odd: it is beyond the range of double. */
-TBX_NOINLINE int tbx_slabs_answer(tbx_slabs *s, int odd, int format, void *out_t0, void *out_t1)
+/* A finite t or one past every time. */
+TBX_FN double tbx_slab_limit(const tbx_real *t)
+{
+    return tbx_key_is_finite(t->key) ? t->value : t->key < 0 ? -TBX_SLAB_BEYOND : TBX_SLAB_BEYOND;
+}
+
+/* Which of four times is the one at t? Its number, -1 for the fourth, or -2: several may be. */
+TBX_FN int tbx_slabs_only(const double ends[4], double t)
+{
+    const double error = 2.0 * TBX_SLAB_ERROR * tbx_abs(t);
+    const int reached = (tbx_abs(ends[0] - t) <= error) | (tbx_abs(ends[1] - t) <= error) << 1 |
+                        (tbx_abs(ends[2] - t) <= error) << 2 | (tbx_abs(ends[3] - t) <= error) << 3;
+    return (reached & (reached - 1)) != 0 ? -2 : reached == 8 ? -1 : reached >> 1; /* 1, 2, 4: 0, 1, 2 */
+}
+
+/* The slabs in double. A time is at most 2^131 * 2^97. The largest lower and the least upper end are no farther
+ * from the exact ones than their errors. On a hit: axis[e] is the only one that may bring that end (-1: t_min,
+ * t_max), t its time. */
+TBX_FOR_FORMAT int tbx_slabs_filter(const tbx_ray_ask *a, double t[2], int axis[2], int format)
+{
+    tbx_real t_end[2];
+    double x[4][3];
+    double first[4];
+    double last[4];
+    double error;
+    int outside = 0;
+    int doubt = tbx_read(t_end, a->t, 2, format);
+    if (!TBX_DOUBLE_IS_53_BITS || doubt || tbx_key_is_nan(t_end[0].key) || tbx_key_is_nan(t_end[1].key) ||
+        (tbx_scan3(a->origin, format) | tbx_scan3(a->dir, format) | tbx_scan3(a->box_min, format) |
+         tbx_scan3(a->box_max, format)) < 0) {
+        return TBX_UNSURE;
+    }
+    tbx_take3(x[0], a->origin, format);
+    tbx_take3(x[1], a->dir, format);
+    tbx_take3(x[2], a->box_min, format);
+    tbx_take3(x[3], a->box_max, format);
+    doubt = tbx_slab_times(x, 0, &first[0], &last[0], &outside);
+    doubt |= tbx_slab_times(x, 1, &first[1], &last[1], &outside);
+    doubt |= tbx_slab_times(x, 2, &first[2], &last[2], &outside);
+    first[3] = tbx_slab_limit(&t_end[0]);
+    last[3] = tbx_slab_limit(&t_end[1]);
+    t[0] = first[0] > first[1] ? first[0] : first[1];
+    t[1] = last[0] < last[1] ? last[0] : last[1];
+    t[0] = first[2] > t[0] ? first[2] : t[0];
+    t[1] = last[2] < t[1] ? last[2] : t[1];
+    t[0] = first[3] > t[0] ? first[3] : t[0];
+    t[1] = last[3] < t[1] ? last[3] : t[1];
+    error = TBX_SLAB_ERROR * (tbx_abs(t[0]) + tbx_abs(t[1]));
+    if (doubt) {
+        return TBX_UNSURE;
+    }
+    if (outside | (t[0] - t[1] > error)) {
+        return TBX_MISS;
+    }
+    axis[0] = tbx_slabs_only(first, t[0]);
+    axis[1] = tbx_slabs_only(last, t[1]);
+    return t[1] - t[0] > error && axis[0] != -2 && axis[1] != -2 ? TBX_HIT : TBX_UNSURE;
+}
+
+TBX_NOINLINE int tbx_slabs_filter_float(const tbx_ray_ask *a, double t[2], int axis[2])
+{
+    return tbx_slabs_filter(a, t, axis, TBX_FLOAT);
+}
+
+TBX_NOINLINE int tbx_slabs_filter_double(const tbx_ray_ask *a, double t[2], int axis[2])
+{
+    return tbx_slabs_filter(a, t, axis, TBX_DOUBLE);
+}
+
+TBX_FN int tbx_slabs_read(tbx_slabs *s, const tbx_ray_ask *a)
+{
+    return tbx_ray_read(&s->ray, a->origin, a->dir, a->t, a->format) |
+           tbx_read(s->face[0], a->box_min, 3, a->format) | tbx_read(s->face[1], a->box_max, 3, a->format);
+}
+
+/* An end of the interval that one axis is known to bring. */
+TBX_NOINLINE int64_t tbx_slabs_round(const tbx_ray_ask *a, int axis, int e)
 {
     tbx_calc c = { 0, 0, 0, NULL };
-    void *out[2];
-    int64_t key[2] = { 0, 0 };
-    double t[2];
-    int verdict = TBX_UNSURE;
-    int e;
-    if (!tbx_ray_valid(&s->ray) || !tbx_box_valid(s->face[0], s->face[1])) {
+    tbx_slabs s;
+    const int odd = tbx_slabs_read(&s, a);
+    int64_t key = 0;
+    s.axis[e] = axis;
+    if (!odd) {
+        key = tbx_slabs_end(&c, &s, e, a->format);
+    }
+    return odd || c.unsure ? tbx_slabs_end_exact(&s, e, a->format) : key;
+}
+
+/* What the filter leaves open: in double with bounds, then in integers. Leaves the axes. */
+TBX_NOINLINE int tbx_slabs_slow(const tbx_ray_ask *a, int axis[2])
+{
+    tbx_calc c = { 0, 0, 0, NULL };
+    tbx_slabs s;
+    const int odd = tbx_slabs_read(&s, a);
+    int hit = 0;
+    if (!tbx_ray_valid(&s.ray) || !tbx_box_valid(s.face[0], s.face[1])) {
         return 0;
+    }
+    if (!odd) {
+        hit = tbx_slabs_run(&c, &s);
+    }
+    if (odd || c.unsure) {
+        hit = tbx_slabs_run_exact(&s);
+    }
+    axis[0] = s.axis[0];
+    axis[1] = s.axis[1];
+    return hit;
+}
+
+TBX_NOINLINE int tbx_ray_box(const tbx_ray_ask *a, void *out_t0, void *out_t1)
+{
+    void *out[2];
+    double t[2];
+    int axis[2] = { -1, -1 };
+    int verdict = a->format == TBX_FLOAT ? tbx_slabs_filter_float(a, t, axis) : tbx_slabs_filter_double(a, t, axis);
+    int sure = 1;
+    int e;
+    if (TBX_RARELY(verdict == TBX_UNSURE)) {
+        verdict = tbx_slabs_slow(a, axis);
+        sure = 0;
     }
     out[0] = out_t0;
     out[1] = out_t1;
-    if (!odd && TBX_DOUBLE_IS_53_BITS) {
-        verdict = tbx_slabs_filter(s, t);
-        for (e = 0; e < 2 && verdict == TBX_HIT && format == TBX_FLOAT; e++) {
-            key[e] = s->axis[e] < 0 ? 0 : tbx_slab_round(t[e], e);
-        }
-    }
-    if (verdict == TBX_UNSURE && !odd) {
-        verdict = tbx_slabs_run(&c, s);
-    }
-    if (odd || c.unsure) {
-        verdict = tbx_slabs_run_exact(s);
-    }
     for (e = 0; e < 2 && verdict == TBX_HIT; e++) {
         if (out[e] != NULL) {
-            tbx_write(out[e], 0, format, key[e] != 0 ? key[e] : tbx_slabs_round(s, e, format));
+            int64_t key = 0;
+            if (sure && axis[e] >= 0 && a->format == TBX_FLOAT) {
+                key = tbx_slab_round(t[e], e);
+            }
+            tbx_write(out[e], 0, a->format, key != 0 ? key : tbx_slabs_round(a, axis[e], e));
         }
     }
     return verdict;
+}
+
+TBX_FN tbx_ray_ask tbx_ray_asked(const void *origin, const void *dir, const void *t, const void *box_min,
+                                 const void *box_max, int format)
+{
+    tbx_ray_ask a;
+    a.origin = origin;
+    a.dir = dir;
+    a.t = t;
+    a.box_min = box_min;
+    a.box_max = box_max;
+    a.format = format;
+    return a;
 }
 
 #if TRIBOX_SIMD /* section 11.5 */
@@ -6365,9 +6505,8 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
 TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
                              const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
 {
-    tbx_slabs s;
+    tbx_ray_ask a;
     float t[2];
-    int odd;
     TBX_COPY(&t[0], &t_min, sizeof t_min);
     TBX_COPY(&t[1], &t_max, sizeof t_max);
 #if TRIBOX_SIMD
@@ -6378,21 +6517,20 @@ TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_
         }
     }
 #endif
-    odd = tbx_slabs_read(&s, origin, dir, t, box_min, box_max, TBX_FLOAT);
-    return tbx_slabs_answer(&s, odd, TBX_FLOAT, out_t0, out_t1);
+    a = tbx_ray_asked(origin, dir, t, box_min, box_max, TBX_FLOAT);
+    return tbx_ray_box(&a, out_t0, out_t1);
 }
 
 TRIBOX_FN int tribox_ray_box_f64(const double origin[3], const double dir[3], double t_min, double t_max,
                                  const double box_min[3], const double box_max[3], double *out_t0,
                                  double *out_t1)
 {
-    tbx_slabs s;
+    tbx_ray_ask a;
     double t[2];
-    int odd;
     TBX_COPY(&t[0], &t_min, sizeof t_min);
     TBX_COPY(&t[1], &t_max, sizeof t_max);
-    odd = tbx_slabs_read(&s, origin, dir, t, box_min, box_max, TBX_DOUBLE);
-    return tbx_slabs_answer(&s, odd, TBX_DOUBLE, out_t0, out_t1);
+    a = tbx_ray_asked(origin, dir, t, box_min, box_max, TBX_DOUBLE);
+    return tbx_ray_box(&a, out_t0, out_t1);
 }
 
 /* ---- segment and box
@@ -6403,54 +6541,70 @@ TRIBOX_FN int tribox_ray_box_f64(const double origin[3], const double dir[3], do
  * products of 2 + 1 + 1, and 2 for their difference: 10; r: 8; r - |c|: 3 more: 21, within ULPS. Where X_b or X_c is
  * 0, value and bound are 0: the faces say all. */
 
-/* In double, for inputs in range. */
-TBX_FN int tbx_segment_wide(const tbx_real p[3], const tbx_real q[3], const tbx_real lo[3], const tbx_real hi[3])
+/* One axis, in double: a, m and h. */
+typedef struct tbx_segment_axis {
+    double a;
+    double m;
+    double h;
+    int parted; /* a face of the box parts them, or min > max */
+} tbx_segment_axis;
+
+TBX_FN void tbx_segment_axis_set(tbx_segment_axis *x, double p, double q, double lo, double hi)
 {
-    double a[3];
-    double m[3];
-    double h[3];
-    int parted = 0;
-    int miss = 0;
-    int unsure = 0;
-    int k;
-    for (k = 0; k < 3; k++) {
-        const double from = p[k].value < q[k].value ? p[k].value : q[k].value;
-        const double to = p[k].value < q[k].value ? q[k].value : p[k].value;
-        const double lower = lo[k].value > from && lo[k].key > -TBX_KEY_INFINITY ? lo[k].value : from;
-        const double upper = hi[k].value < to && hi[k].key < TBX_KEY_INFINITY ? hi[k].value : to;
-        double l = lower - p[k].value;
-        double u = upper - p[k].value;
-        a[k] = q[k].value - p[k].value;
-        TBX_KEEP_SCALAR(l);
-        TBX_KEEP_SCALAR(u);
-        parted |= lower > upper;
-        m[k] = (l + u) * 0.5;
-        h[k] = (u - l) * 0.5;
-    }
-    TBX_KEEP(a);
-    for (k = 0; k < 3; k++) {
-        const int b = k < 2 ? k + 1 : 0;
-        const int c = k > 0 ? k - 1 : 2;
-        const double x = tbx_abs(a[b]);
-        const double y = tbx_abs(a[c]);
-        const double value = x * h[c] + y * h[b] - tbx_abs(m[b] * a[c] - m[c] * a[b]);
-        const double bound = TBX_ULPS * TBX_U64 * x * y;
-        miss |= value < -bound;
-        unsure |= value < bound;
-    }
-    return parted | miss ? TBX_MISS : unsure ? TBX_UNSURE : TBX_HIT;
+    const double least = p < q ? p : q;
+    const double most = p > q ? p : q;
+    const double lower = lo > least ? lo : least;
+    const double upper = hi < most ? hi : most;
+    double l = lower - p;
+    double u = upper - p;
+    x->a = q - p;
+    TBX_KEEP_SCALAR(l);
+    TBX_KEEP_SCALAR(u);
+    TBX_KEEP_SCALAR(x->a);
+    x->m = (l + u) * 0.5;
+    x->h = (u - l) * 0.5;
+    x->parted = lower > upper;
 }
 
-TBX_NOINLINE int tbx_segment_box(const void *p, const void *q, const void *box_min, const void *box_max,
-                                 int format)
+/* The condition of the axis across b and c: 0 holds, 1 unsure, 2 does not hold. */
+TBX_FN int tbx_segment_across(const tbx_segment_axis *b, const tbx_segment_axis *c)
 {
-    tbx_real x[4][3];
-    const int odd = tbx_read(x[0], p, 3, format) | tbx_read(x[1], q, 3, format) |
-                    tbx_read(x[2], box_min, 3, format) | tbx_read(x[3], box_max, 3, format);
-    if (!tbx_finite(x[0], 6) || !tbx_box_valid(x[2], x[3])) {
+    const double x = tbx_abs(b->a);
+    const double y = tbx_abs(c->a);
+    const double value = x * c->h + y * b->h - tbx_abs(b->m * c->a - c->m * b->a);
+    const double bound = TBX_ULPS * TBX_U64 * x * y;
+    return (value < bound) + (value < -bound);
+}
+
+TBX_FOR_FORMAT int tbx_segment_filter64(const void *p, const void *q, const void *box_min,
+                                        const void *box_max, int format)
+{
+    tbx_segment_axis axis[3];
+    double x[4][3];
+    int worst;
+    if (!TBX_DOUBLE_IS_53_BITS || (tbx_scan3(p, format) | tbx_scan3(q, format) | tbx_scan3(box_min, format) |
+                                   tbx_scan3(box_max, format)) < 0) {
+        return TBX_UNSURE;
+    }
+    tbx_take3(x[0], p, format);
+    tbx_take3(x[1], q, format);
+    tbx_take3(x[2], box_min, format);
+    tbx_take3(x[3], box_max, format);
+    tbx_segment_axis_set(&axis[0], x[0][0], x[1][0], x[2][0], x[3][0]);
+    tbx_segment_axis_set(&axis[1], x[0][1], x[1][1], x[2][1], x[3][1]);
+    tbx_segment_axis_set(&axis[2], x[0][2], x[1][2], x[2][2], x[3][2]);
+    worst = tbx_segment_across(&axis[0], &axis[1]) | tbx_segment_across(&axis[1], &axis[2]) |
+            tbx_segment_across(&axis[2], &axis[0]);
+    if ((axis[0].parted | axis[1].parted | axis[2].parted | (worst >> 1)) != 0) {
         return TBX_MISS;
     }
-    return odd || !TBX_DOUBLE_IS_53_BITS ? TBX_UNSURE : tbx_segment_wide(x[0], x[1], x[2], x[3]);
+    return worst == 0 ? TBX_HIT : TBX_UNSURE;
+}
+
+TBX_NOINLINE int tbx_segment_float(const float p[3], const float q[3], const float box_min[3],
+                                   const float box_max[3])
+{
+    return tbx_segment_filter64(p, q, box_min, box_max, TBX_FLOAT);
 }
 
 TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float box_min[3],
@@ -6463,14 +6617,14 @@ TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float
         return verdict;
     }
 #endif
-    verdict = tbx_segment_box(p, q, box_min, box_max, TBX_FLOAT);
+    verdict = tbx_segment_float(p, q, box_min, box_max);
     return verdict != TBX_UNSURE ? verdict : tbx_overlap_widened(p, q, q, box_min, box_max, 0);
 }
 
 TRIBOX_FN int tribox_segment_box_f64(const double p[3], const double q[3], const double box_min[3],
                                      const double box_max[3])
 {
-    const int verdict = tbx_segment_box(p, q, box_min, box_max, TBX_DOUBLE);
+    const int verdict = tbx_segment_filter64(p, q, box_min, box_max, TBX_DOUBLE);
     return verdict != TBX_UNSURE ? verdict : tribox_overlap_f64(p, q, q, box_min, box_max);
 }
 
@@ -7902,12 +8056,6 @@ TRIBOX_FN int tribox_clip_f64(const double v0[3], const double v1[3], const doub
 
 /* ---- meshes */
 
-#if TBX_GNU && !defined(__CUDACC__)
-#define TBX_QUERY TBX_FN __attribute__((always_inline))
-#else
-#define TBX_QUERY TBX_FN
-#endif
-
 /* A mesh of floats or doubles, and what is asked of it. */
 typedef struct tbx_query {
     const char *positions;
@@ -7930,7 +8078,7 @@ typedef struct tbx_query_face {
     int64_t at;
 } tbx_query_face;
 
-TBX_QUERY int64_t tbx_query_bits(const char *x, int format)
+TBX_FOR_FORMAT int64_t tbx_query_bits(const char *x, int format)
 {
     if (format == TBX_FLOAT) {
         int32_t bits;
@@ -7943,7 +8091,7 @@ TBX_QUERY int64_t tbx_query_bits(const char *x, int format)
     }
 }
 
-TBX_QUERY void tbx_query_set_face(tbx_query_face *face, const void *box, int axis, int is_upper, int format)
+TBX_FOR_FORMAT void tbx_query_set_face(tbx_query_face *face, const void *box, int axis, int is_upper, int format)
 {
     const int64_t magnitudes = format == TBX_FLOAT ? 0x7fffffff : (int64_t)0x7fffffffffffffffu;
     int64_t bits;
@@ -7957,7 +8105,7 @@ TBX_QUERY void tbx_query_set_face(tbx_query_face *face, const void *box, int axi
 }
 
 /* Do all three corners lie beyond the face? NaN and infinite corners may: they touch nothing. */
-TBX_QUERY int tbx_beyond(const char *const corner[3], const tbx_query_face *face, int format)
+TBX_FOR_FORMAT int tbx_beyond(const char *const corner[3], const tbx_query_face *face, int format)
 {
     const int64_t a = tbx_query_bits(corner[0] + face->offset, format) ^ face->flip;
     const int64_t b = tbx_query_bits(corner[1] + face->offset, format) ^ face->flip;
@@ -7992,7 +8140,7 @@ TBX_NOINLINE int tbx_query_touches(const char *v0, const char *v1, const char *v
 }
 
 /* Neighbours in a mesh lie beyond the same face: the one that served last is asked first. */
-TBX_QUERY size_t tbx_query_run(const tbx_query *q, const uint32_t *index, size_t stride, int format)
+TBX_FOR_FORMAT size_t tbx_query_run(const tbx_query *q, const uint32_t *index, size_t stride, int format)
 {
     const char *positions = q->positions;
     const size_t triangles = q->triangles;
@@ -11527,10 +11675,8 @@ TBX_COLD int64_t tbx_ray_end_again(const float origin[3], const float dir[3], co
                                    const float box_max[3], int k, int e)
 {
     const float t[2] = { 0.0f, 0.0f };
-    tbx_slabs s;
-    tbx_slabs_read(&s, origin, dir, t, box_min, box_max, TBX_FLOAT);
-    s.axis[e] = k;
-    return tbx_slabs_round(&s, e, TBX_FLOAT);
+    const tbx_ray_ask a = tbx_ray_asked(origin, dir, t, box_min, box_max, TBX_FLOAT);
+    return tbx_slabs_round(&a, k, e);
 }
 
 /* Where the ray enters (e = 0) or leaves (1) the slab of axis k, rounded outward. The difference of floats errs
@@ -12844,7 +12990,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_KEY32_MAX
 #undef TBX_SIGN_BIT
 #undef TBX_FORCED
-#undef TBX_QUERY
+#undef TBX_FOR_FORMAT
 #undef TBX_MARGIN
 #undef TBX_PARTS
 #undef TBX_PARTS_LOG2
