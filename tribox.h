@@ -6542,14 +6542,14 @@ TRIBOX_FN int tribox_ray_box_f64(const double origin[3], const double dir[3], do
  * 0, value and bound are 0: the faces say all. */
 
 /* One axis, in double: a, m and h. */
-typedef struct tbx_segment_axis {
+typedef struct tbx_chord {
     double a;
     double m;
     double h;
     int parted; /* a face of the box parts them, or min > max */
-} tbx_segment_axis;
+} tbx_chord;
 
-TBX_FN void tbx_segment_axis_set(tbx_segment_axis *x, double p, double q, double lo, double hi)
+TBX_FN void tbx_chord_set(tbx_chord *x, double p, double q, double lo, double hi)
 {
     const double least = p < q ? p : q;
     const double most = p > q ? p : q;
@@ -6567,7 +6567,7 @@ TBX_FN void tbx_segment_axis_set(tbx_segment_axis *x, double p, double q, double
 }
 
 /* The condition of the axis across b and c: 0 holds, 1 unsure, 2 does not hold. */
-TBX_FN int tbx_segment_across(const tbx_segment_axis *b, const tbx_segment_axis *c)
+TBX_FN int tbx_chord_across(const tbx_chord *b, const tbx_chord *c)
 {
     const double x = tbx_abs(b->a);
     const double y = tbx_abs(c->a);
@@ -6579,7 +6579,7 @@ TBX_FN int tbx_segment_across(const tbx_segment_axis *b, const tbx_segment_axis 
 TBX_FOR_FORMAT int tbx_segment_filter64(const void *p, const void *q, const void *box_min,
                                         const void *box_max, int format)
 {
-    tbx_segment_axis axis[3];
+    tbx_chord axis[3];
     double x[4][3];
     int worst;
     if (!TBX_DOUBLE_IS_53_BITS || (tbx_scan3(p, format) | tbx_scan3(q, format) | tbx_scan3(box_min, format) |
@@ -6590,11 +6590,11 @@ TBX_FOR_FORMAT int tbx_segment_filter64(const void *p, const void *q, const void
     tbx_take3(x[1], q, format);
     tbx_take3(x[2], box_min, format);
     tbx_take3(x[3], box_max, format);
-    tbx_segment_axis_set(&axis[0], x[0][0], x[1][0], x[2][0], x[3][0]);
-    tbx_segment_axis_set(&axis[1], x[0][1], x[1][1], x[2][1], x[3][1]);
-    tbx_segment_axis_set(&axis[2], x[0][2], x[1][2], x[2][2], x[3][2]);
-    worst = tbx_segment_across(&axis[0], &axis[1]) | tbx_segment_across(&axis[1], &axis[2]) |
-            tbx_segment_across(&axis[2], &axis[0]);
+    tbx_chord_set(&axis[0], x[0][0], x[1][0], x[2][0], x[3][0]);
+    tbx_chord_set(&axis[1], x[0][1], x[1][1], x[2][1], x[3][1]);
+    tbx_chord_set(&axis[2], x[0][2], x[1][2], x[2][2], x[3][2]);
+    worst = tbx_chord_across(&axis[0], &axis[1]) | tbx_chord_across(&axis[1], &axis[2]) |
+            tbx_chord_across(&axis[2], &axis[0]);
     if ((axis[0].parted | axis[1].parted | axis[2].parted | (worst >> 1)) != 0) {
         return TBX_MISS;
     }
