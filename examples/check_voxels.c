@@ -9,6 +9,7 @@
 #include "program.h"
 #include "mesh_stats.h"
 #include "solid.h"
+#include "solid_parts.h"
 
 typedef struct options {
     const char *mesh;
@@ -29,7 +30,8 @@ static const char usage[] =
     "  other.binvox    the voxels to check; its header places the grid\n"
     "  --closed, --half-open, --open, --thin\n"
     "                  the exact set to compare with (default: --closed, every voxel that the mesh touches)\n"
-    "  --solid         the exact set with its inside filled\n"
+    "  --solid         the voxels whose centre is inside, as voxelize --solid sets them\n"
+    "  --solid=flood   the exact set with its inside filled by a flood from outside\n"
     "  --size X,Y,Z    the voxels' size, where the header's rounded one isn't meant; the first voxel's\n"
     "                  corner is then a whole number of voxels from --origin, the nearest to the header's\n"
     "  --origin X,Y,Z  a corner of the grid's voxels, with --size (default: 0,0,0)\n"
@@ -43,8 +45,8 @@ static int read_option(options *o, const char *name, const char *value, char *er
     if (program_rule(name, &o->flags)) {
         return 1;
     }
-    if (strcmp(name, "--solid") == 0) {
-        o->solid = 1;
+    if (strcmp(name, "--solid") == 0 || strcmp(name, "--solid=flood") == 0) {
+        o->solid = name[7] == 0 ? 1 : 2;
         return 1;
     }
     if (strcmp(name, "--size") != 0 && strcmp(name, "--origin") != 0 && strcmp(name, "--show") != 0) {
@@ -366,15 +368,19 @@ static int compare(const options *o, const tribox_mesh *m, voxels *other, char *
     if (!voxels_make(&exact, &other->grid, error)) {
         return 2;
     }
-    tribox_grid_fill(&exact.grid, m, exact.bits);
-    if (o->solid && !solid_fill(&exact, &inside)) {
+    if (o->solid == 1) {
+        tribox_grid_fill_solid(&exact.grid, m, exact.bits);
+    } else {
+        tribox_grid_fill(&exact.grid, m, exact.bits);
+    }
+    if (o->solid == 2 && !solid_fill(&exact, &inside)) {
         voxels_free(&exact);
         snprintf(error, MESH_ERROR, "--solid: out of memory");
         return 2;
     }
     printf("grid     %lu x %lu x %lu voxels of %.9g x %.9g x %.9g, %s%s\n", (unsigned long)other->n[0],
            (unsigned long)other->n[1], (unsigned long)other->n[2], other->grid.size[0], other->grid.size[1],
-           other->grid.size[2], program_rule_name(o->flags), o->solid ? ", inside filled" : "");
+           other->grid.size[2], program_rule_name(o->flags), o->solid == 1 ? ", centres inside" : o->solid ? ", inside filled" : "");
     printf("exact    %lu voxels\n", (unsigned long)voxels_count(&exact));
     printf("other    %lu voxels\n", (unsigned long)voxels_count(other));
     missing = differ("missing", &exact, other, m, o->show);

@@ -11,6 +11,7 @@
 #include "mesh_stats.h"
 #include "render.h"
 #include "solid.h"
+#include "solid_parts.h"
 
 enum { MAX_OUTPUTS = 16, BATCH = 65536 };
 
@@ -22,13 +23,16 @@ typedef struct options {
     double      size[3];
     int         has_origin;
     double      origin[3];
-    int         solid;
+    int         solid;                  /* one of SOLID_ */
+    int         surface;
     char        up;                     /* 0: as the format has it */
     char        format[MAX_OUTPUTS];    /* of each output: the first letter that tells it, see formats[] */
     const char *output[MAX_OUTPUTS];
     int         outputs;
     int         plain_format;           /* of "-o -"; -1: not given */
 } options;
+
+enum { SOLID_NONE, SOLID_EXACT, SOLID_PARTS, SOLID_FLOOD };
 
 static FILE *say;       /* where the report goes: standard error if an output goes to the standard output */
 
@@ -54,7 +58,11 @@ static const char usage[] =
     "  --thin          6-separating: about half as many voxels, still no way through across faces\n"
     "  --size X,Y,Z    voxel size in the mesh's units, instead of a resolution; one number for cubes\n"
     "  --origin X,Y,Z  a corner of the grid's voxels, with --size (default: 0,0,0)\n"
-    "  --solid         fill the inside too: all that a flood from outside does not reach\n"
+    "  --solid         the voxels whose centre is inside, by the parity of crossings, exactly; where the mesh is\n"
+    "                  open, rows of voxels may leak, and a warning names the first\n"
+    "  --solid=parts   each connected part by itself, joined: for models of closed parts that overlap\n"
+    "  --solid=flood   the surface and all that a flood from outside does not reach: for meshes with small holes\n"
+    "  --surface       the surface, too, with --solid or --solid=parts\n"
     "  --up AXIS       x, y or z: what is up in .vox and .png (default: y for OBJ and PLY, else z)\n"
     "  --help, -h      this text;  --version   the version;  --   what follows are names\n"
     "\n"
@@ -102,7 +110,11 @@ static int read_option(options *o, const char *name, const char *value, char *er
         return 1;
     }
     if (strcmp(name, "--solid") == 0) {
-        o->solid = 1;
+        o->solid = SOLID_EXACT;
+        return 1;
+    }
+    if (strcmp(name, "--surface") == 0) {
+        o->surface = 1;
         return 1;
     }
     if (strcmp(name, "-o") != 0 && strcmp(name, "--size") != 0 && strcmp(name, "--origin") != 0
@@ -185,6 +197,11 @@ static int read_argument(options *o, char **argv, int i, int argc, char *error) 
     char name[64];
     const char *equals = argv[i][1] == '-' ? strchr(argv[i], '=') : NULL;
     int used;
+    if (strncmp(argv[i], "--solid=", 8) == 0) {
+        o->solid = strcmp(equals, "=parts") == 0 ? SOLID_PARTS : strcmp(equals, "=flood") == 0 ? SOLID_FLOOD : SOLID_NONE;
+        snprintf(error, MESH_ERROR, "--solid: '%.100s' should be parts or flood", equals + 1);
+        return o->solid != SOLID_NONE;
+    }
     if (!equals || (size_t)(equals - argv[i]) >= sizeof name) {
         return read_option(o, argv[i], i + 1 < argc ? argv[i + 1] : NULL, error);
     }
@@ -218,6 +235,10 @@ static int read_options(options *o, int argc, char **argv, char *error) {
     }
     if (o->has_size && o->resolution) {
         snprintf(error, MESH_ERROR, "give a resolution or --size, not both");
+        return 0;
+    }
+    if (o->surface && !o->solid) {
+        snprintf(error, MESH_ERROR, "--surface goes with --solid: without it the surface is all there is");
         return 0;
     }
     if (o->has_origin && !o->has_size) {
@@ -344,6 +365,36 @@ static void print_grid(const voxels *v) {
            program_rule_name(v->grid.flags), (double)v->words * 8e-6);
 }
 
+/* The exact solid, as a whole or by parts, and what leaks. Returns 0 if memory is short. */
+static int fill_solid(const options *o, const mesh *m, voxels *v) {
+    double start = progress_seconds();
+    int row[SOLID_SHOWN][2];
+    size_t parts;
+    size_t cavities;
+    size_t open;
+    size_t i;
+    if (o->solid == SOLID_EXACT) {
+        solid_exact(&v->grid, m, m->indices, m->triangles, v->bits);
+        fprintf(say, "solid     ");
+    } else {
+        if (!solid_by_parts(v, m, &parts, &cavities)) {
+            return 0;
+        }
+        fprintf(say, "solid     %lu parts, %lu cavities in them: ", (unsigned long)parts, (unsigned long)cavities);
+    }
+    fprintf(say, "%lu voxels in %.3f s\n", (unsigned long)voxels_count(v), progress_seconds() - start);
+    open = solid_open_rows(v, m, row);
+    if (open > 0) {
+        fprintf(say, "warning   the mesh is open: %lu rows along x are crossed an odd number of times, and set to their"
+                " end: y,z =", (unsigned long)open);
+        for (i = 0; i < open && i < SOLID_SHOWN; i++) {
+            fprintf(say, " %d,%d", row[i][0], row[i][1]);
+        }
+        fprintf(say, "%s\n", open > SOLID_SHOWN ? ", ..." : "");
+    }
+    return 1;
+}
+
 /* Fills, prints and writes. Returns the exit status. */
 static int voxelize(const options *o, const mesh *m, voxels *v, char *error) {
     char up = o->up ? o->up : strstr(m->format, "PLY") || strstr(m->format, "OBJ") ? 'y' : 'z';
@@ -353,10 +404,17 @@ static int voxelize(const options *o, const mesh *m, voxels *v, char *error) {
     int i;
     print_grid(v);
     fflush(say);
-    start = progress_seconds();
-    fill(v, m);
-    fprintf(say, "surface   %lu voxels in %.3f s\n", (unsigned long)voxels_count(v), progress_seconds() - start);
-    if (o->solid) {
+    if ((o->solid == SOLID_EXACT || o->solid == SOLID_PARTS) && !fill_solid(o, m, v)) {
+        snprintf(error, MESH_ERROR, "--solid: out of memory");
+        return 2;
+    }
+    if (o->solid == SOLID_NONE || o->solid == SOLID_FLOOD || o->surface) {
+        start = progress_seconds();
+        fill(v, m);
+        fprintf(say, "%s %lu voxels in %.3f s\n", o->solid == SOLID_NONE || o->solid == SOLID_FLOOD ? "surface  "
+                : "with the surface", (unsigned long)voxels_count(v), progress_seconds() - start);
+    }
+    if (o->solid == SOLID_FLOOD) {
         start = progress_seconds();
         if (!solid_fill(v, &inside)) {
             snprintf(error, MESH_ERROR, "--solid: out of memory");

@@ -305,8 +305,10 @@ says 'distance 0, touches triangle'
 run 0 "$bin/voxelize" teapot --size 0.1 -o "$tmp/size.binvox"
 run 0 "$bin/check_voxels" teapot "$tmp/size.binvox" --size 0.1
 run 0 "$bin/voxelize" teapot-closed 64 --solid -o "$tmp/solid.binvox"
-says 'closed: every edge'
 run 0 "$bin/check_voxels" teapot-closed "$tmp/solid.binvox" --solid
+run 0 "$bin/voxelize" teapot-closed 64 --solid=flood -o "$tmp/solid.binvox"
+says 'closed: every edge'
+run 0 "$bin/check_voxels" teapot-closed "$tmp/solid.binvox" --solid=flood
 run 1 "$bin/check_voxels" teapot-closed "$tmp/solid.binvox" --show 1
 says 'missing  0'
 says ' from triangle '
@@ -318,7 +320,34 @@ for row in '--closed 27' '--half-open 8' '--open 0' '--thin 27'; do
     run 0 "$bin/voxelize" "$tmp/cube.obj" --size 1 ${row% *}
     says "surface   ${row#* } voxels"
 done
-run 0 "$bin/voxelize" "$tmp/cube.obj" --size 0.125,0.25,0.5 --origin 0.0625,0.125,0.25 --solid
+run 0 "$bin/voxelize" "$tmp/cube.obj" --size 0.125 --solid --origin 0.0625,0,0
+says 'solid     512 voxels'
+run 0 "$bin/voxelize" "$tmp/cube.obj" --size 0.5,0.25,0.125 --solid=parts --surface
+says 'solid     1 parts, 0 cavities in them: 64 voxels'
+says 'with the surface 240 voxels'
+grep -v 'f 4 1' "$tmp/cube.obj" > "$tmp/open.obj"  # without the side x = 0: 8 x 8 rows leak, from the other side on
+run 0 "$bin/voxelize" "$tmp/open.obj" --size 0.125 --solid
+says 'the mesh is open: 64 rows along x'
+says 'y,z = 0,0 1,0 2,0, ...'
+run 2 "$bin/voxelize" "$tmp/cube.obj" 8 --surface
+run 2 "$bin/voxelize" "$tmp/cube.obj" 8 --solid=more
+
+# A cube of 8 with a cavity of 4, wound inwards, and another cube of 3 that overlaps one corner: 448 + 27 - 1.
+box() { # box LOW HIGH FIRST_VERTEX WINDING
+    for z in $1 $2; do for y in $1 $2; do for x in $1 $2; do echo "v $x $y $z"; done; done; done
+    for f in '1 3 4 2' '5 6 8 7' '1 2 6 5' '3 7 8 4' '1 5 7 3' '2 4 8 6'; do
+        set -- "$1" "$2" "$3" "$4" $f
+        if [ "$4" = out ]; then echo "f $(($5 + $3)) $(($6 + $3)) $(($7 + $3)) $(($8 + $3))"
+        else echo "f $(($8 + $3)) $(($7 + $3)) $(($6 + $3)) $(($5 + $3))"; fi
+    done
+}
+{ box 0 8 0 out; box 2 6 8 in; } > "$tmp/cavity.obj"
+run 0 "$bin/voxelize" "$tmp/cavity.obj" --size 1 --solid
+says 'solid     448 voxels'
+{ box 0 8 0 out; box 2 6 8 in; box 7 10 16 out; } > "$tmp/parts.obj"
+run 0 "$bin/voxelize" "$tmp/parts.obj" --size 1 --solid=parts
+says 'solid     2 parts, 1 cavities in them: 474 voxels'
+run 0 "$bin/voxelize" "$tmp/cube.obj" --size 0.125,0.25,0.5 --origin 0.0625,0.125,0.25 --solid=flood
 says 'surface   114 voxels'
 says 'inside    21 voxels'
 
