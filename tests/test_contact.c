@@ -1232,6 +1232,435 @@ static void segments_are_thin_triangles(void)
     }
 }
 
+/* ---- spheres ------------------------------------------------------------------------------------------- */
+
+/* out = sum of (a - b)^2, of floats, in units of 2^-298 */
+static void wide_square_distance(wide *out, const float a[3], const float b[3])
+{
+    static wide x;
+    static wide y;
+    int k;
+    wide_set(out, 0, 0, 0);
+    for (k = 0; k < 3; k++) {
+        oracle_integer(&x, exact(a[k]), UNIT);
+        oracle_integer(&y, exact(b[k]), UNIT);
+        wide_subtract(&x, &x, &y);
+        wide_multiply(&y, &x, &x);
+        wide_add(out, out, &y);
+    }
+}
+
+/* A radius that is about, or exactly, the root of x: squares of a lattice have many whole roots. */
+static float radius_about(double square)
+{
+    double r = square > 0 ? square : 0;
+    int i;
+    for (i = 0; i < 60 && square > 0; i++) {
+        r = 0.5 * (r + square / r);
+    }
+    return nudge_float((float)(r < 1e30 ? r : 1e30), random_below(3) - 1);
+}
+
+static double about_square_distance(const float a[3], const float b[3])
+{
+    double sum = 0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        sum += ((double)a[k] - (double)b[k]) * ((double)a[k] - (double)b[k]);
+    }
+    return sum;
+}
+
+/* Balls, boxes, planes: half of them within a float of touching. */
+static void spheres_are_exact(void)
+{
+    static wide square;
+    static wide r;
+    static wide of_b;
+    static wide rr;
+    static wide v;
+    int i;
+    int k;
+    random_seed(69);
+    for (i = 0; i < TEST_LOOPS(20000); i++) {
+        const int kind = i % 4;
+        float a[3];
+        float b[3];
+        float lo[3];
+        float hi[3];
+        float nearest[3];
+        float d;
+        float ra = (float)(random_below(4) ? 1 : 0) * (float)((double)any_float(kind == 3 ? 2 : kind));
+        float rb;
+        ra = ra < 0 ? -ra : ra;
+        for (k = 0; k < 3; k++) {
+            const float x = any_float(kind);
+            const float y = any_float(kind);
+            a[k] = any_float(kind);
+            b[k] = any_float(kind);
+            lo[k] = lesser(x, y);
+            hi[k] = greater(x, y);
+            nearest[k] = lesser(greater(a[k], lo[k]), hi[k]);
+        }
+        rb = radius_about(about_square_distance(a, b)) - ra;
+        rb = rb > 0 ? rb : 0;
+        wide_square_distance(&square, a, b);
+        oracle_integer(&r, exact(ra), UNIT);
+        oracle_integer(&of_b, exact(rb), UNIT);
+        wide_add(&r, &r, &of_b);
+        wide_multiply(&rr, &r, &r);
+        CHECK(tribox_sphere_sphere(a, ra, b, rb) == (wide_compare(&square, &rr) <= 0));
+        CHECK(tribox_sphere_sphere(b, rb, a, ra) == (wide_compare(&square, &rr) <= 0));
+        rb = radius_about(about_square_distance(a, nearest));
+        wide_square_distance(&square, a, nearest);
+        oracle_integer(&r, exact(rb), UNIT);
+        wide_multiply(&rr, &r, &r);
+        CHECK(tribox_sphere_box(a, rb, lo, hi) == (rb >= 0 && wide_compare(&square, &rr) <= 0));
+        /* n = b: v = b.a + d, against r |b| */
+        wide_set(&v, 0, 0, 0);
+        for (k = 0; k < 3; k++) {
+            oracle_integer(&r, exact(a[k]), UNIT);
+            oracle_integer(&of_b, exact(b[k]), UNIT);
+            wide_multiply(&rr, &r, &of_b);
+            wide_add(&v, &v, &rr);
+        }
+        d = random_below(2) ? any_float(kind) : (float)(rb * b[0] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]);
+        if (float_is_finite(d)) {
+            int sign;
+            int truth;
+            oracle_integer(&r, exact(d), 2 * UNIT);
+            wide_add(&v, &v, &r);
+            sign = v.sign;
+            wide_multiply(&rr, &v, &v);
+            wide_set(&square, 0, 0, 0);
+            for (k = 0; k < 3; k++) {
+                oracle_integer(&r, exact(b[k]), UNIT);
+                wide_multiply(&of_b, &r, &r);
+                wide_add(&square, &square, &of_b);
+            }
+            oracle_integer(&r, exact(rb), UNIT);
+            wide_multiply(&of_b, &r, &r);
+            wide_multiply(&r, &of_b, &square);
+            truth = wide_compare(&rr, &r) > 0 ? sign : 0;
+            if (square.sign == 0) {
+                truth = (float_order(d) > 0) - (float_order(d) < 0);
+            }
+            CHECK(rb < 0 || tribox_plane_sphere(b, d, a, rb) == truth);
+        }
+    }
+}
+
+/* The square of the distance to a triangle on a lattice: the least over corners, edges whose foot lies on them,
+ * and the face if the foot lies in it. */
+static fraction triangle_distance(int64_t v[3][3], const int64_t c[3])
+{
+    fraction best = {INT32_MAX, 1};
+    int64_t e[3][3];
+    int64_t n[3];
+    int64_t nn = 0;
+    int64_t height = 0;
+    int inside = 1;
+    int i;
+    int k;
+    for (i = 0; i < 3; i++) {
+        int64_t dd = 0;
+        int64_t along = 0;
+        int64_t ee = 0;
+        fraction f;
+        for (k = 0; k < 3; k++) {
+            const int64_t d = c[k] - v[i][k];
+            e[i][k] = v[(i + 1) % 3][k] - v[i][k];
+            dd += d * d;
+            along += d * e[i][k];
+            ee += e[i][k] * e[i][k];
+        }
+        f = make_fraction(dd, 1);
+        best = fraction_order(f, best) < 0 ? f : best;
+        if (ee > 0 && along >= 0 && along <= ee) {
+            f = make_fraction(dd * ee - along * along, ee);
+            best = fraction_order(f, best) < 0 ? f : best;
+        }
+    }
+    for (k = 0; k < 3; k++) {
+        const int b = (k + 1) % 3;
+        const int a = (k + 2) % 3;
+        n[k] = e[0][b] * e[1][a] - e[0][a] * e[1][b];
+        nn += n[k] * n[k];
+        height += n[k] * (c[k] - v[0][k]);
+    }
+    for (i = 0; i < 3; i++) {
+        int64_t side = 0;
+        for (k = 0; k < 3; k++) {
+            const int b = (k + 1) % 3;
+            const int a = (k + 2) % 3;
+            side += n[k] * (e[i][b] * (c[a] - v[i][a]) - e[i][a] * (c[b] - v[i][b]));
+        }
+        inside &= side >= 0;
+    }
+    if (nn > 0 && inside) {
+        const fraction f = make_fraction(height * height, nn);
+        best = fraction_order(f, best) < 0 ? f : best;
+    }
+    return best;
+}
+
+/* On a lattice, with radii that touch exactly, and those beside; at scales at which doubles round. */
+static void spheres_and_triangles_are_exact(void)
+{
+    int touches = 0;
+    int i;
+    int k;
+    random_seed(70);
+    for (i = 0; i < TEST_LOOPS(30000); i++) {
+        const float scale = random_below(2) ? 1.0f : any_scale() / 64.0f;
+        const int n = 3 + random_below(6);
+        int64_t v[3][3];
+        int64_t c[3];
+        float corner[3][3];
+        float center[3];
+        float radius;
+        fraction distance;
+        int64_t r = random_below(2 * n);
+        int truth;
+        for (k = 0; k < 9; k++) {
+            v[k / 3][k % 3] = random_below(n);
+            c[k % 3] = random_below(n);
+        }
+        if (random_below(8) == 0) {
+            memcpy(v[2], v[random_below(2)], sizeof v[2]);
+        }
+        distance = triangle_distance(v, c);
+        if (random_below(2)) { /* a whole root nearby, if there is one */
+            for (r = 0; r * r * distance.d < distance.n; r++) {
+            }
+        }
+        truth = distance.n - r * r * distance.d <= 0;
+        touches += distance.n == r * r * distance.d;
+        for (k = 0; k < 9; k++) {
+            corner[k / 3][k % 3] = (float)v[k / 3][k % 3] * scale;
+            center[k % 3] = (float)c[k % 3] * scale;
+        }
+        radius = (float)r * scale;
+        if (!CHECK(tribox_sphere_triangle(center, radius, corner[0], corner[1], corner[2]) == truth) &&
+            test_wants_details()) {
+            for (k = 0; k < 3; k++) {
+                printf("  v%d {%d, %d, %d}", k, (int)v[k][0], (int)v[k][1], (int)v[k][2]);
+            }
+            printf(" c {%d, %d, %d} r %d * %a: distance^2 %d/%d\n", (int)c[0], (int)c[1], (int)c[2], (int)r,
+                   (double)scale, (int)distance.n, (int)distance.d);
+        }
+        if (distance.n == r * r * distance.d && r > 0) {
+            CHECK(tribox_sphere_triangle(center, nudge_float(radius, -1), corner[1], corner[0], corner[2]) == 0);
+            CHECK(tribox_sphere_triangle(center, nudge_float(radius, 1), corner[2], corner[0], corner[1]) == 1);
+        }
+    }
+    CHECK(touches > i / 50);
+}
+
+/* f(t) = A t^2 + 2 B t + C and its slope A t + B at a float t, by their signs, in integers. */
+typedef struct quadratic {
+    wide a;
+    wide b;
+    wide c;
+} quadratic;
+
+static int quadratic_sign(const quadratic *f, float t, int *slope)
+{
+    static wide x;
+    static wide y;
+    static wide z;
+    static wide one;
+    static wide s;
+    wide_set(&one, 1, 1, -UNIT);
+    oracle_integer(&x, exact(t), UNIT);
+    wide_multiply(&y, &f->a, &x);
+    wide_multiply(&z, &f->b, &one);
+    wide_add(&s, &y, &z); /* times 2^-149 more */
+    *slope = s.sign;
+    wide_add(&y, &s, &z);
+    wide_multiply(&z, &y, &x);
+    wide_multiply(&y, &f->c, &one);
+    wide_multiply(&s, &y, &one);
+    wide_add(&y, &z, &s);
+    return y.sign;
+}
+
+/* Is t outside of the sphere, before it (end 0) or behind (1)? */
+static int is_outside(const quadratic *f, float t, int end)
+{
+    int slope;
+    int sign;
+    if (!float_is_finite(t)) {
+        return (float_order(t) < 0) == (end == 0);
+    }
+    sign = quadratic_sign(f, t, &slope);
+    return sign > 0 && (end == 0 ? slope < 0 : slope > 0);
+}
+
+static void quadratic_of(quadratic *f, const float o[3], const float d[3], const float c[3], float r)
+{
+    static wide x;
+    static wide y;
+    static wide m;
+    int k;
+    wide_set(&f->a, 0, 0, 0);
+    wide_set(&f->b, 0, 0, 0);
+    wide_square_distance(&f->c, o, c);
+    for (k = 0; k < 3; k++) {
+        oracle_integer(&x, exact(o[k]), UNIT);
+        oracle_integer(&y, exact(c[k]), UNIT);
+        wide_subtract(&m, &x, &y);
+        oracle_integer(&x, exact(d[k]), UNIT);
+        wide_multiply(&y, &x, &x);
+        wide_add(&f->a, &f->a, &y);
+        wide_multiply(&y, &x, &m);
+        wide_add(&f->b, &f->b, &y);
+    }
+    oracle_integer(&x, exact(r), UNIT);
+    wide_multiply(&y, &x, &x);
+    wide_subtract(&f->c, &f->c, &y);
+}
+
+/* t0 and t1 are the floats next to the ends of the interval, or the ray's own ends. */
+static int pierce_is_right(const quadratic *f, int got, float t_min, float t_max, float t0, float t1)
+{
+    static wide d;
+    static wide x;
+    int truth;
+    if (f->a.sign == 0) {
+        truth = f->c.sign <= 0;
+        return got == truth && (!truth || (float_order(t0) == float_order(t_min) && float_order(t1) == float_order(t_max)));
+    }
+    wide_multiply(&d, &f->b, &f->b);
+    wide_multiply(&x, &f->a, &f->c);
+    wide_subtract(&d, &d, &x);
+    truth = d.sign >= 0 && !is_outside(f, t_max, 0) && !is_outside(f, t_min, 1);
+    if (got != truth || !truth) {
+        return got == truth;
+    }
+    if (is_outside(f, t_min, 0)) {
+        const float next = float_order(t0) == float_order(-FLT_MAX) - 1 ? -FLT_MAX : nudge_float(t0, float_order(t0) == 0 ? 1 : 1);
+        int slope;
+        const int sign = float_is_finite(t0) ? quadratic_sign(f, t0, &slope) : 1;
+        if (!(is_outside(f, t0, 0) || (sign == 0 && slope <= 0)) || (is_outside(f, next, 0)) ) {
+            return 0;
+        }
+        if (float_is_finite(next) && quadratic_sign(f, next, &slope) == 0 && slope <= 0) {
+            return 0;
+        }
+    } else if (float_order(t0) != float_order(t_min)) {
+        return 0;
+    }
+    if (is_outside(f, t_max, 1)) {
+        const float before = nudge_float(t1, float_order(t1) == 0 ? -2 : -1);
+        int slope;
+        const int sign = float_is_finite(t1) ? quadratic_sign(f, t1, &slope) : 1;
+        if (!(is_outside(f, t1, 1) || (sign == 0 && slope >= 0)) || is_outside(f, before, 1)) {
+            return 0;
+        }
+        if (float_is_finite(before) && quadratic_sign(f, before, &slope) == 0 && slope >= 0) {
+            return 0;
+        }
+    } else if (float_order(t1) != float_order(t_max)) {
+        return 0;
+    }
+    return 1;
+}
+
+/* Any floats; small integers, where roots are floats and rays graze. */
+static void rays_and_spheres_are_exact(void)
+{
+    int hits = 0;
+    int i;
+    int k;
+    random_seed(71);
+    for (i = 0; i < TEST_LOOPS(20000); i++) {
+        static quadratic f;
+        const int kind = i % 4;
+        float o[3];
+        float d[3];
+        float c[3];
+        float r = any_float(kind);
+        float t_min = random_below(3) ? any_float(random_below(3)) : -infinity();
+        float t_max = random_below(3) ? any_float(random_below(3)) : infinity();
+        float t[2] = {-7, -7};
+        int hit;
+        r = r < 0 ? -r : r;
+        for (k = 0; k < 3; k++) {
+            o[k] = any_float(kind);
+            c[k] = any_float(kind);
+            d[k] = random_below(4) ? any_float(kind) : 0;
+            if (kind == 2 && random_below(2)) {
+                d[k] = c[k] - o[k];
+            }
+        }
+        if (float_order(t_min) > float_order(t_max)) {
+            const float swap = t_min;
+            t_min = t_max;
+            t_max = swap;
+        }
+        if ((float_order(t_min) == float_order(t_max) && !float_is_finite(t_min)) || t_min > FLT_MAX ||
+            t_max < -FLT_MAX) {
+            continue;
+        }
+        quadratic_of(&f, o, d, c, r);
+        hit = tribox_ray_sphere(o, d, t_min, t_max, c, r, &t[0], &t[1]);
+        hits += hit;
+        if (!CHECK(pierce_is_right(&f, hit, t_min, t_max, t[0], t[1])) && test_wants_details()) {
+            printf("  o %a %a %a d %a %a %a c %a %a %a r %a t %a..%a: %d %a %a\n", (double)o[0], (double)o[1],
+                   (double)o[2], (double)d[0], (double)d[1], (double)d[2], (double)c[0], (double)c[1],
+                   (double)c[2], (double)r, (double)t_min, (double)t_max, hit, (double)t[0], (double)t[1]);
+        }
+    }
+    CHECK(hits > i / 8 && hits < i - i / 8);
+}
+
+/* Radii that are no lengths, and centres that are no points. */
+static void spheres_without_a_question(void)
+{
+    const float v0[3] = {0, 0, 0};
+    const float v1[3] = {1, 0, 0};
+    const float v2[3] = {0, 1, 0};
+    const float p[3] = {3, 4, 0};
+    float n[3] = {1, 0, 0};
+    float bad[3] = {0, 0, 0};
+    float t[2] = {9, 9};
+    int i;
+    CHECK(tribox_sphere_sphere(v0, 2, p, 3) == 1 && tribox_sphere_sphere(v0, 2, p, nudge_float(3, -1)) == 0);
+    CHECK(tribox_sphere_sphere(v0, infinity(), p, 0) == 1 && tribox_sphere_sphere(v0, -0.0f, v0, -0.0f) == 1);
+    CHECK(tribox_plane_sphere(n, -2, p, 1) == 0 && tribox_plane_sphere(n, -2, p, nudge_float(1, -1)) == 1);
+    CHECK(tribox_plane_sphere(n, -4, p, nudge_float(1, -1)) == -1 && tribox_plane_sphere(n, infinity(), p, 1) == 1);
+    CHECK(tribox_plane_sphere(n, -infinity(), p, infinity()) == -1 && tribox_plane_sphere(bad, -1, p, infinity()) == -1);
+    CHECK(tribox_plane_sphere(bad, -0.0f, p, 1) == 0 && tribox_plane_sphere(n, 1, p, infinity()) == 0);
+    CHECK(tribox_ray_sphere(v0, p, 0, infinity(), p, 5, &t[0], &t[1]) == 1 && t[0] <= 0 && t[0] >= 0);
+    CHECK(t[1] >= 2 && t[1] <= 2);
+    CHECK(tribox_ray_sphere(v0, n, 0, infinity(), p, 4, &t[0], &t[1]) == 1 && t[0] >= 3 && t[0] <= 3 && t[1] <= 3);
+    CHECK(tribox_ray_sphere(v0, n, -1, 1, p, infinity(), &t[0], &t[1]) == 1 && t[0] <= -1 && t[1] >= 1);
+    CHECK(tribox_ray_sphere(v0, bad, -1, 7, p, 5, &t[0], &t[1]) == 1 && t[0] <= -1 && t[1] >= 7);
+    CHECK(tribox_ray_sphere(v0, bad, -1, 7, p, nudge_float(5, -1), &t[0], &t[1]) == 0);
+    CHECK(tribox_ray_sphere(v0, n, 1, 0, p, 4, NULL, NULL) == 0 && tribox_ray_sphere(v0, n, 0, 4, p, 4, NULL, NULL) == 1);
+    for (i = 0; i < 3; i++) {
+        const float odd[3] = {-1e-45f, -infinity(), not_a_number()};
+        CHECK(tribox_sphere_sphere(v0, odd[i], v0, 5) == 0 && tribox_sphere_sphere(v0, 5, v0, odd[i]) == 0);
+        CHECK(tribox_plane_sphere(n, 1, v0, odd[i]) == 2 && tribox_sphere_box(v0, odd[i], v0, p) == 0);
+        CHECK(tribox_sphere_triangle(v0, odd[i], v0, v1, v2) == 0);
+        CHECK(tribox_ray_sphere(v0, n, 0, 1, v0, odd[i], NULL, NULL) == 0);
+        bad[i] = i == 1 ? not_a_number() : infinity();
+        CHECK(tribox_sphere_sphere(bad, infinity(), v0, 1) == 0 && tribox_plane_sphere(n, 1, bad, infinity()) == 2);
+        CHECK(tribox_plane_sphere(bad, 1, v0, 1) == 2 && tribox_plane_sphere(n, not_a_number(), v0, 1) == 2);
+        CHECK(tribox_sphere_box(bad, infinity(), v0, p) == 0 && tribox_sphere_box(v0, infinity(), p, v0) == 0);
+        CHECK(tribox_sphere_triangle(bad, infinity(), v0, v1, v2) == 0);
+        CHECK(tribox_sphere_triangle(v0, infinity(), bad, v1, v2) == 0);
+        CHECK(tribox_ray_sphere(v0, n, 0, 1, bad, infinity(), NULL, NULL) == 0);
+        CHECK(tribox_ray_sphere(v0, bad, 0, 1, v0, 1, NULL, NULL) == 0);
+        bad[i] = 0;
+    }
+    CHECK(tribox_sphere_triangle(p, infinity(), v0, v1, v2) == 1 && tribox_sphere_box(p, infinity(), v0, v0) == 1);
+    CHECK(tribox_ray_sphere(v0, n, not_a_number(), 1, v0, 1, NULL, NULL) == 0);
+    bad[0] = -infinity();
+    CHECK(tribox_sphere_box(p, 1, bad, v0) == 0 && tribox_sphere_box(p, 4, bad, v0) == 0 && tribox_sphere_box(p, 5, bad, v0) == 1);
+}
+
 int main(void)
 {
     RUN(open_sweeps_are_exact);
@@ -1247,5 +1676,9 @@ int main(void)
     RUN(segments_pass_voxels_in_order);
     RUN(segments_far_and_none);
     RUN(segments_are_thin_triangles);
+    RUN(spheres_are_exact);
+    RUN(spheres_and_triangles_are_exact);
+    RUN(rays_and_spheres_are_exact);
+    RUN(spheres_without_a_question);
     return test_report("test_contact");
 }
