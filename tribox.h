@@ -4390,32 +4390,61 @@ TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], c
     return tbx_spans(grid, v, finite ? TBX_ALL_ORDINARY : TBX_NO_POINTS, on_span, user);
 }
 
+#if TRIBOX_SIMD /* section 11.4 */
+TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source, tribox_mesh_span_fn on_span,
+                                   void *user, size_t *count);
+#endif
+
+/* Adds up spans of one triangle and tells them. */
+TBX_FN void tbx_tell(const tbx_span *span, int n, size_t triangle, tribox_mesh_span_fn on_span, void *user,
+                     size_t *count)
+{
+    int i;
+    for (i = 0; i < n; i++) {
+        *count = tbx_saturating_add(*count, (size_t)((unsigned)span[i].x1 - (unsigned)span[i].x0) + 1);
+        if (on_span != NULL) {
+            on_span(user, triangle, span[i].x0, span[i].x1, span[i].y, span[i].z);
+        }
+    }
+}
+
+/* A walk and what it finds. */
+typedef struct tbx_walked {
+    tbx_walk walk;
+    tbx_span span[TBX_SPANS];
+    double v[3][3];
+} tbx_walked;
+
+/* The first spans of triangle t. */
+TBX_NOINLINE int tbx_walked_begin(tbx_walked *w, const tbx_frame *f, const tbx_source *source, size_t t)
+{
+    tbx_part all;
+    tbx_part_all(&all, f->grid);
+    return tbx_walk_box(&w->walk, f, w->v, tbx_source_triangle(source, t, w->v), &all) ? tbx_walk_begin(&w->walk, w->span)
+                                                                                     : 0;
+}
+
 /* The spans of all triangles, one after the other. */
 TBX_FN size_t tbx_mesh_spans(const tribox_grid *grid, const tbx_source *source, tribox_mesh_span_fn on_span,
                              void *user)
 {
     tbx_frame f;
-    tbx_part all;
-    tbx_walk w;
-    tbx_span span[TBX_SPANS];
+    tbx_walked w;
     size_t count = 0;
-    size_t t;
+    size_t t = 0;
     if (!tbx_frame_init(&f, grid)) {
         return 0;
     }
-    tbx_part_all(&all, grid);
-    for (t = 0; t < source->triangles; t++) {
-        double v[3][3];
-        int n = tbx_walk_box(&w, &f, v, tbx_source_triangle(source, t, v), &all) ? tbx_walk_begin(&w, span) : 0;
+#if TRIBOX_SIMD
+    if (!source->is_double) {
+        t = tbx_mesh_spans_quick(&f, source, on_span, user, &count);
+    }
+#endif
+    for (; t < source->triangles; t++) {
+        int n = tbx_walked_begin(&w, &f, source, t);
         while (n > 0) {
-            int i;
-            for (i = 0; i < n; i++) {
-                count = tbx_saturating_add(count, (size_t)((unsigned)span[i].x1 - (unsigned)span[i].x0) + 1);
-                if (on_span != NULL) {
-                    on_span(user, t, span[i].x0, span[i].x1, span[i].y, span[i].z);
-                }
-            }
-            n = n < TBX_SPANS ? 0 : tbx_walk_next(&w, span);
+            tbx_tell(w.span, n, t, on_span, user, &count);
+            n = n < TBX_SPANS ? 0 : tbx_walk_next(&w.walk, w.span);
         }
     }
     return count;
@@ -10691,6 +10720,7 @@ typedef struct tbx_block {
     int32_t box[TBX_BLOCK][4];
     unsigned char list[TBX_CLASS_SPECIAL + 1][TBX_BLOCK];
     int count[TBX_CLASS_SPECIAL + 1];
+    uint64_t skips; /* 1: a box of one or two voxels that equals its predecessor's is left out */
     size_t first; /* triangle */
 } tbx_block;
 
@@ -10785,7 +10815,7 @@ TBX_FORCED void tbx_block_lists(tbx_block *b, const tbx_quick *q, int count)
             const unsigned c = tbx_class_of(q, more);
             const uint64_t repeats = (c == TBX_CLASS_SHORT) & (tbx_signs(box == previous) == 15);
             b->list[c][counts >> 8 * c & 255] = (unsigned char)i;
-            counts += (1 - repeats) << 8 * c;
+            counts += (1 - (repeats & b->skips)) << 8 * c;
         }
         previous = box;
     }
@@ -12360,6 +12390,7 @@ TBX_NOINLINE void tbx_fill_block(tbx_fill *fill, size_t t, int count)
     size_t word_of[TBX_BLOCK];
     unsigned c;
     int j;
+    b.skips = 1;
     tbx_block_find(&b, fill->frame->grid, &fill->quick, fill->source, t, count);
     if (fill->quick.fetch) {
         tbx_block_fetch(&b, fill);
@@ -12432,6 +12463,136 @@ TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, c
             tbx_rows_flush(&fill, &fill.rows[1]);
         }
         tbx_fill_doubts(&fill);
+    }
+    return t;
+}
+
+/* ---- Spans of meshes */
+
+/* A block whose small boxes are decided: bit x + n*y + n*n*z of `voxels`, n being side. side 0: walk. */
+typedef struct tbx_decided {
+    tbx_block block;
+    uint64_t voxels[TBX_BLOCK];
+    unsigned char side[TBX_BLOCK];
+} TBX_ALIGNED tbx_decided;
+
+TBX_NOINLINE void tbx_decide_block(tbx_decided *d, const tbx_quick *q, const tribox_grid *grid,
+                                   const tbx_source *source, size_t first, int count)
+{
+    const tbx_block *b = &d->block;
+    unsigned c;
+    d->block.skips = 0;
+    tbx_block_find(&d->block, grid, q, source, first, count);
+    for (c = TBX_CLASS_FLAT; c < TBX_CLASS_LARGE; c++) {
+        const unsigned char *list = b->list[c];
+        const unsigned char side = (unsigned char)(c <= TBX_CLASS_2 ? 2 : c == TBX_CLASS_3 ? 3 : 4);
+        int from = 0;
+        tbx_group g;
+        int j;
+        g.n = 0;
+        g.lattice = 0;
+        for (j = 0; j < b->count[c]; j++) {
+            if (tbx_group_add(&g, tbx_load4i(b->box[list[j]]), 0, first + list[j]) || j + 1 == b->count[c]) {
+                uint64_t voxels[TBX_WIDE];
+                const int n = g.n;
+                const unsigned unsure = tbx_group_decide(q, source, &g, c, voxels);
+                int i;
+                for (i = 0; i < n; i++) {
+                    d->voxels[list[from + i]] = voxels[i];
+                    d->side[list[from + i]] = (unsigned char)((unsure >> i & 1u) != 0 ? 0 : side);
+                }
+                from += n;
+                g.n = 0;
+                g.lattice = 0;
+            }
+        }
+    }
+}
+
+/* The spans of a decided box, 16 at most. */
+TBX_NOINLINE int tbx_decided_spans(const tbx_decided *d, int at, const int lo[3], tbx_span *out)
+{
+    const int32_t *box = d->block.box[at];
+    const int side = d->side[at];
+    const unsigned row_bits = (1u << side) - 1u;
+    const int more_y = (int)(box[3] >> 8 & 3);
+    const int more_z = (int)(box[3] >> 16 & 3);
+    const uint64_t first_of = (uint64_t)0x01020103u << 32 | 0x01020100u; /* of four bits: the lowest, */
+    const uint64_t last_of = (uint64_t)0x33333333u << 32 | 0x22221100u;  /* and the highest */
+    uint64_t layer = d->voxels[at];
+    int n = 0;
+    int y;
+    int z;
+    for (z = 0; z <= more_z; z++, layer >>= side * side) {
+        uint64_t rest = layer;
+        for (y = 0; y <= more_y; y++, rest >>= side) {
+            const unsigned row = (unsigned)rest & row_bits;
+            out[n].x0 = lo[0] + box[0] + (int)(first_of >> (4 * row) & 15u);
+            out[n].x1 = lo[0] + box[0] + (int)(last_of >> (4 * row) & 15u);
+            out[n].y = lo[1] + box[1] + y;
+            out[n].z = lo[2] + box[2] + z;
+            n += row != 0;
+        }
+    }
+    return n;
+}
+
+/* The spans of all triangles, a block at a time: first those that vectors decide, then, in the same memory, the others.
+ * Returns how many triangles are done: 0 if the grid's numbers are out of range. */
+TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source, tribox_mesh_span_fn on_span,
+                                   void *user, size_t *count)
+{
+    union {
+        tbx_decided decided;
+        tbx_walked walked;
+    } u;
+    const int *lo = f->grid->lo;
+    tbx_quick q;
+    tbx_target target;
+    size_t t = 0;
+    target.bits = NULL;
+    target.row_words = (size_t)(f->last_x + 64) / 64;
+    target.ny = (size_t)((int64_t)f->grid->hi[1] - lo[1]);
+    tbx_quick_init(&q, f->grid, &target);
+    while (q.on && t < source->triangles) {
+        const size_t rest = source->triangles - t;
+        const int in_block = rest < TBX_BLOCK ? (int)rest : TBX_BLOCK;
+        unsigned char later[TBX_BLOCK];
+        tbx_span span[16];
+        int left = 0;
+        unsigned c;
+        int j;
+        tbx_decide_block(&u.decided, &q, f->grid, source, t, in_block);
+        for (j = 0; j < u.decided.block.count[TBX_CLASS_SHORT]; j++) {
+            const int i = u.decided.block.list[TBX_CLASS_SHORT][j];
+            const int32_t *box = u.decided.block.box[i];
+            const int more = box[3];
+            span[0].x0 = span[1].x0 = span[1].x1 = lo[0] + box[0];
+            span[0].x1 = lo[0] + box[0] + (more & 1);
+            span[0].y = lo[1] + box[1];
+            span[1].y = lo[1] + box[1] + (more >> 8 & 1);
+            span[0].z = lo[2] + box[2];
+            span[1].z = lo[2] + box[2] + (more >> 16 & 1);
+            tbx_tell(span, 1 + ((more >> 8 | more >> 16) & 1), t + (size_t)i, on_span, user, count);
+        }
+        for (c = TBX_CLASS_FLAT; c <= TBX_CLASS_LARGE; c++) {
+            for (j = 0; j < u.decided.block.count[c]; j++) {
+                const int i = u.decided.block.list[c][j];
+                if (c == TBX_CLASS_LARGE || u.decided.side[i] == 0) {
+                    later[left++] = (unsigned char)i;
+                } else {
+                    tbx_tell(span, tbx_decided_spans(&u.decided, i, lo, span), t + (size_t)i, on_span, user, count);
+                }
+            }
+        }
+        for (j = 0; j < left; j++) {
+            int n = tbx_walked_begin(&u.walked, f, source, t + later[j]);
+            while (n > 0) {
+                tbx_tell(u.walked.span, n, t + later[j], on_span, user, count);
+                n = n < TBX_SPANS ? 0 : tbx_walk_next(&u.walked.walk, u.walked.span);
+            }
+        }
+        t += (size_t)in_block;
     }
     return t;
 }
