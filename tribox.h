@@ -5928,13 +5928,15 @@ TBX_FN void tbx_num_dot(tbx_calc *c, tbx_num *r, const tbx_num x[3], const tbx_n
 {
     const int mark = c->used;
     tbx_num sum;
-    tbx_num xy;
+    int k;
     tbx_num_mul(c, &sum, &x[0], &y[0]);
-    tbx_num_mul(c, &xy, &x[1], &y[1]);
-    tbx_num_add(c, &sum, &sum, &xy, 1);
-    tbx_num_mul(c, &xy, &x[2], &y[2]);
-    tbx_num_add(c, r, &sum, &xy, 1);
-    tbx_num_keep(c, mark, r, 1);
+    for (k = 1; k < 3; k++) {
+        tbx_num xy;
+        tbx_num_mul(c, &xy, &x[k], &y[k]);
+        tbx_num_add(c, &sum, &sum, &xy, 1);
+        tbx_num_keep(c, mark, &sum, 1);
+    }
+    *r = sum;
 }
 
 /* r = x * y, r neither x nor y */
@@ -7877,6 +7879,7 @@ TBX_FN void tbx_cut_coordinate(tbx_cut *t, tbx_vertex x, int k, tbx_fraction *r)
     const tbx_real *given = tbx_cut_given(t, x, k);
     tbx_num y;
     tbx_num z;
+    int mark = c->used;
     if (given != NULL) {
         tbx_fraction_of(c, r, given);
         return;
@@ -7887,6 +7890,7 @@ TBX_FN void tbx_cut_coordinate(tbx_cut *t, tbx_vertex x, int k, tbx_fraction *r)
         const tbx_real *p = t->v[x.a];
         const tbx_real *q = t->v[(x.a + 1) % 3];
         tbx_num_difference(c, &r->d, &q[a], &p[a]);
+        mark = c->used;
         tbx_num_difference(c, &y, &q[a], f);
         tbx_num_of(c, &z, &p[k]);
         tbx_num_mul(c, &r->n, &y, &z);
@@ -7901,6 +7905,7 @@ TBX_FN void tbx_cut_coordinate(tbx_cut *t, tbx_vertex x, int k, tbx_fraction *r)
         tbx_cut_add_face(t, &r->n, x.a);
         tbx_cut_add_face(t, &r->n, x.b);
     }
+    tbx_num_keep(c, mark, &r->n, 1);
     tbx_fraction_orient(c, r, tbx_num_sign(c, &r->d));
 }
 

@@ -5,6 +5,6 @@ TEST_SUITE := overlap tri rule thin sat exact symmetry nan mode field grid fill 
 # programs of their own, scalar and with vectors
 TEST_TWICE := contact
 # programs of their own that know scalar and vectors themselves, or take long
-TEST_ALONE := companions_motion companions_cut companions_mode
+TEST_ALONE := companions_motion companions_cut companions_mode companions_f64
 # programs with their own rules in tests.mk
 TEST_RULED := oracle simd
