@@ -629,7 +629,7 @@ typedef int (*tribox_voxel_fn)(void *user, int x, int y, int z);
  *             other. Nothing for what lies outside of the region.
  */
 TRIBOX_FN size_t tribox_grid_segment(const tribox_grid *grid, const double p[3], const double q[3],
-                                     tribox_voxel_fn emit, void *user);
+                                     tribox_voxel_fn on_voxel, void *user);
 
 /* Do two spheres share a point?
  *
@@ -8307,7 +8307,7 @@ enum { TBX_CLOSED, TBX_HALF_OPEN, TBX_OPEN }; /* rules */
 
 typedef struct tbx_segment {
     const tribox_grid *grid;
-    tribox_voxel_fn emit;
+    tribox_voxel_fn on_voxel;
     void *user;
     size_t count;
     int stopped;
@@ -8393,7 +8393,7 @@ TBX_FN void tbx_segment_emit(tbx_segment *s, int64_t x, int64_t y, int64_t z)
     if (!s->stopped && x >= g->lo[0] && x < g->hi[0] && y >= g->lo[1] && y < g->hi[1] && z >= g->lo[2] &&
         z < g->hi[2]) {
         s->count = tbx_saturating_add(s->count, 1);
-        s->stopped = s->emit != NULL && s->emit(s->user, (int)x, (int)y, (int)z) != 0;
+        s->stopped = s->on_voxel != NULL && s->on_voxel(s->user, (int)x, (int)y, (int)z) != 0;
     }
 }
 
@@ -8491,7 +8491,7 @@ TBX_FN void tbx_segment_cross(tbx_segment *s, int k)
     }
     tbx_segment_next(s, k);
     s->count += s->count != (size_t)-1;
-    if (s->emit != NULL && s->emit(s->user, (int)s->voxel[0], (int)s->voxel[1], (int)s->voxel[2]) != 0) {
+    if (s->on_voxel != NULL && s->on_voxel(s->user, (int)s->voxel[0], (int)s->voxel[1], (int)s->voxel[2]) != 0) {
         s->stopped = 1;
     }
 }
@@ -8662,7 +8662,7 @@ TBX_FN int tbx_segment_start(tbx_segment *s, const int on[3])
 }
 
 TRIBOX_FN size_t tribox_grid_segment(const tribox_grid *grid, const double p[3], const double q[3],
-                                     tribox_voxel_fn emit, void *user)
+                                     tribox_voxel_fn on_voxel, void *user)
 {
     tbx_segment s;
     int on[3];
@@ -8671,7 +8671,7 @@ TRIBOX_FN size_t tribox_grid_segment(const tribox_grid *grid, const double p[3],
         return 0;
     }
     s.grid = grid;
-    s.emit = emit;
+    s.on_voxel = on_voxel;
     s.user = user;
     s.count = 0;
     s.stopped = 0;
@@ -10732,8 +10732,8 @@ typedef struct tbx_block {
 /* The class of a box of so many voxels more than one: a byte for each axis. */
 TBX_FORCED unsigned tbx_class_of(const tbx_quick *q, uint32_t more)
 {
-    const unsigned small = q->class_of[(uint32_t)((more & 0x030303u) * 0x04104000u) >> 26];
-    return (more & 0xfefcfcfcu) != 0 ? (unsigned)TBX_CLASS_LARGE : small;
+    const unsigned few = q->class_of[(uint32_t)((more & 0x030303u) * 0x04104000u) >> 26];
+    return (more & 0xfefcfcfcu) != 0 ? (unsigned)TBX_CLASS_LARGE : few;
 }
 
 /* Bytes 0..2: lanes 0..2, 255 where they are more. */
