@@ -798,7 +798,7 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #define TBX_KEEP(object) __asm__("" : "+m"(object))
 #if defined(__SSE2__)
 #define TBX_KEEP_VECTOR(v) __asm__("" : "+x"(v))
-#elif defined(__aarch64__) || (defined(__arm__) && defined(__ARM_NEON))
+#elif defined(__aarch64__)
 #define TBX_KEEP_VECTOR(v) __asm__("" : "+w"(v))
 #elif defined(__VSX__)
 #define TBX_KEEP_VECTOR(v) __asm__("" : "+wa"(v))
