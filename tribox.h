@@ -2024,22 +2024,29 @@ TBX_NOINLINE int tbx_overlap_usual(const double v0[3], const double v1[3], const
     return tbx_clipped_unsure(v0, v1, v2, &clip, &filter);
 }
 
-/* The scalar body, which is the specification. Numbers that are not usual are clipped by their keys. */
-TBX_NOINLINE int tbx_overlap(const double v0[3], const double v1[3], const double v2[3],
-                             const double box_min[3], const double box_max[3], unsigned flags)
+/* Numbers that are not usual: clipped by their keys, then decided by the filter where that is possible. */
+TBX_COLD int tbx_overlap_unusual(const double v0[3], const double v1[3], const double v2[3],
+                                 const double box_min[3], const double box_max[3], unsigned flags)
 {
-    const unsigned usual = tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2);
     tbx_clip clip;
-    if (usual & tbx_is_usual3(box_min) & tbx_is_usual3(box_max)) {
-        return tbx_overlap_usual(v0, v1, v2, box_min, box_max, flags);
-    }
     if (!tbx_corners_finite(v0, v1, v2) || !tbx_clip_box(&clip, v0, v1, v2, box_min, box_max, flags)) {
         return 0;
     }
-    if (flags == 0 && (usual & tbx_is_usual3(clip.lo) & tbx_is_usual3(clip.hi))) {
-        return tbx_overlap_usual(v0, v1, v2, clip.lo, clip.hi, 0); /* an infinite box, perhaps */
+    if (flags == 0 && tbx_all_usual(v0, v1, v2, clip.lo, clip.hi)) { /* an infinite box, perhaps */
+        return tbx_overlap_usual(v0, v1, v2, clip.lo, clip.hi, 0);
     }
     return tbx_clipped_exact(v0, v1, v2, &clip, TBX_ALL_AXES);
+}
+
+/* The scalar body, which is the specification. */
+TBX_NOINLINE int tbx_overlap(const double v0[3], const double v1[3], const double v2[3],
+                             const double box_min[3], const double box_max[3], unsigned flags)
+{
+    if (tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2) & tbx_is_usual3(box_min) &
+        tbx_is_usual3(box_max)) {
+        return tbx_overlap_usual(v0, v1, v2, box_min, box_max, flags);
+    }
+    return tbx_overlap_unusual(v0, v1, v2, box_min, box_max, flags);
 }
 
 TBX_FN float tbx_minf(float a, float b)
@@ -2118,6 +2125,19 @@ TBX_FN void tbx_widen_normal3(double out[3], const float x[3])
     out[2] = (double)x[2];
 }
 
+/* The float entry for numbers that are not usual. */
+TBX_COLD int tbx_overlap_widened_unusual(const float v0[3], const float v1[3], const float v2[3],
+                                         const float box_min[3], const float box_max[3], unsigned flags)
+{
+    double wide[5][3];
+    tbx_widen3(wide[0], v0);
+    tbx_widen3(wide[1], v1);
+    tbx_widen3(wide[2], v2);
+    tbx_widen3(wide[3], box_min);
+    tbx_widen3(wide[4], box_max);
+    return tbx_overlap(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
+}
+
 /* The float entry of the scalar body. As doubles, zeros and normal floats are usual. */
 TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
                                      const float box_min[3], const float box_max[3], unsigned flags)
@@ -2133,12 +2153,7 @@ TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const
         tbx_widen_normal3(wide[4], box_max);
         return tbx_overlap_usual(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
     }
-    tbx_widen3(wide[0], v0);
-    tbx_widen3(wide[1], v1);
-    tbx_widen3(wide[2], v2);
-    tbx_widen3(wide[3], box_min);
-    tbx_widen3(wide[4], box_max);
-    return tbx_overlap(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
+    return tbx_overlap_widened_unusual(v0, v1, v2, box_min, box_max, flags);
 }
 
 TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
