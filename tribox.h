@@ -1876,18 +1876,14 @@ TBX_FN double tbx_extent64(const double v0[3], const double v1[3], const double 
     return tbx_abs(v1[k] - v0[k]) + tbx_abs(v2[k] - v0[k]);
 }
 
-/* Are all values of the filter exact? Coordinates that are multiples of some unit, and differ by less
+/* Are all values of the filter exact? Of a triangle that is no point: coordinates that are multiples of some unit, and differ by less
  * than 2^15 of it, make them so: the largest, n.m, is below 3 * 2^31 * 2^17 < 2^53 in that unit, cubed. */
 TBX_FN int tbx_clip_on_lattice(const double v0[3], const double v1[3], const double v2[3],
                                const tbx_clip *clip)
 {
     const double longest = tbx_greater(tbx_greater(tbx_extent64(v0, v1, v2, 0), tbx_extent64(v0, v1, v2, 1)),
                                        tbx_extent64(v0, v1, v2, 2));
-    double unit;
-    if (!(longest > 0.0)) {
-        return 0;
-    }
-    unit = tbx_lattice_unit(longest);
+    const double unit = tbx_lattice_unit(longest);
     return tbx_whole3(v0, unit) && tbx_whole3(v1, unit) && tbx_whole3(v2, unit) && tbx_whole3(clip->lo, unit) &&
            tbx_whole3(clip->hi, unit);
 }

@@ -347,8 +347,59 @@ static void planes_missed_by_one_unit_cubed_are_exact(void)
     }
 }
 
+/* The same by exact signs alone. */
+static int by_signs(const double x[15])
+{
+    tbx_clip clip;
+
+    return tbx_clip_box(&clip, x, x + 3, x + 6, x + 9, x + 12, 0) &&
+           tbx_clipped_exact(x, x + 3, x + 6, &clip, 15u);
+}
+
+/* Triangles without area have filters of their own; they agree with exact signs: corners that repeat, three on a
+ * line (whole numbers of a unit), and along an axis (tenths). */
+static void triangles_without_area_are_as_their_signs_say(void)
+{
+    uint64_t seed = 7;
+    int i;
+
+    for (i = 0; i < 60000 / TEST_SCALE; i++) {
+        float f[15];
+        double x[15];
+        double tenths[15];
+        int k;
+
+        for (k = 0; k < 15; k++) {
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            f[k] = (float)((int64_t)seed >> 40) / 8388608.0f;
+        }
+        for (k = 0; k < 3; k++) {
+            const float size = (float)((seed >> (20 + k)) & 255u) / 256.0f;
+
+            f[12 + k] = f[9 + k] + size;
+            if (i % 5 < 3) {        /* v0 = v1, v1 = v2, v2 = v0 */
+                f[3 * ((i + 1) % 3) + k] = f[3 * (i % 3) + k];
+            } else if (i % 5 == 3) {
+                f[k] = (float)(int)(f[k] * 64.0f) / 64.0f;
+                f[3 + k] = f[k] + (float)(int)(f[3 + k] * 16.0f) / 16.0f;
+                f[6 + k] = f[k] + 2.0f * (f[3 + k] - f[k]);
+            } else if (k > 0) {
+                f[3 + k] = f[6 + k] = f[k];
+            }
+        }
+        for (k = 0; k < 15; k++) {
+            x[k] = (double)f[k];
+            tenths[k] = (double)(int)(f[k] * 10.0f) / 10.0;
+        }
+        CHECK(tribox_overlap(f, f + 3, f + 6, f + 9, f + 12) == by_signs(x));
+        CHECK(tribox_overlap_f64(x, x + 3, x + 6, x + 9, x + 12) == by_signs(x));
+        CHECK(tribox_overlap_f64(tenths, tenths + 3, tenths + 6, tenths + 9, tenths + 12) == by_signs(tenths));
+    }
+}
+
 int main(void)
 {
+    RUN(triangles_without_area_are_as_their_signs_say);
     RUN(touching_face_overlaps_and_next_float_does_not);
     RUN(touching_plane_overlaps_and_next_float_does_not);
     RUN(touching_edges_overlap_and_next_float_does_not);
