@@ -10214,6 +10214,8 @@ typedef float tbx_fw __attribute__((vector_size(4 * TBX_WIDE)));
 typedef int32_t tbx_iw __attribute__((vector_size(4 * TBX_WIDE)));
 typedef uint32_t tbx_uw __attribute__((vector_size(4 * TBX_WIDE)));
 
+typedef double tbx_dw __attribute__((vector_size(8 * TBX_WIDE)));
+
 TBX_FORCED tbx_fw tbx_wide_all(float x)
 {
     const tbx_fw r = TBX_ALL(x);
@@ -10497,6 +10499,13 @@ typedef struct tbx_quick {
     float size_low[3];
     float step[3];  /* of the lattice; 0: there is none on this axis */
     int32_t end[3]; /* the region's last voxel, MARGIN added */
+    double whole_origin[3]; /* of the grid, as such and PIECES times, in two parts; so is the size */
+    double origin_high[3];
+    double origin_low[3];
+    double high[3];
+    double low[3];
+    int32_t lo[3];
+    int precise; /* all of these are in range */
     float delta_low;
     size_t layer_words;
     int on; /* 0: this grid's numbers are out of range */
@@ -10508,6 +10517,7 @@ typedef struct tbx_quick {
     unsigned char class_of[64]; /* by extents of up to 4 voxels */
 } tbx_quick;
 
+#define TBX_PIECES 40.0f /* of a voxel: eighths, tenths, twentieths, fortieths */
 #define TBX_MARGIN 16 /* voxels beyond the region in which X is still used */
 #define TBX_PARTS_LOG2 4
 #define TBX_PARTS (1 << TBX_PARTS_LOG2) /* of a voxel, in the lattice */
@@ -10560,6 +10570,12 @@ TBX_FN void tbx_classes_init(tbx_quick *q)
         }
         q->class_of[i] = (unsigned char)c;
     }
+}
+
+/* A double's upper 26 bits. */
+TBX_FN double tbx_high_half(double x)
+{
+    return tbx_from_bits64(tbx_bits64(&x) & ~(uint64_t)0x7ffffff);
 }
 
 /* Fixed point on axis k. Returns 0 if its slack is too large. */
@@ -10657,6 +10673,17 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
         q->delta_low = (float)delta_low > q->delta_low ? (float)delta_low : q->delta_low;
         q->end[k] = TBX_MARGIN + q->n[k] - 1;
     }
+    q->precise = q->on;
+    for (k = 0; k < 3; k++) {
+        const double origin = tbx_high_half(grid->origin[k]);
+        q->whole_origin[k] = grid->origin[k];
+        q->high[k] = tbx_high_half(grid->size[k]);
+        q->low[k] = grid->size[k] - q->high[k];
+        q->origin_high[k] = origin * (double)TBX_PIECES;
+        q->origin_low[k] = (grid->origin[k] - origin) * (double)TBX_PIECES;
+        q->lo[k] = grid->lo[k];
+        q->precise &= grid->lo[k] > -1000000 && grid->hi[k] < 1000000;
+    }
     q->lattice = q->on && q->step[0] + q->step[1] + q->step[2] > 0.0f;
 }
 
@@ -10715,9 +10742,10 @@ typedef struct tbx_fill {
     const tbx_target *target;
     tbx_quick quick;
     tbx_group rows[2]; /* boxes of up to FEW^3, ROWS^3 */
+    tbx_group again;   /* of up to 4^3, unsure in floats */
     size_t next;       /* the first triangle of the next block */
     int doubts;        /* a block's, and of what waited in groups, at most */
-    tbx_doubt doubt[TBX_BLOCK + 2 * TBX_WIDE];
+    tbx_doubt doubt[TBX_BLOCK + 3 * TBX_WIDE];
 } tbx_fill;
 
 TBX_FN tbx_doubt *tbx_fill_later(tbx_fill *fill, size_t triangle)
@@ -10967,6 +10995,59 @@ TBX_FN int tbx_is_hair(double x, double hair)
     return (x != 0.0) & (x < hair) & (x > -hair);
 }
 
+/* The sign of grid plane i of axis k, from the region's first, against x, which is near: as in "Groups again" what is
+ * left of their distance is right to a rounding, where it can be. */
+TBX_FN int tbx_plane_beside(const tribox_grid *grid, const tbx_quick *q, int k, int64_t i, double x)
+{
+    if (q->precise) {
+        const double at = (double)(i + grid->lo[k]) * (double)TBX_PIECES;
+        const double pieces = x * (double)TBX_PIECES;
+        double along = pieces - q->origin_high[k];
+        double back;
+        double lows;
+        double rest;
+        double error;
+        TBX_KEEP_SCALAR(along);
+        back = along + q->origin_high[k];
+        TBX_KEEP_SCALAR(back);
+        along -= at * q->high[k];
+        TBX_KEEP_SCALAR(along);
+        lows = q->origin_low[k] + at * q->low[k];
+        TBX_KEEP_SCALAR(lows);
+        rest = along - lows;
+        error = q->origin_low[k] != 0.0 ? tbx_abs(lows) * (8.0 * TBX_U64) : 0.0;
+        if (back == pieces && (rest > error || rest < -error || (rest == 0.0 && error == 0.0))) {
+            return rest > 0.0 ? -1 : rest < 0.0;
+        }
+    }
+    return tbx_plane_compare(grid, k, i + grid->lo[k], x);
+}
+
+/* The voxel in which x lies on axis k; beside a plane exactly: `upper` the one above it, if x is on it. Doubles are off
+ * by less than delta. */
+TBX_FN int32_t tbx_box_index(const tribox_grid *grid, const tbx_quick *q, int k, double x, int upper)
+{
+    const double most = 1048576.0;
+    const double error = 2.0 * q->delta + 1.0 / 1073741824.0; /* 2^-30: of the sum with 2^20 */
+    double at = (x - q->origin[k]) * q->units[k] + most;
+    double part;
+    int32_t i;
+    at = at > 0.0 ? at : 0.0;
+    at = at < 2.0 * most ? at : 2.0 * most;
+    TBX_KEEP_SCALAR(at);
+    i = (int32_t)(at + 0.5);
+    part = at - (double)i;
+    i -= 1048576;
+    if (part < -error) {
+        return i - 1;
+    } else if (part > error) {
+        return i;
+    } else {
+        const int side = tbx_plane_beside(grid, q, k, i, x);
+        return side < 0 || (side == 0 && upper) ? i : i - 1;
+    }
+}
+
 /* A finite triangle's box, by exact signs of corners against grid planes. Not known where an edge is level but
  * for a hair: "Rows" takes such an edge for one within a row, and here it may be in two. */
 TBX_NOINLINE tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, const tbx_source *source,
@@ -10978,20 +11059,19 @@ TBX_NOINLINE tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, c
     box[3] = tbx_source_triangle(source, triangle, v) == TBX_ALL_ORDINARY ? 0 : TBX_NOT_KNOWN;
     for (k = 0; k < 3; k++) {
         const double hair = 1e-15 * grid->size[k];
-        const int64_t lo = (int64_t)grid->lo[k] - TBX_MARGIN;
-        const int64_t hi = (int64_t)grid->hi[k] + TBX_MARGIN;
+        const int32_t n = q->n[k];
         const double least = tbx_min3(v[0][k], v[1][k], v[2][k]);
         const double most = tbx_max3(v[0][k], v[1][k], v[2][k]);
-        const int64_t first = tbx_plane_search(grid, k, lo, hi, least, q->upper_open) - 1 - grid->lo[k];
-        const int64_t last = tbx_plane_search(grid, k, lo, hi, most, !q->lower_open) - 1 - grid->lo[k];
-        if (last < 0 || first >= q->n[k] || first > last) {
+        const int32_t first = tbx_box_index(grid, q, k, least, q->upper_open);
+        const int32_t last = tbx_box_index(grid, q, k, most, !q->lower_open);
+        if (last < 0 || first >= n || first > last) {
             box[3] = TBX_OFF;
             break;
         }
-        box[k] = (int32_t)first;
-        box[3] |= last >= q->n[k] || first < 0 ? TBX_IS_CUT : 0;
-        box[3] |= last - first < TBX_ROWS && first > -TBX_MARGIN && last < q->n[k] + TBX_MARGIN - 1
-                      ? (int32_t)(last - first) << 8 * k
+        box[k] = first;
+        box[3] |= last >= n || first < 0 ? TBX_IS_CUT : 0;
+        box[3] |= last - first < TBX_ROWS && first > -TBX_MARGIN && last < n + TBX_MARGIN - 1
+                      ? (last - first) << 8 * k
                       : TBX_NOT_KNOWN;
         if (tbx_is_hair(v[0][k] - v[1][k], hair) | tbx_is_hair(v[1][k] - v[2][k], hair) |
             tbx_is_hair(v[2][k] - v[0][k], hair)) {
@@ -11097,6 +11177,7 @@ typedef struct tbx_missed {
     tbx_fw least;       /* of |E| and |area| */
     tbx_fw least_plane; /* of |D| */
     tbx_fw touch_plane; /* |D| up to which the plane touches */
+    tbx_iw unsure;      /* of the precise way */
 } tbx_missed;
 
 #define TBX_STRIDE(n, k) ((k) == 0 ? 1 : (k) == 1 ? (n) : (n) * (n))
@@ -11495,6 +11576,285 @@ TBX_FN unsigned tbx_group_decide(const tbx_quick *q, const tbx_source *source, t
     }
 }
 
+/* ---- Groups again, with what floats round off
+ *
+ * Triangles that a group is unsure of mostly have corners near grid planes, or near places that cut a voxel into
+ * few parts: decimals, in a grid of decimals. Here a coordinate is P + r, in PIECES of a voxel from the first
+ * inner grid plane: P whole, r the rest, a float that is right to 1.01 u of itself, however small, and 0 only if
+ * the corner is exactly there. With v = P + r, in floats off by u more,
+ *
+ *   E = P_i x P_j + G + H,  G = P_bi r_cj - r_ci v_bj,  H = r_bi v_cj - P_ci r_bj,   D = N . P + (N . r + M . v)
+ *
+ * where N and M are the whole and the other part of the normal, sums of those of E. The whole parts are exact: P is
+ * at most 3 * PIECES off any inner plane, so N at most (4 * PIECES)^2, D at most 9 * 2^20 * 1.1. Each product of G
+ * and H is off by 3.1 u of itself, each difference and the sum by 1 u: less than PRECISE_ERROR times the sum of
+ * magnitudes; D's by that of N . r and M . v, nine steps of it, and what M is off by. E = 0 and D = 0 with all r = 0
+ * is touching, which counts where boxes are closed. Points that are not inside a triangle's own box decide nothing. */
+#define TBX_PRECISE_ERROR (8.0f * TBX_U32)
+#define TBX_PRECISE_PLANE_ERROR (20.0f * TBX_U32)
+#define TBX_PRECISE_LEAST 1e-30f      /* of a rest: no product of two is flushed unseen */
+
+typedef struct tbx_precise_axis {
+    tbx_fw place[3]; /* P */
+    tbx_fw rest[3];  /* r */
+    tbx_fw v[3];
+    tbx_iw extent;
+    tbx_iw level; /* the three corners are the same here, */
+    tbx_iw whole; /* and all rests are 0 */
+    double origin; /* of the grid */
+    double size;
+    int points; /* inner grid planes that some box has */
+} TBX_ALIGNED tbx_precise_axis;
+
+/* Coordinates v of axis k. Lanes of *unsure cannot be told apart. */
+TBX_FN void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, tbx_iw first, tbx_iw extent,
+                            const tbx_fw v[3], tbx_iw *unsure)
+{
+    const tbx_dw pieces = TBX_ALL((double)TBX_PIECES);
+    const tbx_dw units = TBX_ALL(q->units[k]);
+    const tbx_dw units_pieces = TBX_ALL(q->units[k] * (double)TBX_PIECES);
+    const tbx_dw origin = TBX_ALL(q->whole_origin[k]);
+    const tbx_dw origin_high = TBX_ALL(q->origin_high[k]);
+    const tbx_dw origin_low = TBX_ALL(q->origin_low[k]);
+    const tbx_dw high = TBX_ALL(q->high[k]);
+    const tbx_dw low = TBX_ALL(q->low[k]);
+    const tbx_dw round = TBX_ALL(6755399441055744.0); /* 3 * 2^51: what is added to it becomes whole */
+    const tbx_dw tiny = TBX_ALL(1.0 / 1048576.0);
+    const tbx_dw base = __builtin_convertvector(first + tbx_wide_int(q->lo[k] + 1), tbx_dw) * pieces;
+    const tbx_iw magnitude = tbx_wide_int(0x7fffffff);
+    int i;
+    a->whole = tbx_wide_int(-1);
+    for (i = 0; i < 3; i++) {
+        const tbx_iw size = (tbx_iw)v[i] & magnitude;
+        const tbx_dw x = __builtin_convertvector(v[i], tbx_dw);
+        tbx_dw at = (x - origin) * units_pieces + round;
+        tbx_dw along;
+        tbx_dw back;
+        tbx_dw lows;
+        tbx_dw rest;
+        TBX_KEEP(at);
+        at -= round;
+        TBX_KEEP(at);
+        along = x * pieces - origin_high;
+        TBX_KEEP(along);
+        back = along + origin_high;
+        TBX_KEEP(back);
+        *unsure |= __builtin_convertvector(back != x * pieces, tbx_iw) |
+                   ((size > tbx_wide_int(0)) & (size < tbx_wide_int(0x00800000)));
+        along -= at * high;
+        TBX_KEEP(along);
+        lows = origin_low + at * low;
+        TBX_KEEP(lows);
+        rest = along - lows;
+        TBX_KEEP(rest);
+        if (q->origin_low[k] != 0.0) { /* the sum of both is rounded */
+            const tbx_dw most = lows * tiny;
+            *unsure |= __builtin_convertvector((rest < most) & (rest > -most), tbx_iw) |
+                       __builtin_convertvector((rest < -most) & (rest > most), tbx_iw) |
+                       __builtin_convertvector(rest == lows - lows, tbx_iw);
+        }
+        a->v[i] = v[i];
+        a->rest[i] = __builtin_convertvector(rest * units, tbx_fw);
+        a->place[i] = __builtin_convertvector(at - base, tbx_fw);
+        a->whole &= __builtin_convertvector(rest == origin - origin, tbx_iw);
+        *unsure |= (tbx_wide_abs(a->rest[i]) < tbx_wide_all(TBX_PRECISE_LEAST)) &
+                   ~__builtin_convertvector(rest == origin - origin, tbx_iw);
+    }
+    a->extent = extent;
+    a->origin = q->whole_origin[k];
+    a->size = q->high[k] + q->low[k];
+    a->level = ((tbx_iw)v[0] == (tbx_iw)v[1]) & ((tbx_iw)v[1] == (tbx_iw)v[2]);
+}
+
+/* Lanes in which corners i and j differ on an axis by less than the rests are off by, d as computed. */
+TBX_FORCED tbx_iw tbx_precise_doubt(const tbx_precise_axis *a, int i, int j, tbx_fw d)
+{
+    const tbx_fw error = (tbx_wide_abs(a->rest[i]) + tbx_wide_abs(a->rest[j])) * tbx_wide_all(TBX_PRECISE_ERROR);
+    return (tbx_wide_abs(d) <= error) & ((tbx_iw)a->v[i] != (tbx_iw)a->v[j]);
+}
+
+/* Lanes in which corners i and j, or the same corner on two axes, are the same number. */
+TBX_FORCED tbx_iw tbx_precise_same(tbx_fw v, tbx_fw w)
+{
+    return (tbx_iw)v == (tbx_iw)w;
+}
+
+/* The three edges in the plane of axes x and y, b and c of the groups; where the grid has the same numbers on both,
+ * corners with equal coordinates lie on a line through grid points, exactly. Returns the whole part of twice the area, in *rest
+ * the other part and in *error how far that may be off; flat lanes have none. */
+TBX_NOINLINE tbx_fw tbx_precise_edges(tbx_missed *m, const tbx_precise_axis *x, const tbx_precise_axis *y, int b,
+                                      int c, int closed, tbx_fw *rest, tbx_fw *error, tbx_iw *flat)
+{
+    const tbx_fw pieces = tbx_wide_all(TBX_PIECES);
+    const tbx_fw relative = tbx_wide_all(TBX_PRECISE_ERROR);
+    const tbx_fw zero = tbx_wide_all(0.0f);
+    const tbx_iw open = tbx_wide_int(closed - 1);
+    tbx_fw area = zero;
+    tbx_fw area_rest = zero;
+    tbx_fw area_error = zero;
+    const tbx_iw alike = tbx_wide_int(x->origin == y->origin && x->size == y->size ? -1 : 0);
+    tbx_iw diagonal[3]; /* corners on such a line */
+    tbx_iw point[3];    /* edges that are points here */
+    tbx_iw sign;
+    tbx_iw across; /* lanes level on an axis: their box says it all */
+    int i;
+    for (i = 0; i < 3; i++) {
+        const int j = i < 2 ? i + 1 : 0;
+        const tbx_fw g0 = x->place[i] * y->rest[j];
+        const tbx_fw g1 = y->rest[i] * (x->place[j] + x->rest[j]);
+        const tbx_fw h0 = x->rest[i] * (y->place[j] + y->rest[j]);
+        const tbx_fw h1 = y->place[i] * x->rest[j];
+        diagonal[i] = tbx_precise_same(x->v[i], y->v[i]) & alike;
+        point[i] = tbx_precise_same(x->v[i], x->v[j]) & tbx_precise_same(y->v[i], y->v[j]);
+        area += x->place[i] * y->place[j] - y->place[i] * x->place[j];
+        area_rest += (g0 - g1) + (h0 - h1);
+        area_error += tbx_wide_abs(g0) + tbx_wide_abs(g1) + tbx_wide_abs(h0) + tbx_wide_abs(h1);
+    }
+    area_error = area_error * relative;
+    across = x->level | y->level;
+    *flat = across | point[0] | point[1] | point[2] | (diagonal[0] & diagonal[1] & diagonal[2]) |
+            (x->whole & y->whole & (area == zero));
+    *rest = area_rest;
+    *error = area_error;
+    sign = tbx_wide_sign(area + area_rest);
+    m->unsure |= (tbx_wide_abs(area + area_rest) <= area_error) & ~*flat;
+    for (i = 0; i < 3; i++) {
+        const int j = i < 2 ? i + 1 : 0;
+        const tbx_fw d_b = (x->place[j] - x->place[i]) + (x->rest[j] - x->rest[i]);
+        const tbx_fw d_c = (y->place[j] - y->place[i]) + (y->rest[j] - y->rest[i]);
+        const tbx_iw cell = tbx_group_side(tbx_wide_sign(d_c) ^ ~sign, 4, b) &
+                            tbx_group_side(tbx_wide_sign(d_b) ^ sign, 4, c) & ~across;
+        const tbx_iw any = ~(x->whole & y->whole);
+        const tbx_iw edge = ~(across | point[i]);
+        tbx_fw h[3];
+        tbx_fw h_error[3];
+        int k;
+        int l;
+        /* the sign of d where it is not 0 and less than the rests are off by */
+        m->unsure |= tbx_precise_doubt(x, i, j, d_b) & ~across;
+        m->unsure |= tbx_precise_doubt(y, i, j, d_c) & ~across;
+        for (l = 0; l < y->points; l++) {
+            const tbx_fw p = tbx_wide_all((float)l) * pieces;
+            const tbx_fw h0 = x->rest[i] * ((y->place[j] - p) + y->rest[j]);
+            const tbx_fw h1 = (y->place[i] - p) * x->rest[j];
+            h[l] = h0 - h1;
+            h_error[l] = (tbx_wide_abs(h0) + tbx_wide_abs(h1)) * relative + tbx_wide_all(1e-34f);
+        }
+        for (k = 0; k < x->points; k++) {
+            const tbx_fw p = tbx_wide_all((float)k) * pieces;
+            const tbx_fw x_i = x->place[i] - p;
+            const tbx_fw x_j = x->place[j] - p;
+            const tbx_fw g0 = x_i * y->rest[j];
+            const tbx_fw g1 = y->rest[i] * (x_j + x->rest[j]);
+            const tbx_fw g = g0 - g1;
+            const tbx_fw g_error = (tbx_wide_abs(g0) + tbx_wide_abs(g1)) * relative;
+            for (l = 0; l < y->points; l++) {
+                const tbx_fw o = tbx_wide_all((float)l) * pieces;
+                const tbx_fw whole = x_i * (y->place[j] - o) - (y->place[i] - o) * x_j;
+                const tbx_fw e = whole + (g + h[l]);
+                const tbx_iw inside = (x->extent > tbx_wide_int(k)) & (y->extent > tbx_wide_int(l)) & edge;
+                const tbx_iw tie = diagonal[i] & diagonal[j] & (x_i == y->place[i] - o) & (x_j == y->place[j] - o);
+                const tbx_iw outside = ((e < zero) ^ sign) & (e != zero) & inside & ~tie;
+                const int up = (b == 2 ? 0 : k * TBX_STRIDE(4, b)) + (c == 2 ? 0 : l * TBX_STRIDE(4, c));
+                m->unsure |= (tbx_wide_abs(e) <= g_error + h_error[l]) & inside & ((any & ~tie) | open);
+                tbx_group_miss(m, tbx_wide_up(cell, up) & outside, 4, b == 2 ? k : c == 2 ? l : -1);
+            }
+        }
+    }
+    return area;
+}
+
+/* The plane: n, its other part, how far that may be off, each on three axes. */
+TBX_NOINLINE void tbx_precise_plane(tbx_missed *m, const tbx_precise_axis axis[3], const tbx_fw n[3],
+                                    const tbx_fw rest[3], const tbx_fw error[3], tbx_iw flat, int closed)
+{
+    const tbx_fw pieces = tbx_wide_all(TBX_PIECES);
+    const tbx_fw zero = tbx_wide_all(0.0f);
+    const tbx_iw whole = axis[0].whole & axis[1].whole & axis[2].whole;
+    const tbx_iw doubtful = ~whole | tbx_wide_int(closed - 1);
+    tbx_iw cell = tbx_wide_int(-1);
+    tbx_iw other = cell;
+    tbx_fw d = zero;
+    tbx_fw d_rest = zero;
+    tbx_fw bound = zero;
+    int k;
+    int x;
+    int y;
+    int z;
+    for (k = 0; k < 3; k++) {
+        const tbx_fw v = axis[k].place[0] + axis[k].rest[0];
+        const tbx_fw reach = tbx_wide_all(4.0f) * pieces;
+        const tbx_iw sign = tbx_wide_sign(n[k] + rest[k]);
+        d += n[k] * axis[k].place[0];
+        d_rest += n[k] * axis[k].rest[0] + rest[k] * v;
+        bound += tbx_wide_all(TBX_PRECISE_PLANE_ERROR) *
+                     (tbx_wide_abs(n[k] * axis[k].rest[0]) + tbx_wide_abs(rest[k]) * reach) +
+                 error[k] * reach;
+        cell &= tbx_group_side(sign, 4, k);
+        other &= tbx_group_side(~sign, 4, k);
+    }
+    for (z = 0; z < axis[2].points; z++) {
+        for (y = 0; y < axis[1].points; y++) {
+            for (x = 0; x < axis[0].points; x++) {
+                const tbx_fw at_x = tbx_wide_all((float)x) * pieces;
+                const tbx_fw at_y = tbx_wide_all((float)y) * pieces;
+                const tbx_fw at_z = tbx_wide_all((float)z) * pieces;
+                const tbx_fw value = (((d - at_x * n[0]) - at_y * n[1]) - at_z * n[2]) +
+                                     (((d_rest - at_x * rest[0]) - at_y * rest[1]) - at_z * rest[2]);
+                const tbx_iw inside = (axis[0].extent > tbx_wide_int(x)) & (axis[1].extent > tbx_wide_int(y)) &
+                                      (axis[2].extent > tbx_wide_int(z)) & ~flat;
+                const tbx_iw missed = tbx_wide_select(value < zero, other, cell) & (value != zero) & inside;
+                m->unsure |= (tbx_wide_abs(value) <= bound) & inside & doubtful;
+                tbx_group_miss(m, tbx_wide_up(missed, y * 4 + x), 4, z);
+            }
+        }
+    }
+}
+
+/* The voxels of a group's boxes of up to 4^3, as tbx_group_decide's with n = 4. */
+TBX_NOINLINE unsigned tbx_precise_decide(const tbx_quick *q, const tbx_source *source, tbx_group *g,
+                                         uint64_t out[TBX_WIDE])
+{
+    tbx_precise_axis axis[3];
+    tbx_points v[3];
+    tbx_points first;
+    tbx_iw extents;
+    tbx_missed m;
+    tbx_fw n[3];
+    tbx_fw rest[3];
+    tbx_fw error[3];
+    tbx_iw flat[3];
+    const int closed = !q->upper_open;
+    int i;
+    int k;
+    tbx_group_pad(g);
+    tbx_group_corners(v, &first, &extents, g, source);
+    m.low = m.high = m.both = m.unsure = tbx_wide_int(0);
+    for (k = 0; k < 3; k++) {
+        tbx_fw x[3];
+        for (i = 0; i < 3; i++) {
+            x[i] = k == 0 ? v[i].x : k == 1 ? v[i].y : v[i].z;
+        }
+        axis[k].points = 0;
+        for (i = 0; i < TBX_WIDE; i++) {
+            const int extent = g->box[i][3] >> 8 * k & 3;
+            axis[k].points = extent > axis[k].points ? extent : axis[k].points;
+        }
+        tbx_precise_set(&axis[k], q, k, (tbx_iw)(k == 0 ? first.x : k == 1 ? first.y : first.z),
+                        (extents >> tbx_wide_int(8 * k)) & tbx_wide_int(3), x, &m.unsure);
+        tbx_group_beyond(&m, extents, 4, k);
+    }
+    for (k = 0; k < 3; k++) {
+        const int b = k < 2 ? k + 1 : 0;
+        const int c = k > 0 ? k - 1 : 2;
+        n[k] = tbx_precise_edges(&m, &axis[b], &axis[c], b, c, closed, &rest[k], &error[k], &flat[k]);
+    }
+    tbx_precise_plane(&m, axis, n, rest, error, flat[0] | flat[1] | flat[2], closed);
+    m.low |= m.both;
+    m.high |= m.both;
+    return tbx_group_voxels(out, &m, m.unsure, 4);
+}
+
 /* Sets voxels of triangle i's box, all in the region. */
 TBX_FORCED void tbx_group_set(const tbx_fill *fill, const tbx_group *g, int i, int n, uint64_t voxels)
 {
@@ -11570,8 +11930,6 @@ TBX_FORCED void tbx_group_set(const tbx_fill *fill, const tbx_group *g, int i, i
  * the plane's, times n_x, is one of q times the step of the normal. An area may be 0 exactly, or known to be
  * where all corners are level; again its edges run to and fro, and the plane says what they say. */
 #define TBX_NOWHERE 65536.0f
-
-typedef double tbx_dw __attribute__((vector_size(8 * TBX_WIDE)));
 
 /* What the lines of rows are made of, in lanes of triangles. */
 typedef struct tbx_row_parts {
@@ -12293,14 +12651,38 @@ TBX_FN void tbx_fill_any(tbx_fill *fill, tbx_i4 box, size_t word, size_t triangl
     }
 }
 
-/* Sets the voxels of a group of n^3; triangles that are unsure go by rows. */
+/* The triangles that groups were unsure of, precisely. */
+TBX_NOINLINE void tbx_fill_again(tbx_fill *fill, tbx_group *g)
+{
+    uint64_t voxels[TBX_WIDE];
+    unsigned unsure;
+    int i;
+    if (g->n == 0) {
+        return;
+    }
+    unsure = tbx_precise_decide(&fill->quick, fill->source, g, voxels);
+    for (i = 0; i < g->n; i++, unsure >>= 1) {
+        if ((unsure & 1u) != 0) {
+            tbx_fill_later(fill, g->triangle[i]);
+        } else {
+            tbx_group_set(fill, g, i, 4, voxels[i]);
+        }
+    }
+    g->n = 0;
+}
+
+/* Sets the voxels of a group of n^3; triangles that are unsure go the precise way. */
 TBX_FORCED void tbx_group_store(tbx_fill *fill, const tbx_group *g, int n, unsigned unsure,
                                 const uint64_t voxels[TBX_WIDE])
 {
     int i;
     for (i = 0; i < g->n; i++, unsure >>= 1) {
         if (TBX_RARELY((unsure & 1u) != 0)) {
-            tbx_fill_any(fill, g->box[i], g->word[i], g->triangle[i]);
+            if (!fill->quick.precise) {
+                tbx_fill_later(fill, g->triangle[i]);
+            } else if (tbx_group_add(&fill->again, g->box[i], g->word[i], g->triangle[i])) {
+                tbx_fill_again(fill, &fill->again);
+            }
         } else {
             tbx_group_set(fill, g, i, n, voxels[i]);
         }
@@ -12462,7 +12844,8 @@ TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, c
     fill.source = source;
     fill.target = target;
     fill.doubts = 0;
-    fill.rows[0].n = fill.rows[1].n = 0;
+    fill.rows[0].n = fill.rows[1].n = fill.again.n = 0;
+    fill.again.lattice = 0;
     fill.rows[0].lattice = fill.rows[1].lattice = 0;
     tbx_quick_init(&fill.quick, frame->grid, target);
     if (!fill.quick.on) {
@@ -12477,6 +12860,7 @@ TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, c
         if (t % 32768 == 0 || t == source->triangles) { /* so that a doubt's `back` fits */
             tbx_rows_flush_few(&fill, &fill.rows[0]);
             tbx_rows_flush(&fill, &fill.rows[1]);
+            tbx_fill_again(&fill, &fill.again);
         }
         tbx_fill_doubts(&fill);
     }
