@@ -11,8 +11,14 @@
  *   ...
  *   level 9      477813 nodes: the leaves, 0.36 % of a dense grid
  *   saved as 159542 bytes, in ... s
+ *
+ *   build/octree --solid [mesh] [depth]
+ *
+ * The tree of the solid (octree_solid.h): full cells of any size within, nodes only along the border. Its levels,
+ * and up to 9 of them whether it equals the dense solid. The dragon at 4096 a side, 12 levels: 177 MB.
  */
 #include "program.h"
+#include "octree_solid.h"
 
 enum { MOST_LEVELS = 16 };
 
@@ -138,7 +144,8 @@ static int save(const octree *tree, FILE *file) {
 }
 
 int main(int argc, char **argv) {
-    char error[MESH_ERROR] = "usage: octree [mesh] [depth from 1 to 16] [file]";
+    char error[MESH_ERROR] = "usage: octree [--solid] [mesh] [depth from 1 to 16] [file]";
+    int solid = 0;
     int asked;
     double start = progress_seconds();
     static octree tree;
@@ -149,6 +156,11 @@ int main(int argc, char **argv) {
     FILE *file;
     int a;
     tree.depth = 9;
+    if (argc > 1 && strcmp(argv[1], "--solid") == 0) {
+        solid = 1;
+        argc -= 1;
+        argv += 1;
+    }
     if ((asked = program_arguments("octree", error, &argc, argv)) >= 0) {
         return asked;
     }
@@ -157,6 +169,11 @@ int main(int argc, char **argv) {
         return program_fails("octree", error);
     }
     view = mesh_view(&m);
+    if (solid) {
+        asked = solid_octree(&m, tree.depth);
+        mesh_free(&m);
+        return asked;
+    }
     if (!tribox_grid_fit(&grid, &view, 1 << tree.depth) || (add_node(&tree), tree.count == 0)) {
         return program_fails("octree", "the mesh is a single point, or too large to frame");
     }
