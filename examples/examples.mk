@@ -1,9 +1,9 @@
 # Examples and the demo. Other sets of flags go to a folder of their own:
 #   make examples B=build/sanitize CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
 
-EXAMPLES := 01_overlap voxelize check_voxels slabs sparse octree kdtree slide pick colours
+EXAMPLES := 01_overlap voxelize check_voxels slabs sparse cells octree kdtree slide pick colours
 
-.PHONY: build-examples examples demo
+.PHONY: build-examples examples demo mpi
 
 build-examples: $(EXAMPLES:%=$(B)/%) ## build the example programs
 
@@ -21,3 +21,20 @@ demo: $(B)/voxelize ## voxelize the Utah teapot; writes build/teapot.png, .vox a
 	@echo 'Open $(B)/teapot.png in any viewer.'
 	@echo 'MagicaVoxel opens $(B)/teapot.vox, viewvox opens $(B)/teapot.binvox.'
 	@echo 'Your own mesh: $(B)/voxelize model.ply 256 -o model.vox   ($(B)/voxelize --help lists the options)'
+
+# Several processes, or machines: needs Open MPI (Debian: libopenmpi-dev, openmpi-bin).
+MPICC  ?= mpicc
+MPIRUN ?= mpirun --oversubscribe --allow-run-as-root
+
+$(B)/slabs_mpi: examples/slabs_mpi.c $(wildcard examples/*.h) tribox.h
+	@mkdir -p $(B)
+	OMPI_CC='$(CC)' $(MPICC) -std=c99 -I. $(CFLAGS) -Wall -Wextra $< -o $@ -lm
+
+mpi: ## fill in 1, 2 and 4 processes with MPI: the same file, byte by byte
+	@if ! command -v $(MPICC) > /dev/null; then echo 'SKIP: mpicc not found'; exit 0; fi; \
+	$(MAKE) --no-print-directory $(B)/slabs_mpi && \
+	for ranks in 1 2 4; do \
+	    $(MPIRUN) -n $$ranks $(B)/slabs_mpi teapot 256 $(B)/slabs_$$ranks.binvox || exit 1; \
+	done && \
+	cmp $(B)/slabs_1.binvox $(B)/slabs_2.binvox && cmp $(B)/slabs_1.binvox $(B)/slabs_4.binvox && \
+	echo 'mpi: 3 passed, 0 failed'

@@ -2,7 +2,7 @@
  *
  *   build/sparse [mesh] [resolution]       default: the teapot in a grid of 4096 along its longest side
  *
- * tribox_grid_spans hands out runs of voxels; each run is cut at brick borders and ORed into a hash table
+ * tribox_mesh_spans hands out runs of voxels; each run is cut at brick borders and ORed into a hash table
  * whose entries are a brick's place and its 512 bits. Prints:
  *
  *   grid      4096 x 2547 x 2006, 2616.0 MB as an array of bits
@@ -21,7 +21,7 @@ typedef struct brick_set {
     brick *table;
     size_t size;            /* a power of two */
     size_t used;
-    brick *latest;          /* spans come in order, so the next bits are often in the same brick */
+    brick *latest;          /* a triangle's spans come in order: the next bits are often in the same brick */
     int    lo[3];           /* the region's; places count from it */
     int    failed;          /* memory was short */
 } brick_set;
@@ -76,9 +76,10 @@ static brick *brick_at(brick_set *set, int x, int y, int z) {
     return set->latest;
 }
 
-/* A tribox_span_fn: sets voxels x0..x1 of row (y, z). */
-static void add_span(void *user, int x0, int x1, int y, int z) {
+/* A tribox_mesh_span_fn: sets voxels x0..x1 of row (y, z). */
+static void add_span(void *user, size_t triangle, int x0, int x1, int y, int z) {
     brick_set *set = (brick_set *)user;
+    (void)triangle;
     x0 -= set->lo[0];
     x1 -= set->lo[0];
     y -= set->lo[1];
@@ -88,7 +89,7 @@ static void add_span(void *user, int x0, int x1, int y, int z) {
         uint64_t run = (((uint64_t)2 << (end - x0)) - 1) << (x0 & 7);
         brick *b = brick_at(set, x0, y, z);
         if (!b) {
-            set->failed = 1;
+            set->failed = 1;        /* what comes after it is in vain, too */
             return;
         }
         b->layer[z & 7] |= run << (8 * (y & 7));
@@ -116,18 +117,13 @@ static int voxelize(const tribox_grid *grid, const tribox_mesh *m, char *error) 
     const int *hi = grid->hi;
     brick_set set = {NULL, 0, 0, NULL, {0, 0, 0}, 0};
     double start = progress_seconds();
-    double emitted = 0;
+    double emitted;
     double voxels;
     double dense = (double)((hi[0] - lo[0] + 63) / 64) * 8 * (hi[1] - lo[1]) * (hi[2] - lo[2]);
-    size_t t;
     memcpy(set.lo, lo, sizeof set.lo);
     printf("grid      %d x %d x %d, %.1f MB as an array of bits\n", hi[0] - lo[0], hi[1] - lo[1],
            hi[2] - lo[2], dense * 1e-6);
-    for (t = 0; t < m->triangles && !set.failed; t++) {
-        const float *corner[3];
-        mesh_corners(m, t, corner);
-        emitted += (double)tribox_grid_spans(grid, corner[0], corner[1], corner[2], add_span, &set);
-    }
+    emitted = (double)tribox_mesh_spans(grid, m, add_span, &set);
     if (set.failed) {
         snprintf(error, MESH_ERROR, "out of memory after %lu bricks", (unsigned long)set.used);
         free(set.table);

@@ -271,7 +271,7 @@ run 0 "$bin/voxelize" --version
 says 'voxelize, tribox.h '
 run 2 "$bin/voxelize" -- --no-such-file
 says 'No such file or directory'
-for program in slabs sparse octree kdtree slide pick colours; do
+for program in slabs sparse cells octree kdtree slide pick colours; do
     run 0 "$bin/$program" -h
     says "usage: $program"
     run 0 "$bin/$program" --version
@@ -288,6 +288,7 @@ run 2 "$bin/check_voxels" teapot "$tmp/plain.obj"
 says "line 1: a binvox file begins with '#binvox 1'"
 run 2 "$bin/slabs" teapot 8 0
 run 2 "$bin/sparse" teapot many
+run 2 "$bin/cells" teapot 64 -1
 
 # ---- Voxels out and in again -----------------------------------------------------------------------
 
@@ -451,6 +452,13 @@ run 0 "$bin/voxelize" teapot 90
 count=$(sed -n 's/^surface *\([0-9]*\) voxels.*/\1/p' "$tmp/out")
 run 0 "$bin/sparse" teapot 90
 says "set       $count different voxels"
+
+# ---- Lists of triangles in cells: rays agree with asking all triangles ------------------------------
+
+run 0 "$bin/cells" teapot 20 2000
+says 'check     200 rays against all triangles: the same'
+run 0 "$bin/cells" "$tmp/cube.obj" 3 500
+says 'check     200 rays against all triangles: the same'
 
 echo "examples: $checks checks, $failures failures"
 [ "$failures" -eq 0 ]
