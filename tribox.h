@@ -14333,7 +14333,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_FEW
 #undef TBX_ALL
 #undef TBX_MOST_INDEX
-#undef TBX_BATCH
+#undef TBX_BLOCK
 #undef TBX_CACHED
 #undef TBX_FIXED
 #undef TBX_FIXED_ERROR
@@ -14389,6 +14389,8 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_SLAB_ERROR
 #undef TBX_SLAB_ERROR_ULPS
 #undef TBX_SLAB_INVERSE_ERROR
+#undef TBX_SOLID_RAMP
+#undef TBX_STEPS
 #undef TBX_STORE
 
 #pragma pack(pop)

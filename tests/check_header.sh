@@ -91,6 +91,7 @@ calls_nothing() { # compile command...
 }
 export -f includes_only_three leaves_only_tribox_macros calls_nothing
 
+job "README.md's counts, sizes and names are those of the code" bash tests/doc_counts.sh
 have gcc && job "its words are nobody's macros" bash tests/check_words.sh
 have gcc && job "includes float.h, stddef.h, stdint.h alone" includes_only_three
 have gcc && job "leaves TRIBOX_ macros alone" leaves_only_tribox_macros

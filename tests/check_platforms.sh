@@ -11,6 +11,12 @@ set -u
 . tests/check_lib.sh
 
 pattern=${1:-.}
+if [ -n "${PLATFORMS_COUNT:-}" ]; then # only how many there are, for README.md
+    count=0
+    job() { count=$((count + 1)); }
+    have() { return 0; }
+    check_end() { rm -f "$check_results"; echo "$count"; }
+fi
 PLATFORMS=${PLATFORMS:-}
 dir=$CHECK_DIR/golden
 mkdir -p "$dir"
@@ -269,7 +275,7 @@ done
 
 # ---- Windows: MinGW, with <windows.h> first, too; clang as MSVC, without Microsoft's SDK
 
-if have wine && [[ "golden: windows msvc mingw /O wine" =~ $pattern || $pattern = . ]]; then
+if [ -z "${PLATFORMS_COUNT:-}" ] && have wine && [[ "golden: windows msvc mingw /O wine" =~ $pattern || $pattern = . ]]; then
     wait
     wine wineboot --init </dev/null >/dev/null 2>&1 # once, so that parallel runs find their folder ready
 fi

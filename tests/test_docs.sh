@@ -53,6 +53,15 @@ header_ends_with_licence() {
 }
 check "the header ends with LICENSE" header_ends_with_licence
 
+# ---- every private macro is undefined at the end, and only those
+
+macros_are_undefined() {
+    sed -n 's/^ *# *define \(TBX_[A-Za-z0-9_]*\).*/\1/p' tribox.h | sort -u > "$out/defined"
+    sed -n 's/^ *# *undef \(TBX_[A-Za-z0-9_]*\).*/\1/p' tribox.h | sort -u | comm -3 "$out/defined" - > "$out/left"
+    [ -s "$out/defined" ] && [ ! -s "$out/left" ] || { echo "defined, or undefined, alone:"; cat "$out/left"; return 1; }
+}
+check "#define and #undef agree" macros_are_undefined
+
 # ---- the code blocks: NUMBER.c or .cpp, and NUMBER.text for the output that follows
 
 awk -v out="$out" '

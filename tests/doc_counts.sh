@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# README's counts are those of the code: each sentence below, wherever README.md has it, holds the number that is
+# counted here.
+#
+#   bash tests/doc_counts.sh          says which do not, and fails
+#   bash tests/doc_counts.sh fix      writes the right ones into README.md
+#
+# Run from the repository's root.
+set -u
+mode=${1:-check}
+wrong=0
+
+with_commas() {
+    echo "$1" | sed -E ':a; s/^([0-9]+)([0-9]{3})/\1,\2/; ta'
+}
+
+# The regular expression has the number as @; it must occur in README.md.
+fact() { # what, regular expression, number
+    local number have pattern
+    number=$(with_commas "$3")
+    pattern=${2//@/([0-9][0-9,]*)}
+    have=$(grep -oE "$pattern" README.md | head -n 1 | sed -E "s/^$pattern\$/\1/")
+    if [ -z "$have" ]; then
+        echo "README.md does not say: $1 (${2//@/$number})"
+        wrong=$((wrong + 1))
+    elif [ "$have" != "$number" ]; then
+        if [ "$mode" = fix ]; then
+            sed -i -E "s/(${2//@/)[0-9][0-9,]*(})/\1$number\2/" README.md
+            echo "$1: $have, now $number"
+        else
+            echo "$1: README.md says $have, it is $number"
+            wrong=$((wrong + 1))
+        fi
+    fi
+}
+
+golden() { # a word of the golden answers' first comment: the number before it
+    sed -nE "s/.*[^0-9]([0-9]+) $1.*/\1/p" tests/golden_overlap.h | head -n 1
+}
+suite=$(sed -n 's/^TEST_SUITE := //p' tests/list.mk)
+# shellcheck disable=SC2086 # the suite is a list
+fact "tests of the suite" "the suite of @" "$(for t in $suite; do cat tests/test_$t.c; done | grep -c '^ *RUN(')"
+fact "golden triangles and boxes" "@ triangles and boxes" "$(golden "triangles and boxes")"
+fact "golden grids" "triangles and boxes, @ grids" "$(golden grids)"
+fact "golden questions to companions" "@ questions to companions" "$(golden "questions to companions")"
+fact "builds of make platforms" "@ builds" "$(PLATFORMS_COUNT=1 bash tests/check_platforms.sh)"
+fact "mutants" "@ mutants" "$(cat tests/mutants*.txt | grep -c '^# ')"
+fact "kilobytes of the header" "The header is @ KB" "$((($(wc -c <tribox.h) + 500) / 1000))"
+
+# sizes, where README.md tells them
+size=$(printf '#include "tribox.h"\n#include <stdio.h>\nint main(void) { printf("%%d\\n", (int)sizeof(tribox_tri)); return 0; }\n' |
+    ${CC:-cc} -x c -I. -w - -o "${TMPDIR:-/tmp}/sizes.$$" && "${TMPDIR:-/tmp}/sizes.$$")
+rm -f "${TMPDIR:-/tmp}/sizes.$$"
+grep -qE 'tribox_tri`? is [0-9]+ bytes' README.md && fact "bytes of tribox_tri" 'tribox_tri`? is @ bytes' "$size"
+
+# every function of the API is named; NAME_f64 may be told as `NAME`, `_f64`
+for name in $(sed -n '/^\/\* ---- 2\. API/,/^\/\* ---- 3\. /s/^TRIBOX_FN .*[ *]\(tribox_[a-z0-9_]*\)(.*/\1/p' tribox.h | sort -u); do
+    if ! grep -q "$name" README.md && ! { [ "$name" != "${name%_f64}" ] && grep -q "${name%_f64}.*_f64" README.md; }; then
+        echo "README.md does not name $name"
+        wrong=$((wrong + 1))
+    fi
+done
+
+[ "$wrong" -eq 0 ]
