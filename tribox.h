@@ -380,7 +380,9 @@ TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3],
  *
  * The questions beside the question, with the same promise: every number is the exact real number it is,
  * sets are closed, and every yes or no is exact. Boxes may have infinite faces; a box with min > max, NaN,
- * or both faces at one infinity is empty. TRIBOX_NO_COMPANIONS leaves this section out. */
+ * or both faces at one infinity is empty. Versions in _f64 take and write doubles: where a float is written
+ * that is the greatest <= (least >=, nearest) the exact number, they write such a double.
+ * TRIBOX_NO_COMPANIONS leaves this section out. */
 
 #ifndef TRIBOX_NO_COMPANIONS
 
@@ -390,7 +392,8 @@ TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3],
  *
  * Returns     1 = they share a point, 0 = they do not, or one of them is empty.
  * Guarantees  Exact.
- * Cost        Six comparisons: 25 ns with its checks (measured, as all below: gcc 12 -O2, a Xeon).
+ * Cost        Six comparisons: 25 ns with its checks (measured, as all below: gcc 12 -O2, a Xeon; of the
+ *             versions for doubles, whose last digits are found in integers, "f64").
  */
 TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const float b_min[3],
                              const float b_max[3]);
@@ -416,7 +419,7 @@ TRIBOX_FN int tribox_plane_box(const float n[3], float d, const float box_min[3]
  *
  * Returns     1 or 0. A NaN or infinite end, or an empty box: 0.
  * Guarantees  Exact: the segment is the triangle p, q, q.
- * Cost        8 ns; within rounding of touching, as tribox_overlap.
+ * Cost        8 ns; f64 30 ns; within rounding of touching, as tribox_overlap.
  */
 TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float box_min[3],
                                  const float box_max[3]);
@@ -434,8 +437,8 @@ TRIBOX_FN int tribox_segment_box_f64(const double p[3], const double q[3], const
  *             box: 0.
  * Guarantees  Exact. out_t0 is the greatest float (or -infinity) that is <= the exact lower end of the
  *             interval, out_t1 the least float (or infinity) that is >= its upper end.
- * Cost        12 ns; 18 ns where dir has a zero component; 70 ns where both ends are floats; within rounding
- *             of touching, or where two axes end at once, 0.15 to 5 us.
+ * Cost        15 ns; 40 ns where dir has a zero component or without vectors; where both ends are floats, and
+ *             within rounding of touching, 0.2 to 1 us; f64: 40 ns, and 0.3 us for each end that is asked for.
  * Source      [KK86], slabs.
  */
 TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
@@ -454,7 +457,7 @@ TRIBOX_FN int tribox_ray_box_f64(const double origin[3], const double dir[3], do
  * Guarantees  Exact, so no ray slips between two triangles that share an edge. A ray in the triangle's plane,
  *             or along a degenerate triangle, has an interval of t inside. out_t is the greatest float (or
  *             -infinity) that is <= its lower end.
- * Cost        200 ns; within 2^-48 of an edge or parallel to the plane, 9 us.
+ * Cost        200 ns, f64 0.5 us; within 2^-48 of an edge or parallel to the plane, 3 us.
  */
 TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], float t_min, float t_max,
                                   const float v0[3], const float v1[3], const float v2[3], float *out_t);
@@ -570,7 +573,7 @@ TRIBOX_FN unsigned tribox_tri_octants_f64(const tribox_tri *tri, const double p[
  * Guarantees  The extreme points of the exact intersection, in the triangle's winding, beginning with the
  *             lexicographically least, each coordinate rounded to nearest (ties to even), so all lie in the
  *             box. A point that rounds like an earlier one is left out.
- * Cost        1 us; where a cut cannot be decided or rounded in double, 13 us.
+ * Cost        1 us, f64 4 us; where a cut cannot be decided or rounded in double, 5 us.
  */
 TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3],
                           const float box_min[3], const float box_max[3], float out_polygon[9][3]);
@@ -586,7 +589,7 @@ TRIBOX_FN int tribox_clip_f64(const double v0[3], const double v1[3], const doub
  * Guarantees  The nearest corner, edge or face is chosen exactly, and each weight is the exact one rounded to
  *             nearest. Degenerate triangle: of all weights of that point, those with the fewest non-zeros, at
  *             the lowest indices. NaN or infinity: (1,0,0).
- * Cost        0.3 us; where the feature cannot be decided in double, 8 us.
+ * Cost        0.3 us, f64 1.6 us; where the feature cannot be decided in double, 3 us.
  */
 TRIBOX_FN void tribox_closest(const float v0[3], const float v1[3], const float v2[3], const float q[3],
                               float out_weights[3]);
@@ -5572,7 +5575,10 @@ TBX_FN int64_t tbx_format_key(int64_t key, int format)
     } else if (exponent >= 1) {
         narrow = (int64_t)(magnitude >> 29) - ((int64_t)(1023 - 127) << 23);
     } else {
-        narrow = exponent <= -24 ? 0 : (int64_t)(((magnitude & 0x000fffffffffffffu) | 0x0010000000000000u) >> (30 - exponent));
+        narrow =
+            exponent <= -24
+                ? 0
+                : (int64_t)(((magnitude & 0x000fffffffffffffu) | 0x0010000000000000u) >> (30 - exponent));
     }
     return key < 0 ? -narrow : narrow;
 }
@@ -5687,7 +5693,7 @@ TBX_FN void tbx_num_keep(tbx_calc *c, int mark, tbx_num *r, int count)
 }
 
 /* r = mantissa * 2^exponent */
-TBX_COLD void tbx_num_set_exact(tbx_calc *c, tbx_num *r, int64_t mantissa, int exponent)
+TBX_NOINLINE void tbx_num_set_exact(tbx_calc *c, tbx_num *r, int64_t mantissa, int exponent)
 {
     uint64_t rest = tbx_magnitude64(mantissa);
     const int limb = (exponent + 128 * TBX_LIMB_BITS) / TBX_LIMB_BITS - 128; /* rounded down */
@@ -5725,7 +5731,7 @@ TBX_FN int tbx_num_order(const tbx_calc *c, const tbx_num *a, const tbx_num *b, 
 }
 
 /* r = a + sign * b */
-TBX_COLD void tbx_num_add_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
+TBX_NOINLINE void tbx_num_add_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
 {
     const int b_sign = sign * b->sign;
     const int a_hi = a->exponent + a->n;
@@ -5763,7 +5769,7 @@ TBX_COLD void tbx_num_add_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const
 }
 
 /* r = a * b */
-TBX_COLD void tbx_num_mul_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b)
+TBX_NOINLINE void tbx_num_mul_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b)
 {
     const tbx_limb *x = c->store + a->at;
     const tbx_limb *y = c->store + b->at;
@@ -5796,7 +5802,8 @@ TBX_COLD int tbx_num_value_exact(const tbx_calc *c, const tbx_num *a, double *ou
     int piece = top;
     int lowest;
     int i;
-    while ((uint32_t)(tbx_num_limb(c, a, a->exponent + a->n - 1) >> (piece == top ? TBX_LIMB_BITS - 32 : 0)) == 0) {
+    while ((uint32_t)(tbx_num_limb(c, a, a->exponent + a->n - 1) >>
+                      (piece == top ? TBX_LIMB_BITS - 32 : 0)) == 0) {
         piece--;
     }
     lowest = piece - 2;
@@ -5857,7 +5864,8 @@ TBX_FN int tbx_sum_is_exact(double a, double b)
 {
     const int64_t e = (int64_t)(tbx_bits64(&a) >> 52 & 0x7ffu);
     const int64_t f = (int64_t)(tbx_bits64(&b) >> 52 & 0x7ffu);
-    return TBX_DOUBLE_IS_53_BITS && (e == 0 || f == 0 || (e - f <= 28 && f - e <= 28 && tbx_both_short(a, b)));
+    return TBX_DOUBLE_IS_53_BITS &&
+           (e == 0 || f == 0 || (e - f <= 28 && f - e <= 28 && tbx_both_short(a, b)));
 }
 
 /* r = a + sign * b; r may be a or b, here and below */
@@ -5886,7 +5894,7 @@ TBX_FN void tbx_num_mul(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num
     }
 }
 
-TBX_COLD void tbx_num_difference_exact(tbx_calc *c, tbx_num *r, const tbx_real *x, const tbx_real *y)
+TBX_NOINLINE void tbx_num_difference_exact(tbx_calc *c, tbx_num *r, const tbx_real *x, const tbx_real *y)
 {
     const int mark = c->used;
     tbx_num a;
@@ -6282,8 +6290,9 @@ TBX_FN int tbx_ray_read(tbx_ray *r, const void *origin, const void *dir, const v
 TBX_FN int tbx_ray_valid(const tbx_ray *r)
 {
     return tbx_finite(r->origin, 3) & tbx_finite(r->dir, 3) &
-           (r->t[0].key <= r->t[1].key && r->t[0].key >= -TBX_KEY_INFINITY && r->t[0].key < TBX_KEY_INFINITY &&
-            r->t[1].key <= TBX_KEY_INFINITY && r->t[1].key > -TBX_KEY_INFINITY);
+           (r->t[0].key <= r->t[1].key && r->t[0].key >= -TBX_KEY_INFINITY &&
+            r->t[0].key < TBX_KEY_INFINITY && r->t[1].key <= TBX_KEY_INFINITY &&
+            r->t[1].key > -TBX_KEY_INFINITY);
 }
 
 typedef struct tbx_slabs {
@@ -6349,7 +6358,7 @@ TBX_FN int64_t tbx_slabs_end(tbx_calc *c, const tbx_slabs *s, int e, int format)
     return tbx_fraction_round(c, &t, format, e == 0 ? TBX_DOWN : TBX_UP);
 }
 
-TBX_COLD int tbx_slabs_run_exact(tbx_slabs *s)
+TBX_NOINLINE int tbx_slabs_run_exact(tbx_slabs *s)
 {
     tbx_limb store[TBX_STORE];
     tbx_calc c = { 1, 0, 0, NULL };
@@ -6357,7 +6366,7 @@ TBX_COLD int tbx_slabs_run_exact(tbx_slabs *s)
     return tbx_slabs_run(&c, s);
 }
 
-TBX_COLD int64_t tbx_slabs_end_exact(const tbx_slabs *s, int e, int format)
+TBX_NOINLINE int64_t tbx_slabs_end_exact(const tbx_slabs *s, int e, int format)
 {
     tbx_limb store[TBX_STORE];
     tbx_calc c = { 1, 0, 0, NULL };
@@ -6546,7 +6555,8 @@ TBX_NOINLINE int tbx_ray_box(const tbx_ray_ask *a, void *out_t0, void *out_t1)
     void *out[2];
     double t[2];
     int axis[2] = { -1, -1 };
-    int verdict = a->format == TBX_FLOAT ? tbx_slabs_filter_float(a, t, axis) : tbx_slabs_filter_double(a, t, axis);
+    int verdict =
+        a->format == TBX_FLOAT ? tbx_slabs_filter_float(a, t, axis) : tbx_slabs_filter_double(a, t, axis);
     int sure = 1;
     int e;
     if (TBX_RARELY(verdict == TBX_UNSURE)) {
@@ -6834,7 +6844,8 @@ TBX_FN int tbx_motion_corner(const tbx_motion *m, int axis, int want)
 
 /* The gap at t = 0 between T and the box's far face on a side of the axis: max over B of l'.b - min over T
  * of l'.v, l' = side * l. Returns 0 where the box has no end there. */
-TBX_FN int tbx_motion_gap(tbx_motion *m, int axis, int side, const tbx_num l[3], const int l_sign[3], tbx_num *out)
+TBX_FN int tbx_motion_gap(tbx_motion *m, int axis, int side, const tbx_num l[3], const int l_sign[3],
+                          tbx_num *out)
 {
     tbx_calc *c = &m->calc;
     const tbx_real *v = m->v[tbx_motion_corner(m, axis, side)];
@@ -6940,7 +6951,7 @@ TBX_FN int64_t tbx_motion_round(tbx_motion *m, int e, int format)
 }
 
 /* The same in integers, of an end that was found in double. */
-TBX_COLD int64_t tbx_motion_round_exact(const tbx_motion *found, int e, int format)
+TBX_NOINLINE int64_t tbx_motion_round_exact(const tbx_motion *found, int e, int format)
 {
     tbx_limb store[TBX_STORE];
     tbx_motion m = *found;
@@ -7052,7 +7063,7 @@ TBX_FN int tbx_shot_run(tbx_calc *c, const tbx_shot *s, tbx_fraction *t)
 }
 
 /* In integers; a line in the plane of T, or a T without a plane, by the 13 axes. */
-TBX_COLD int tbx_shot_run_exact(const tbx_shot *s, int format, int64_t *out_key)
+TBX_NOINLINE int tbx_shot_run_exact(const tbx_shot *s, int format, int64_t *out_key)
 {
     tbx_limb store[TBX_STORE];
     tbx_motion m;
@@ -7086,7 +7097,7 @@ TBX_COLD int tbx_shot_run_exact(const tbx_shot *s, int format, int64_t *out_key)
 }
 
 /* The time of a hit that was found in double. */
-TBX_COLD int64_t tbx_shot_round_exact(const tbx_shot *s, int format)
+TBX_NOINLINE int64_t tbx_shot_round_exact(const tbx_shot *s, int format)
 {
     tbx_limb store[TBX_STORE];
     tbx_calc c = { 1, 0, 0, NULL };
@@ -7241,7 +7252,7 @@ TBX_FN int tbx_sweep_run(tbx_motion *m, int64_t out_t[2], float out_axis[3])
     return hit;
 }
 
-TBX_COLD int tbx_sweep_exact(tbx_motion *m, int64_t out_t[2], float out_axis[3])
+TBX_NOINLINE int tbx_sweep_exact(tbx_motion *m, int64_t out_t[2], float out_axis[3])
 {
     tbx_limb store[TBX_STORE];
     m->calc.exact = 1;
@@ -7469,7 +7480,8 @@ TBX_COLD double tbx_gap_value_exact(const tbx_calc *c, const tbx_gap *a)
         quotient >>= 1;
         e_g++;
     }
-    return a->g.sign * tbx_from_bits64(((uint64_t)(1023 + 52 + e_g) << 52) + (quotient - ((uint64_t)1 << 52)));
+    return a->g.sign *
+           tbx_from_bits64(((uint64_t)(1023 + 52 + e_g) << 52) + (quotient - ((uint64_t)1 << 52)));
 }
 
 /* Is edge axis `axis` parallel to one before? Where n_a = 0 the three edges x unit a are along n, or, of a
@@ -7772,7 +7784,7 @@ TBX_FN void tbx_nearest_run(tbx_calc *c, const tbx_nearest *p, int format, int64
     }
 }
 
-TBX_COLD void tbx_nearest_exact(const tbx_nearest *p, int format, int64_t one, int64_t weights[3])
+TBX_NOINLINE void tbx_nearest_exact(const tbx_nearest *p, int format, int64_t one, int64_t weights[3])
 {
     tbx_limb store[TBX_STORE];
     tbx_calc c = { 1, 0, 0, NULL };
@@ -7931,7 +7943,9 @@ TBX_FN int tbx_cut_side(tbx_cut *t, tbx_vertex x, int line)
     tbx_fraction face;
     int order;
     if (given != NULL) {
-        return (given->key > f->key) - (given->key < f->key) == 0 ? 0 : given->key > f->key ? inward : -inward;
+        return (given->key > f->key) - (given->key < f->key) == 0 ? 0
+               : given->key > f->key                              ? inward
+                                                                  : -inward;
     }
     tbx_cut_coordinate(t, x, tbx_line_axis(line), &at);
     tbx_fraction_of(&t->calc, &face, f);
@@ -8077,7 +8091,7 @@ TBX_FN int tbx_cut_round(tbx_cut *t, const tbx_polygon *p, int format, int64_t o
 }
 
 /* In integers: all of it, or the corners of a polygon that was found in double. */
-TBX_COLD int tbx_cut_exact(tbx_cut *t, tbx_polygon *p, int found, int format, int64_t out[9][3])
+TBX_NOINLINE int tbx_cut_exact(tbx_cut *t, tbx_polygon *p, int found, int format, int64_t out[9][3])
 {
     tbx_limb store[TBX_STORE];
     t->calc.exact = 1;
@@ -8179,7 +8193,8 @@ TBX_FOR_FORMAT int64_t tbx_query_bits(const char *x, int format)
     }
 }
 
-TBX_FOR_FORMAT void tbx_query_set_face(tbx_query_face *face, const void *box, int axis, int is_upper, int format)
+TBX_FOR_FORMAT void tbx_query_set_face(tbx_query_face *face, const void *box, int axis, int is_upper,
+                                       int format)
 {
     const int64_t magnitudes = format == TBX_FLOAT ? 0x7fffffff : (int64_t)0x7fffffffffffffffu;
     int64_t bits;
@@ -8332,7 +8347,7 @@ typedef struct tbx_segment {
     double from[3];   /* t of the plane behind a voxel is from + voxel*step, to within error*(1 + |t|) */
     double step[3];
     double error;
-    double t[3];      /* of the next plane, if any are left */
+    double t[3]; /* of the next plane, if any are left */
 } tbx_segment;
 
 #define TBX_SEGMENT_ERROR (32.0 * TBX_U64)
@@ -8559,8 +8574,9 @@ TBX_FN void tbx_segment_times(tbx_segment *s, int k)
     const double *size = &s->grid->size[k];
     double d = s->q[k] - s->p[k];
     TBX_KEEP_SCALAR(d);
-    if (TBX_DOUBLE_IS_53_BITS && tbx_sign(&d) != 0 && tbx_is_ordinary(&d, 300) && tbx_is_ordinary(origin, 300) &&
-        tbx_is_ordinary(size, 300) && tbx_is_ordinary(&s->p[k], 300) && tbx_is_ordinary(&s->q[k], 300)) {
+    if (TBX_DOUBLE_IS_53_BITS && tbx_sign(&d) != 0 && tbx_is_ordinary(&d, 300) &&
+        tbx_is_ordinary(origin, 300) && tbx_is_ordinary(size, 300) && tbx_is_ordinary(&s->p[k], 300) &&
+        tbx_is_ordinary(&s->q[k], 300)) {
         const double sum = tbx_abs(*origin) + tbx_abs(s->p[k]) + tbx_abs(s->q[k]) + *size;
         const double error = sum / tbx_abs(d) + 1.0;
         s->step[k] = *size / d;
@@ -8805,7 +8821,8 @@ TBX_COLD int tbx_sphere_sphere_exact(const float a[3], const float *a_radius, co
 TRIBOX_FN int tribox_sphere_sphere(const float a[3], float a_radius, const float b[3], float b_radius)
 {
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY((tbx_odd3(a) | tbx_odd3(b) | tbx_odd_radius(&a_radius) | tbx_odd_radius(&b_radius)) != 0)) {
+    if (!TBX_RARELY((tbx_odd3(a) | tbx_odd3(b) | tbx_odd_radius(&a_radius) | tbx_odd_radius(&b_radius)) !=
+                    0)) {
         const double p[3] = { (double)a[0], (double)a[1], (double)a[2] };
         const double q[3] = { (double)b[0], (double)b[1], (double)b[2] };
         const double r = (double)a_radius + (double)b_radius;
@@ -8877,7 +8894,8 @@ TRIBOX_FN int tribox_plane_sphere(const float n[3], float d, const float c[3], f
         const double b = y * (double)c[1];
         const double e = z * (double)c[2];
         const double v = a + b + e + (double)d;
-        const double error = (tbx_abs(a) + tbx_abs(b) + tbx_abs(e) + tbx_abs((double)d)) * TBX_PLANE_SPHERE_ERROR;
+        const double error =
+            (tbx_abs(a) + tbx_abs(b) + tbx_abs(e) + tbx_abs((double)d)) * TBX_PLANE_SPHERE_ERROR;
         const double square = r * r * (x * x + y * y + z * z);
         const double least = tbx_abs(v) - error;
         const double most = tbx_abs(v) + error;
@@ -8937,7 +8955,8 @@ TBX_FN double tbx_outside(float x, float lo, float hi)
     return farther > 0.0 ? farther : 0.0;
 }
 
-TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_min[3], const float box_max[3])
+TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_min[3],
+                                const float box_max[3])
 {
 #if TBX_DOUBLE_IS_53_BITS
     if (!TBX_RARELY((tbx_odd3(c) | tbx_odd3(box_min) | tbx_odd3(box_max) | tbx_odd_radius(&radius)) != 0) &&
@@ -9165,7 +9184,8 @@ TRIBOX_FN int tribox_sphere_triangle(const float c[3], float radius, const float
 {
     const float *const v[3] = { v0, v1, v2 };
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY((tbx_odd3(c) | tbx_odd3(v0) | tbx_odd3(v1) | tbx_odd3(v2) | tbx_odd_radius(&radius)) != 0)) {
+    if (!TBX_RARELY((tbx_odd3(c) | tbx_odd3(v0) | tbx_odd3(v1) | tbx_odd3(v2) | tbx_odd_radius(&radius)) !=
+                    0)) {
         const int verdict = tbx_touch_filter(c, radius, v);
         if (!TBX_RARELY(verdict == TBX_UNSURE)) {
             return verdict;
@@ -9259,7 +9279,7 @@ TBX_FN int tbx_pierce_run(tbx_pierce *x, int64_t out[2])
     }
     for (e = 0; e < 2; e++) {
         out[e] = tbx_pierce_side(x, e, &x->t[e]) < 0 ? tbx_pierce_round(x, e)
-                                                      : tbx_format_key(x->t[e].key, TBX_FLOAT);
+                                                     : tbx_format_key(x->t[e].key, TBX_FLOAT);
     }
     return 1;
 }
@@ -9323,7 +9343,8 @@ TBX_FN int tbx_pierce_end(double t, double error, int e, int64_t *out)
 {
     const double x = e == 0 ? t : -t;
     int64_t key;
-    if (!(tbx_abs(t) > 7.888609052210118e-31 + error && tbx_abs(t) < 1.2676506002282294e+30)) { /* 2^-100, 2^100 */
+    if (!(tbx_abs(t) > 7.888609052210118e-31 + error &&
+          tbx_abs(t) < 1.2676506002282294e+30)) { /* 2^-100, 2^100 */
         return 0;
     }
     key = tbx_floor_key(x - error);
@@ -13024,7 +13045,8 @@ TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const floa
     t = a / d;
     TBX_KEEP_SCALAR(t);
     key = tbx_slab_round(t, e);
-    if (TBX_RARELY(key == 0 || !(tbx_abs(t * d - a) < tbx_abs(a) * TBX_SLAB_INVERSE_ERROR && tbx_abs(t) > 1e-6))) {
+    if (TBX_RARELY(key == 0 ||
+                   !(tbx_abs(t * d - a) < tbx_abs(a) * TBX_SLAB_INVERSE_ERROR && tbx_abs(t) > 1e-6))) {
         return tbx_ray_end_again(origin, dir, box_min, box_max, k, e);
     }
     return key;
@@ -13082,8 +13104,9 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     t_bits[0] = tbx_opaque32(t_bits[0]);
     t_bits[1] = tbx_opaque32(t_bits[1]);
     /* by sign bits: out of range, also NaN and infinities */
-    if (TBX_RARELY(tbx_any((most - tbx_magnitude(o)) | (most - tbx_magnitude(lo)) | (most - tbx_magnitude(hi)) |
-                           (most - tbx_magnitude(d)) | (tbx_magnitude(d) - least)) ||
+    if (TBX_RARELY(tbx_any((most - tbx_magnitude(o)) | (most - tbx_magnitude(lo)) |
+                           (most - tbx_magnitude(hi)) | (most - tbx_magnitude(d)) |
+                           (tbx_magnitude(d) - least)) ||
                    (t_bits[0] & 0x7fffffffu) > 0x7f800000u || (t_bits[1] & 0x7fffffffu) > 0x7f800000u)) {
         return TBX_UNSURE;
     }
@@ -13097,7 +13120,8 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     TBX_KEEP_VECTOR(a);
     TBX_KEEP_VECTOR(b);
     /* by their sign bits: a reciprocal off by 2^-20; lo > hi */
-    if (TBX_RARELY(tbx_any((tbx_splat_int(0x35800000) - tbx_magnitude(inverse * d - one)) | (tbx_i4)(hi - lo)))) {
+    if (TBX_RARELY(
+            tbx_any((tbx_splat_int(0x35800000) - tbx_magnitude(inverse * d - one)) | (tbx_i4)(hi - lo)))) {
         return TBX_UNSURE;
     }
     a = a * inverse;
@@ -13125,8 +13149,9 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
         return TBX_UNSURE; /* more than one axis may be the first or last */
     }
     if (out_t0 != NULL) {
-        key0 = reached0 < 8 ? tbx_ray_end(origin, dir, box_min, box_max, reached0 >> 1, 0) /* 1, 2, 4: 0, 1, 2 */
-                            : tbx_float_key(t_bits[0]);
+        key0 = reached0 < 8
+                   ? tbx_ray_end(origin, dir, box_min, box_max, reached0 >> 1, 0) /* 1, 2, 4: 0, 1, 2 */
+                   : tbx_float_key(t_bits[0]);
         tbx_write(out_t0, 0, TBX_FLOAT, key0);
     }
     if (out_t1 != NULL) {
@@ -13143,7 +13168,7 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
 {
     const tbx_f4 half = tbx_splat(0.5f);
     const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f }; /* 2^-149 */
-    const tbx_i4 most = tbx_splat_int(0x53800000);                     /* 2^40 */
+    const tbx_i4 most = tbx_splat_int(0x53800000);                    /* 2^40 */
     tbx_f4 p0 = tbx_load3(p);
     tbx_f4 p1 = tbx_load3(q);
     tbx_f4 lo = tbx_load3(box_min);
@@ -13299,8 +13324,7 @@ TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float
         const tbx_f4 d = TBX_LANES(partial, partial, 0, 0, 0, 0) + TBX_LANES(size, size, 2, 2, 2, 2);
         const tbx_f4 nothing = d * tbx_splat(TBX_GAP_VOID);
         const tbx_f4 error = d * tbx_splat(TBX_GAP_ERROR4);
-        const tbx_f4 root0 =
-            tbx_inverse_root4(TBX_JOIN(a1 * a1 + a1_yzx * a1_yzx, squares, 0));
+        const tbx_f4 root0 = tbx_inverse_root4(TBX_JOIN(a1 * a1 + a1_yzx * a1_yzx, squares, 0));
         const tbx_f4 root1 = tbx_inverse_root4(e1 * e1 + e1_yzx * e1_yzx);
         const tbx_f4 root2 = tbx_inverse_root4(a2 * a2 + a2_yzx * a2_yzx);
         const tbx_f4 of_n =
@@ -13310,19 +13334,19 @@ TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float
         const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
         const tbx_f4 apart = tbx_max4(lo - t_max, t_min - hi);
         const tbx_f4 s = apart + apart + below_all;
-        const tbx_f4 s0 =
-            tbx_gap_edge4(a1, h, h_yzx, TBX_JOIN(a1 * w_yzx - a1_yzx * w - n, sums, 0),
-                          TBX_JOIN(tbx_abs4(n), sums, 1) + nothing, root0);
-        const tbx_f4 s1 = tbx_gap_edge4(e1, h, h_yzx, e1 * w_yzx - e1_yzx * w + n1, tbx_abs4(n1) + nothing,
-                                        root1);
+        const tbx_f4 s0 = tbx_gap_edge4(a1, h, h_yzx, TBX_JOIN(a1 * w_yzx - a1_yzx * w - n, sums, 0),
+                                        TBX_JOIN(tbx_abs4(n), sums, 1) + nothing, root0);
+        const tbx_f4 s1 =
+            tbx_gap_edge4(e1, h, h_yzx, e1 * w_yzx - e1_yzx * w + n1, tbx_abs4(n1) + nothing, root1);
         const tbx_f4 s2 =
             tbx_gap_edge4(a2, h, h_yzx, a2 * w_yzx - a2_yzx * w + n, tbx_abs4(n) + nothing, root2);
         const tbx_f4 all = tbx_max4(tbx_max4(tbx_max4(s, s1), s2) - error, s0 - error0);
         const tbx_f4 pairs = tbx_max4(all, TBX_LANES(all, all, 2, 3, 0, 1));
         const tbx_f4 most = tbx_max4(pairs, TBX_LANES(pairs, pairs, 1, 0, 3, 2));
         const tbx_f4 least = most - tbx_splat(TBX_GAP_ROOT) * (tbx_abs4(most) + error) - error;
-        const unsigned mask = (unsigned)(tbx_signs(s >= least) | tbx_signs(s0 + error0 >= least + error) << 4 |
-                                         tbx_signs(s1 >= least) << 8 | tbx_signs(s2 >= least) << 12);
+        const unsigned mask =
+            (unsigned)(tbx_signs(s >= least) | tbx_signs(s0 + error0 >= least + error) << 4 |
+                       tbx_signs(s1 >= least) << 8 | tbx_signs(s2 >= least) << 12);
         /* by the bits, whatever the processor reads subnormals as; too small, or lo > hi */
         const tbx_i4 least_bits = tbx_splat_int(0x33800000);
         const tbx_i4 same0 = (tbx_i4)p0 == (tbx_i4)p1;
@@ -13403,7 +13427,7 @@ TBX_FN int tbx_gap_near_edge(const float *const v[3], const float lo[3], const f
                              unsigned unit, double root, double *out_s, double out_axis[3])
 {
     const float *p = v[edge];
-    const float *q = v[9u >> 2 * edge & 3u]; /* 1 2 0 */
+    const float *q = v[9u >> 2 * edge & 3u];  /* 1 2 0 */
     const float *r = v[18u >> 2 * edge & 3u]; /* 2 0 1 */
     const unsigned b = 9u >> 2 * unit & 3u;
     const unsigned c = 18u >> 2 * unit & 3u;
@@ -13418,8 +13442,8 @@ TBX_FN int tbx_gap_near_edge(const float *const v[3], const float lo[3], const f
     const double x_b = tbx_abs(e_b);
     const double x_c = tbx_abs(e_c);
     const double t = e_c * r_b - e_b * r_c;
-    const double mag = x_c * (tbx_abs(w_b) + h_b + 2.0 * tbx_abs(r_b)) +
-                       x_b * (tbx_abs(w_c) + h_c + 2.0 * tbx_abs(r_c));
+    const double mag =
+        x_c * (tbx_abs(w_b) + h_b + 2.0 * tbx_abs(r_b)) + x_b * (tbx_abs(w_c) + h_c + 2.0 * tbx_abs(r_c));
     const double square = e_b * e_b + e_c * e_c;
     const int sure = tbx_gap_near_end((e_c * w_b - e_b * w_c) - t, x_c * h_b + x_b * h_c + tbx_abs(t),
                                       11.0 * TBX_U64 * mag, square, 0.0, out_s, &root);
@@ -13543,7 +13567,8 @@ TBX_COLD int tbx_gap_near_long(const float *const v[3], const float lo[3], const
         out_axis[k] = tbx_gap_double(up > down ? l[k] : -l[k]);
     }
     *out_s = tbx_gap_double(up > down ? up : down) * scale;
-    scale = tbx_inverse_root(out_axis[0] * out_axis[0] + out_axis[1] * out_axis[1] + out_axis[2] * out_axis[2]);
+    scale =
+        tbx_inverse_root(out_axis[0] * out_axis[0] + out_axis[1] * out_axis[1] + out_axis[2] * out_axis[2]);
     *out_s *= scale;
     for (k = 0; k < 3; k++) {
         out_axis[k] *= scale;
