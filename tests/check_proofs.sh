@@ -22,10 +22,8 @@ constant() { # sed pattern with one group, sed pattern of the line before
 }
 
 ULPS=$(constant '^#define TBX_ULPS \([0-9]*\)$')
-TERMS=$(constant '.*bound = \([0-9.]*\) \* u \* terms + [0-9.]* \* TBX_U64 \* made.*')
-MADE=$(constant '.*bound = [0-9.]* \* u \* terms + \([0-9.]*\) \* TBX_U64 \* made.*')
-FACES=$(constant '.*bound = \([0-9.]*\) \* (double)TBX_U32 \* (bound > least.*')
-NORMAL=$(constant '.*abs(p) + tbx_abs(q)) \* (\([0-9.]*\) \* TBX_U64);.*')
+TRI=$(constant '^#define TBX_TRI_ULPS \([0-9]*\)$')
+NORMAL=$(constant '^#define TBX_NORMAL_ULPS \([0-9]*\) .*')
 COORDINATE=$(constant '^#define TBX_COORDINATE_ERROR (\([0-9.]*\) \* TBX_U64)$')
 LINE=$(constant '^#define TBX_LINE_ERROR \([0-9.]*\)$')
 WALK_NORMAL=$(constant '^#define TBX_NORMAL_ERROR (\([0-9.]*\) \* TBX_U64)$')
@@ -35,8 +33,8 @@ GRID=$(constant '^#define TBX_PLANE_ERROR (\([0-9.]*\) \* TBX_U64)$')
 SHARE=$(constant '.*const float delta = \([0-9.]*\)f \* TBX_U32 \* (float)n + q->delta_low;.*')
 LINES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)n \* delta).*')
 PLANES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)(n \* n) \* delta).*')
-export SHARE LINES PLANES ULPS TERMS MADE FACES NORMAL COORDINATE LINE WALK_NORMAL FIXED GRID
-echo "constants of tribox.h: one box $ULPS; prepared $TERMS and $MADE, faces $FACES;" \
+export SHARE LINES PLANES ULPS TRI NORMAL COORDINATE LINE WALK_NORMAL FIXED GRID
+echo "constants of tribox.h: one box $ULPS; prepared $TRI;" \
     "sign of the normal $NORMAL; walk $COORDINATE, $LINE, $WALK_NORMAL and $FIXED; grid plane $GRID;" \
     "groups $SHARE, $LINES and $PLANES"
 
@@ -46,8 +44,8 @@ prove() { # script, P, FUSED or PLAIN, N: lines for boxes of N^3 voxels
     local other=PLAIN n=${4:-0}
     rounding "$n"
     [ "$3" = PLAIN ] && other=FUSED
-    sed -E -e "s/^$3 //" -e "/^$other /d" -e "s/@ULPS@/$ULPS/g; s/@TERMS@/$TERMS/g; s/@MADE@/$MADE/g" \
-        -e "s/@FACES@/$FACES/g; s/@NORMAL@/$NORMAL/g; s/@COORDINATE@/$COORDINATE/g; s/@WALK_NORMAL@/$WALK_NORMAL/g; s/@FIXED@/$FIXED/g" \
+    sed -E -e "s/^$3 //" -e "/^$other /d" -e "s/@ULPS@/$ULPS/g; s/@TRI@/$TRI/g" \
+        -e "s/@NORMAL@/$NORMAL/g; s/@COORDINATE@/$COORDINATE/g; s/@WALK_NORMAL@/$WALK_NORMAL/g; s/@FIXED@/$FIXED/g" \
         -e "s/@GRID@/$GRID/g; s/\bP\b/$2/g; s/^N$n //; /^N[2-4] /d" \
         -e "s/@M@/$((n - 1))/g; s/@N@/$n/g; s/@2MM@/$((2 * mm))/g; s/@4MM@/$((4 * mm))/g; s/@AREA@/$area/g" \
         -e "s/@NN@/$((n * n))/g; s/@3NNM@/$((3 * n * n * (n - 1)))/g; s/@EDGE@/$edge/g" \

@@ -80,74 +80,66 @@ __attribute__((noinline)) static void one_box(computed *r, const numbers *q)
     }
 }
 
-/* Condition i as the lanes of the float test have it, or at the last of octants. */
-static double lane_value(const tribox_tri *tri, const double p[3], int i, int octants, double slope[3])
+/* Condition i, 3k..3k+2 those of lane k, as the test in float has it. */
+static double lane_value(const tribox_tri *tri, const float q[3], int i, double slope[3])
 {
     const int k = i / 3;
+    const int j = k < 3 ? i % 3 : i == 9 ? 0 : 1;
     const int b = k < 3 ? (k + 1) % 3 : 0;
     const int c = k < 3 ? (k + 2) % 3 : 1;
+    const double u = j == 1 ? -1.0 : j == 0 ? 1.0 : 0.0;    /* the one between is minus the others' sum */
+    const double v = j == 1 ? -1.0 : j == 2 ? 1.0 : 0.0;
     const float one = 1.0f;
-    int third = k < 3 ? 2 : 1;
-    int holds = 0;
-    float q[3];
-    float first;
-    float second;
-    int j;
+    const float first = tri->n_e_b[0][k] * q[b] +
+                        (tri->n_e_c[0][k] * q[c] + (tri->n_z[k] * q[2] + tri->d_e[0][k]));
+    const float second = tri->n_e_b[1][k] * q[b] + (tri->n_e_c[1][k] * q[c] + tri->d_e[1][k]);
 
-    for (j = 2; j >= 0 && k < 3; j--) {     /* one that holds by itself, or the last */
-        const int at = 3 * k + j;
-        if (!(fabs(tri->n_x_f64[at]) + fabs(tri->n_y_f64[at]) + fabs(tri->n_z_f64[at]) > 0.0)) {
-            third = j;
-            holds = 1;
-        }
-    }
-    for (j = 0; j < 3; j++) {
-        q[j] = (float)p[j] - tri->ref[j];
-        q[j] = octants ? q[j] + tri->step[j] : q[j];
-    }
-    first = tri->first_b[k] * q[b] + tri->first_c[k] * q[c] + tri->first_z[k] * q[2] + tri->first_d[k];
-    second = tri->second_b[k] * q[b] + tri->second_c[k] * q[c] + tri->second_d[k];
-    j = i % 3;
     slope[0] = slope[1] = slope[2] = 0.0;
-    if (j != third || !holds) {     /* the third's are minus the others' sum */
-        const double u = j == third ? -1.0 : j == (third + 1) % 3 ? 0.0 : 1.0;
-        const double v = j == third ? -1.0 : j == (third + 1) % 3 ? 1.0 : 0.0;
-        slope[b] = u * (double)tri->first_b[k] + v * (double)tri->second_b[k];
-        slope[c] = u * (double)tri->first_c[k] + v * (double)tri->second_c[k];
-        slope[2] += u * (double)tri->first_z[k];
-    }
-    return (double)((j == third ? tri->third_d[k] - (first + second)
-                                : j == (third + 1) % 3 ? second : first) - one);
+    slope[b] = u * (double)tri->n_e_b[0][k] + v * (double)tri->n_e_b[1][k];
+    slope[c] = u * (double)tri->n_e_c[0][k] + v * (double)tri->n_e_c[1][k];
+    slope[2] += u * (double)tri->n_z[k];
+    return (double)((j == 0 ? first : j == 2 ? second : tri->d_e[2][k] - (first + second)) - one);
 }
 
-__attribute__((noinline)) static void prepared(computed *r, const numbers *q, int as_float, int octants)
+/* as_float: prepared from floats if the numbers are, else from doubles; octants: the upper of all */
+__attribute__((noinline)) static void prepared(computed *r, const numbers *x, int as_float, int octants)
 {
+    const double count = octants + 1;
     tribox_tri tri;
-    double p[3];
+    float q[3];
     int i;
     int k;
 
-    tribox_tri_init_f64(&tri, q->x, q->x + 3, q->x + 6, q->x + 12, q->thin ? TRIBOX_THIN : 0u);
+    if (as_float) {
+        tribox_tri_init_f64(&tri, x->x, x->x + 3, x->x + 6, x->x + 12, x->thin ? TRIBOX_THIN : 0u);
+    } else {
+        double v[3][3];
+        memcpy(v, x->x, sizeof v);
+        tbx_tri_init(&tri, (const double(*)[3])v, x->x + 12, x->thin ? TRIBOX_THIN : 0u);
+    }
+    if (!tri.hidden.in_range) {
+        return;
+    }
     for (k = 0; k < 3; k++) {
-        p[k] = q->x[9 + k];
-        if (tri.empty || p[k] + octants * tri.size[k] > tri.t_max[k] ||
-            tbx_far_face(p[k] + octants * tri.size[k], tri.size[k], tri.t_min[k]) < 0) {
+        const double p = x->x[9 + k];
+        if (p + octants * tri.size[k] > tri.t_max[k] || tbx_face_sign(&p, &tri.size[k], (int)count, &tri.t_min[k]) < 0) {
             return;     /* the bound holds where the faces do */
         }
+        q[k] = as_float ? (float)p - tri.ref[k] : (float)(p - (double)tri.ref[k]);
+        q[k] = octants ? q[k] + tri.hidden.step[k] : q[k];
     }
     for (i = 0; i < VALUES; i++) {
-        if (as_float) {
-            r->value[i] = lane_value(&tri, p, i, octants, r->slope[i]);
-        } else {
-            r->value[i] = tri.n_x_f64[i] * (p[0] - (double)tri.ref[0]) +
-                          tri.n_y_f64[i] * (p[1] - (double)tri.ref[1]) +
-                          tri.n_z_f64[i] * (p[2] - (double)tri.ref[2]) + tri.d_f64[i];
-            r->slope[i][0] = tri.n_x_f64[i];
-            r->slope[i][1] = tri.n_y_f64[i];
-            r->slope[i][2] = tri.n_z_f64[i];
-        }
+        const int axis = i / 3;
+        const double *from = x->x + 3 * (i % 3);
+        const double *to = x->x + 3 * ((i + 1) % 3);
+        const int b = (axis + 1) % 3;
+        const int c = (axis + 2) % 3;
+        r->value[i] = lane_value(&tri, q, i, r->slope[i]);
         for (k = 0; k < 3; k++) {
             r->bound[i] = r->slope[i][k] != 0.0 ? 1.0 : r->bound[i];
+        }
+        if (i < 9 && !((from[b] < to[b] || from[b] > to[b]) && (from[c] < to[c] || from[c] > to[c]))) {
+            r->bound[i] = 0.0;      /* along an axis: it has 2 added */
         }
     }
 }
