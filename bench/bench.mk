@@ -4,7 +4,7 @@
 BENCH_O2     ?= -O2
 BENCH_NATIVE ?= -O3 -march=native
 COMPANIONS   := $(shell grep -l tribox_mesh_query tribox.h)
-BENCHES      := overlap tri spans grid solid $(if $(COMPANIONS),companions)
+BENCHES      := overlap tri spans grid solid $(if $(COMPANIONS),companions contact)
 BENCH_COMMIT  = $(eval BENCH_COMMIT := \
   $(shell git describe --always --dirty --exclude '*' 2>/dev/null || echo unknown))$(BENCH_COMMIT)
 BENCH_CC      = $(CC) -std=c99 -Ibench -Iexamples -I. $(WARN_C) -DBENCH_COMMIT='"$(BENCH_COMMIT)"'

@@ -1,7 +1,7 @@
 # Examples and the demo. Other sets of flags go to a folder of their own:
 #   make examples B=build/sanitize CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
 
-EXAMPLES := 01_overlap voxelize check_voxels slabs sparse cells octree kdtree slide pick colours
+EXAMPLES := 01_overlap voxelize check_voxels slabs sparse cells octree kdtree slide pick trace colours
 
 .PHONY: build-examples examples demo mpi
 

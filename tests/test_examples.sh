@@ -271,7 +271,7 @@ run 0 "$bin/voxelize" --version
 says 'voxelize, tribox.h '
 run 2 "$bin/voxelize" -- --no-such-file
 says 'No such file or directory'
-for program in slabs sparse cells octree kdtree slide pick colours; do
+for program in slabs sparse cells octree kdtree slide pick trace colours; do
     run 0 "$bin/$program" -h
     says "usage: $program"
     run 0 "$bin/$program" --version
@@ -286,6 +286,16 @@ run 2 "$bin/check_voxels" teapot
 says 'a mesh and a binvox file are needed'
 run 2 "$bin/check_voxels" teapot "$tmp/plain.obj"
 says "line 1: a binvox file begins with '#binvox 1'"
+run 2 "$bin/slide" teapot 0
+run 0 "$bin/slide" teapot 60
+says 'z = 0: 200 steps, 0 stops; at z = 0.1: 200 steps, 0 stops'
+says 'at 5000: 400 steps, 0 places inside'
+says '60 steps, 0 inside the mesh'
+run 0 "$bin/pick" teapot 20
+says 'picked triangle 8117 at t = 0.88, voxel (24, 3, 17)'
+run 2 "$bin/trace"
+run 0 "$bin/trace" "$tmp/trace.png" teapot 48
+says 'picture    48 x 30'
 run 2 "$bin/slabs" teapot 8 0
 run 2 "$bin/sparse" teapot many
 run 2 "$bin/cells" teapot 64 -1

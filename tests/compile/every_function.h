@@ -205,10 +205,50 @@ static int every_function_companions_f64(void)
     return wrong;
 }
 
+static int every_function_voxel(void *user, int x, int y, int z)
+{
+    *(int *)user += 1 + 0 * (x + y + z);
+    return 0;
+}
+
+static int every_function_contact(void)
+{
+    static const float t[3][3] = {{0, 0, 1}, {2, 0, 1}, {0, 2, 1}};
+    static const float lo[3] = {0, 0, 1};
+    static const float hi[3] = {2, 2, 2};
+    static const float down[3] = {0, 0, -1};
+    static const double p[3] = {0.5, 0.5, -1};
+    static const double q[3] = {0.5, 0.5, 3.5};
+    tribox_grid        grid;
+    float              at[2] = {9, 9};
+    float              axis[3] = {9, 9, 9};
+    int                counted = 0;
+    int                wrong = 0;
+    int                a;
+
+    for (a = 0; a < 3; a++) {
+        grid.origin[a] = 0;
+        grid.size[a] = 1;
+        grid.lo[a] = 0;
+        grid.hi[a] = 3;
+    }
+    grid.flags = 0;
+    wrong += tribox_sweep_rule(t[0], t[1], t[2], lo, hi, down, TRIBOX_OPEN, &at[0], &at[1], axis) != 1 || axis[2] < 1;
+    wrong += tribox_sweep_box(lo, hi, t[0], t[0], down, 0, &at[0], &at[1], axis) != 1 || at[0] > 0 || at[1] < 1;
+    wrong += tribox_gap(t[0], t[1], t[2], lo, hi, axis) < 0 || axis[2] < 1;
+    wrong += tribox_grid_segment(&grid, p, q, every_function_voxel, &counted) != 3 || counted != 3;
+    wrong += tribox_sphere_sphere(lo, 1, hi, 2) != 1;
+    wrong += tribox_plane_sphere(down, 0, hi, 1) != -1;
+    wrong += tribox_sphere_box(t[0], 1, lo, hi) != 1;
+    wrong += tribox_sphere_triangle(hi, 1.5f, t[0], t[1], t[2]) != 0;
+    wrong += tribox_ray_sphere(hi, down, 0, 9, t[1], 2.5f, &at[0], &at[1]) != 1 || at[0] > 0 || at[1] < 2;
+    return wrong;
+}
+
 static int every_function(void)
 {
     return every_function_one_box() + every_function_tri() + every_function_grid() + every_function_solid() +
-           every_function_companions() + every_function_companions_f64();
+           every_function_companions() + every_function_companions_f64() + every_function_contact();
 }
 
 #endif /* EVERY_FUNCTION_H */
