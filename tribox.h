@@ -14553,6 +14553,10 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_ALL
 #undef TBX_MOST_INDEX
 #undef TBX_BLOCK
+#undef TBX_PIECES
+#undef TBX_PRECISE_ERROR
+#undef TBX_PRECISE_LEAST
+#undef TBX_PRECISE_PLANE_ERROR
 #undef TBX_CACHED
 #undef TBX_FIXED
 #undef TBX_FIXED_ERROR

@@ -245,8 +245,7 @@ typedef struct filled {
 static const int bounded_axis[3] = {0, 0, 1};
 static const int row_axis[3] = {1, 2, 2};
 
-__attribute__((noinline)) static void fill_boxes(filled *r, tbx_fine *fine, tbx_quick *quick,
-                                                  const numbers *q)
+__attribute__((noinline)) static void fill_boxes(filled *r, tbx_quick *quick, const numbers *q)
 {
     tbx_target target;
     tbx_points v[3];
@@ -267,8 +266,7 @@ __attribute__((noinline)) static void fill_boxes(filled *r, tbx_fine *fine, tbx_
     if (!tbx_grid_valid(&grid)) {
         return;
     }
-    tbx_fine_init(fine, &grid);
-    tbx_quick_init(quick, &grid, fine, &target);
+    tbx_quick_init(quick, &grid, &target);
     if (!quick->on) {
         return;
     }
@@ -279,7 +277,10 @@ __attribute__((noinline)) static void fill_boxes(filled *r, tbx_fine *fine, tbx_
     }
     quick->step[0] = quick->step[1] = quick->step[2] = 0.0f;    /* bounds of rounding alone */
     quick->lattice = 0;
-    tbx_boxes_of(quick, v, 0, &box);
+    box.cut = box.lattice = box.unsure = tbx_wide_int(0);
+    tbx_box_axis(quick, 0, v[0].x, v[1].x, v[2].x, &box);
+    tbx_box_axis(quick, 1, v[0].y, v[1].y, v[2].y, &box);
+    tbx_box_axis(quick, 2, v[0].z, v[1].z, v[2].z, &box);
     r->boxed = 1;
     r->unsure = box.unsure[0] != 0;
     for (k = 0; k < 3; k++) {
@@ -309,6 +310,7 @@ __attribute__((noinline)) static void fill_rows(filled *r, const tbx_quick *quic
     const tbx_row_lines *lines[3];
     tbx_group g;
     tribox_mesh mesh;
+    tbx_source source;
     float x[9];
     int count[3];
     int i;
@@ -337,12 +339,13 @@ __attribute__((noinline)) static void fill_rows(filled *r, const tbx_quick *quic
     mesh.triangles = 1;
     memset(&g, 0, sizeof g);
     for (k = 0; k < 3; k++) {
-        g.box[0][k] = r->first[k];
+        g.box[0][k] = r->at[k];
     }
     g.box[0][3] = (count[0] - 1) | (count[1] - 1) << 8 | (count[2] - 1) << 16;
     g.n = 1;
     tbx_group_pad(&g);
-    tbx_rows_set(&rows, quick, &g, &mesh);
+    tbx_source_float(&source, &mesh);
+    tbx_rows_set(&rows, quick, &g, &source);
     if (rows.unsure[0] != 0) {
         return;
     }
@@ -864,14 +867,13 @@ static double plane_part(const filled *r, const numbers *q)
 
 static double ask_fill(const numbers *q, int kind, int mode)
 {
-    tbx_fine fine;
     tbx_quick quick;
     filled r;
     int from[3];
     int k;
 
     fesetround(mode);
-    fill_boxes(&r, &fine, &quick, q);
+    fill_boxes(&r, &quick, q);
     if (kind != FILL_BOXES) {
         fill_rows(&r, &quick, q);
     }
