@@ -608,10 +608,10 @@ typedef int (*tribox_voxel_fn)(void *user, int x, int y, int z);
  *          one voxel. TRIBOX_OPEN: voxels whose interior it meets. TRIBOX_THIN, with whatever else, means
  *          closed here
  *   p, q   its ends; may coincide, may lie anywhere
- *   emit   receives the voxels until it returns non-zero; NULL: only counts
- *   user   handed on to emit
+ *   on_voxel   receives the voxels until it returns non-zero; NULL: only counts
+ *   user   handed on to on_voxel
  *
- * Returns     how many were emitted, that at which emit stopped included; saturates at SIZE_MAX. A non-finite
+ * Returns     how many were emitted, that at which on_voxel stopped included; saturates at SIZE_MAX. A non-finite
  *             end, or an invalid grid: 0.
  * Guarantees  Exact. Voxels come in the order in which the segment enters them; of those entered at the same
  *             point in the order of z, then y, then x, each ascending where q's coordinate is >= p's, else
