@@ -5,7 +5,7 @@ program=$1
 shift
 echo "/* Written by tests/make_suite.sh. */"
 for name in "$@"; do
-    printf 'int test_%s_main(void);\n#define main test_%s_main\n#include "test_%s.c"\n#undef main\n\n' \
+    printf 'int test_%s_main(void);\n#define main test_%s_main\n#include "tests/test_%s.c"\n#undef main\n\n' \
         "$name" "$name" "$name"
 done
 cat <<'C'
