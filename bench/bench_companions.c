@@ -207,6 +207,58 @@ static BENCH_NOINLINE uint64_t run_closest(void *context)
     return inside;
 }
 
+/* ---- the same in doubles ------------------------------------------------------------------------------- */
+
+typedef struct wide_input {
+    double origin[RAYS][3];
+    double dir[RAYS][3];
+    double box_min[RAYS][3];
+    double box_max[RAYS][3];
+    double v[RAYS][3][3];
+} wide_input;
+
+/* The rays' numbers with all 53 bits. */
+static void widen(double *out, const float *x, int n)
+{
+    int i;
+    for (i = 0; i < n; i++) {
+        out[i] = (double)x[i] * 1.000000001;
+    }
+}
+
+static void make_wide(wide_input *out, const ray_input *r)
+{
+    widen(out->origin[0], r->origin[0], 3 * RAYS);
+    widen(out->dir[0], r->dir[0], 3 * RAYS);
+    widen(out->box_min[0], r->box_min[0], 3 * RAYS);
+    widen(out->box_max[0], r->box_max[0], 3 * RAYS);
+    widen(out->v[0][0], r->v[0][0], 9 * RAYS);
+}
+
+#define WIDE_LOOP(name, test)                                                                             \
+    static BENCH_NOINLINE uint64_t name(void *context)                                                    \
+    {                                                                                                     \
+        const wide_input *r = (const wide_input *)context;                                                \
+        uint64_t sum = 0;                                                                                 \
+        double polygon[9][3];                                                                             \
+        int i;                                                                                            \
+        for (i = 0; i < RAYS; i++) {                                                                      \
+            polygon[0][0] = polygon[0][1] = 0.0;                                                          \
+            sum += (uint64_t)(test);                                                                      \
+        }                                                                                                 \
+        return sum;                                                                                       \
+    }
+
+#define WIDE_RAY r->origin[i], r->dir[i], 0.0, 1.0e9
+#define WIDE_TRIANGLE r->v[i][0], r->v[i][1], r->v[i][2]
+WIDE_LOOP(run_box_box_f64, tribox_box_box_f64(r->box_min[i], r->box_max[i], r->box_min[i ^ 1], r->box_max[i ^ 1]))
+WIDE_LOOP(run_segment_box_f64, tribox_segment_box_f64(r->origin[i], r->v[i][1], r->box_min[i], r->box_max[i]))
+WIDE_LOOP(run_ray_box_f64, tribox_ray_box_f64(WIDE_RAY, r->box_min[i], r->box_max[i], &polygon[0][0], &polygon[0][1]))
+WIDE_LOOP(run_ray_meets_f64, tribox_ray_box_f64(WIDE_RAY, r->box_min[i], r->box_max[i], NULL, NULL))
+WIDE_LOOP(run_ray_triangle_f64, tribox_ray_triangle_f64(WIDE_RAY, WIDE_TRIANGLE, &polygon[0][0]))
+WIDE_LOOP(run_clip_f64, tribox_clip_f64(WIDE_TRIANGLE, r->box_min[i], r->box_max[i], polygon))
+WIDE_LOOP(run_closest_f64, (tribox_closest_f64(WIDE_TRIANGLE, r->origin[i], polygon[0]), polygon[0][0] > 0.0))
+
 /* ---- octants ------------------------------------------------------------------------------------------- */
 
 typedef struct octant_input {
@@ -292,6 +344,7 @@ int main(int argc, char **argv)
     float *positions = (float *)bench_alloc(3 * sizeof(float) * (SIDE + 1) * (SIDE + 1));
     uint32_t *indices = (uint32_t *)bench_alloc(3 * sizeof(uint32_t) * TRIANGLES);
     ray_input *rays = (ray_input *)bench_alloc(sizeof *rays);
+    wide_input *wide = (wide_input *)bench_alloc(sizeof *wide);
     octant_input *nodes = (octant_input *)bench_alloc(sizeof *nodes);
     bench_row rows[8];
     int count = 0;
@@ -332,10 +385,22 @@ int main(int argc, char **argv)
     bench_add(rows, &count, "tribox_clip", BENCH_NOTE, run_clip);
     bench_table(&options, "the others, timed for themselves", rows, count, 20, RAYS, rays);
 
+    make_wide(wide, rays);
+    count = 0;
+    bench_add(rows, &count, "tribox_box_box_f64", BENCH_NOTE, run_box_box_f64);
+    bench_add(rows, &count, "tribox_segment_box_f64", BENCH_NOTE, run_segment_box_f64);
+    bench_add(rows, &count, "tribox_ray_box_f64", BENCH_NOTE, run_ray_box_f64);
+    bench_add(rows, &count, "tribox_ray_box_f64, no outputs", BENCH_NOTE, run_ray_meets_f64);
+    bench_add(rows, &count, "tribox_ray_triangle_f64", BENCH_NOTE, run_ray_triangle_f64);
+    bench_add(rows, &count, "tribox_clip_f64", BENCH_NOTE, run_clip_f64);
+    bench_add(rows, &count, "tribox_closest_f64", BENCH_NOTE, run_closest_f64);
+    bench_table(&options, "in doubles, timed for themselves", rows, count, 20, RAYS, wide);
+
     free(query);
     free(positions);
     free(indices);
     free(rays);
+    free(wide);
     free(nodes);
     return 0;
 }
