@@ -343,6 +343,12 @@ says 'y,z = 0,0 1,0 2,0, ...'
 run 2 "$bin/voxelize" "$tmp/cube.obj" 8 --surface
 run 2 "$bin/voxelize" "$tmp/cube.obj" 8 --solid=more
 
+# The octree of a solid, of sides that are and are not whole cells.
+for n in 1 2 5 7; do
+    run 0 "$bin/octree" --solid teapot-closed $n
+    says 'equal to the dense solid'
+done
+
 # A cube of 8 with a cavity of 4, wound inwards, and another cube of 3 that overlaps one corner: 448 + 27 - 1.
 box() { # box LOW HIGH FIRST_VERTEX WINDING
     for z in $1 $2; do for y in $1 $2; do for x in $1 $2; do echo "v $x $y $z"; done; done; done
