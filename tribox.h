@@ -14163,12 +14163,12 @@ TBX_FN int64_t tbx_solid_lattice_voxel(const tbx_solid_quick *q, const tbx_point
     return voxel + ((double)voxel <= x);
 }
 
-/* tbx_solid_flip, some words at a time. */
-TBX_FORCED void tbx_solid_flip_wide(const tbx_solid *s, int64_t x, int64_t y, int64_t z)
+/* tbx_solid_flip, some words at a time: of the row that ends before `end`. */
+TBX_FORCED void tbx_solid_flip_wide(uint64_t *end, size_t row_words, uint64_t padding, size_t x)
 {
     const size_t some = TBX_WIDE / 2;
-    const size_t words = s->row_words - ((size_t)x >> 6);
-    uint64_t *row = s->bits + ((size_t)z * (size_t)s->n[1] + (size_t)y + 1) * s->row_words - words;
+    const size_t words = row_words - (x >> 6);
+    uint64_t *row = end - words;
     size_t i;
     row[0] ^= ~(uint64_t)0 << (x & 63);
     for (i = 1; i + some <= words; i += some) {
@@ -14180,7 +14180,7 @@ TBX_FORCED void tbx_solid_flip_wide(const tbx_solid *s, int64_t x, int64_t y, in
     for (; i < words; i++) {
         row[i] = ~row[i];
     }
-    row[words - 1] ^= ~s->last_word; /* padding was flipped with the rest */
+    row[words - 1] ^= padding; /* which was flipped with the rest */
 }
 
 /* Lines. What tbx_solid_least looks for, in row or layer r, is at + slope * r, rounded up, if that is not
@@ -14240,6 +14240,9 @@ TBX_NOINLINE void tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
 {
     const tbx_solid *s = q->solid;
     const double *size = s->grid->size;
+    const size_t row_words = s->row_words;
+    const uint64_t padding = ~s->last_word;
+    const double last_x = (double)s->n[0] - 0.5;
     tbx_solid_tri t;
     tbx_solid_line edge[3];
     tbx_solid_line plane;
@@ -14271,6 +14274,7 @@ TBX_NOINLINE void tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
     for (z = z_range[0]; z < z_range[1]; z++) {
         const double in_layer = plane.at + slope_z * (double)z;
         int64_t rows[2];
+        uint64_t *end;
         int sure = 1;
         int i;
         int64_t y;
@@ -14290,15 +14294,15 @@ TBX_NOINLINE void tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
             rows[1] = y_range[1];
             tbx_solid_rows(&t, z, rows);
         }
-        for (y = rows[0]; y < rows[1]; y++) {
-            int64_t x =
-                tbx_solid_up(in_layer + plane.slope * (double)y, plane.error, (double)s->n[0] - 0.5, &sure);
+        end = s->bits + ((size_t)z * (size_t)s->n[1] + (size_t)rows[0] + 1) * row_words;
+        for (y = rows[0]; y < rows[1]; y++, end += row_words) {
+            int64_t x = tbx_solid_up(in_layer + plane.slope * (double)y, plane.error, last_x, &sure);
             if (TBX_RARELY(!sure)) {
                 x = tbx_solid_voxel(&t, y, z);
                 sure = 1;
             }
-            if (x < s->n[0]) {
-                tbx_solid_flip_wide(s, x, y, z);
+            if ((double)x < last_x) {
+                tbx_solid_flip_wide(end, row_words, padding, (size_t)x);
             }
         }
     }
@@ -14310,6 +14314,10 @@ TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, tbx_solid_group *g, int n)
     const tbx_solid *s = q->solid;
     const uint32_t rows_y = (uint32_t)s->n[1];
     const uint32_t rows_z = (uint32_t)s->n[2];
+    const size_t row_words = s->row_words;
+    const uint64_t padding = ~s->last_word;
+    const int64_t n_x = s->n[0];
+    uint64_t *bits = s->bits;
     tbx_solid_placed p;
     tbx_solid_rows_of rows;
     uint32_t within[TBX_WIDE];
@@ -14350,8 +14358,9 @@ TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, tbx_solid_group *g, int n)
             } else {
                 x = rows.voxel[row][i];
             }
-            if (x < s->n[0]) {
-                tbx_solid_flip_wide(s, x > 0 ? x : 0, y, z);
+            if (x < n_x) {
+                tbx_solid_flip_wide(bits + ((size_t)z * rows_y + (size_t)y + 1) * row_words, row_words, padding,
+                                    x > 0 ? (size_t)x : 0);
             }
         }
     }

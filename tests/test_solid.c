@@ -156,7 +156,7 @@ static void fill_flips_the_voxels_whose_centre_is_inside(void)
     int i;
 
     random_seed(1201);
-    for (i = 0; i < TEST_LOOPS(90); i++) {
+    for (i = 0; i < TEST_LOOPS(45); i++) {
         static solid_case c;
         static uint64_t   bits[SOLID_WORDS + 2 * SOLID_GUARD];
         static uint64_t   before[SOLID_WORDS + 2 * SOLID_GUARD];
@@ -194,7 +194,7 @@ static void rays_cross_as_exact_numbers_say(void)
     int i;
 
     random_seed(1202);
-    for (i = 0; i < TEST_LOOPS(8000); i++) {
+    for (i = 0; i < TEST_LOOPS(3000); i++) {
         static const double no_step[3] = {0, 0, 0};
         double              v[3][3];
         float               f[3][3];
@@ -247,7 +247,7 @@ static void parts_of_a_region_have_the_bits_of_the_whole(void)
     int i;
 
     random_seed(1203);
-    for (i = 0; i < TEST_LOOPS(600); i++) {
+    for (i = 0; i < TEST_LOOPS(300); i++) {
         static solid_case c;
         static uint64_t   whole[SOLID_WORDS];
         static uint64_t   bits[SOLID_WORDS];
@@ -287,7 +287,7 @@ static void the_solid_depends_on_the_set_of_triangles_alone(void)
     int i;
 
     random_seed(1204);
-    for (i = 0; i < TEST_LOOPS(600); i++) {
+    for (i = 0; i < TEST_LOOPS(300); i++) {
         static solid_case c;
         static uint64_t   bits[SOLID_WORDS];
         static uint64_t   none[SOLID_WORDS];
@@ -510,7 +510,7 @@ static void solids_that_tile_space_tile_the_centres(void)
     int              i;
 
     random_seed(1207);
-    for (i = 0; i < TEST_LOOPS(20); i++) {
+    for (i = 0; i < TEST_LOOPS(8); i++) {
         uint64_t    once[64];
         uint64_t    twice[64];
         tribox_grid grid;
@@ -575,7 +575,7 @@ static void no_row_of_a_closed_mesh_leaks(void)
     int i;
 
     random_seed(1208);
-    for (i = 0; i < TEST_LOOPS(4000); i++) {
+    for (i = 0; i < TEST_LOOPS(2000); i++) {
         static float positions[9 * 4 * 8];
         uint64_t     bits[81];
         tribox_grid  grid;
@@ -636,7 +636,7 @@ static void corners_that_are_no_points_cross_nothing(void)
     int i;
 
     random_seed(1209);
-    for (i = 0; i < TEST_LOOPS(60); i++) {
+    for (i = 0; i < TEST_LOOPS(30); i++) {
         static solid_case c;
         static uint64_t   bits[SOLID_WORDS];
         tribox_mesh       mesh;
