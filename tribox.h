@@ -12502,14 +12502,16 @@ TBX_FORCED tbx_iw tbx_row_voxel(tbx_fw x)
     return __builtin_convertvector(x, tbx_iw);
 }
 
-/* 2^i for i within -126..30, else anything. */
+/* 2^i for i within 0..15, which bits of a row are; else anything, but in range of the conversion, which raises no
+ * flag then. */
 TBX_FORCED tbx_uw tbx_wide_bit(tbx_uw i)
 {
+    const tbx_uw place = i & (tbx_uw)tbx_wide_int(15);
 #if defined(__AVX2__)
-    return (tbx_uw)tbx_wide_int(1) << i;
+    return (tbx_uw)tbx_wide_int(1) << place;
 #else
     const tbx_uw bias = (tbx_uw)tbx_wide_int(127);
-    const tbx_uw exponent = (i + bias) << (tbx_uw)tbx_wide_int(23);
+    const tbx_uw exponent = (place + bias) << (tbx_uw)tbx_wide_int(23);
     return (tbx_uw) __builtin_convertvector((tbx_fw)exponent, tbx_iw);
 #endif
 }
