@@ -11,11 +11,11 @@
 
 #include "question.h"
 
-enum { SIDE = 34, RINGS = 14, SECTORS = 20, MESH_TRIANGLES = 2 * RINGS * SECTORS };
+enum { SIDE = 34, RINGS = 14, SECTORS = 20, CLOSED_TRIANGLES = 2 * RINGS * SECTORS };
 
 typedef struct closed_mesh {
     float    positions[3 * RINGS * SECTORS + 6];
-    uint32_t indices[3 * MESH_TRIANGLES];
+    uint32_t indices[3 * CLOSED_TRIANGLES];
     size_t   triangles;
     int      torus;
     double   radius[3];     /* of the ellipsoid; the torus: outer and inner circle, and height */
