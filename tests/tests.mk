@@ -59,7 +59,7 @@ $(B)/tests/compile/two_units: $(TEST_UNITS) tests/compile/every_function.h tribo
 	@mkdir -p $(@D)
 	$(CC_C99) $(TEST_UNITS) -o $@
 
-$(B)/tests/compile/hostile_%: tests/compile/hostile_macros.c tests/compile/every_function.h tribox.h
+$(patsubst %,$(B)/tests/compile/hostile_%,macros goto 7): $(B)/tests/compile/hostile_%: tests/compile/hostile_macros.c tests/compile/every_function.h tribox.h
 	@mkdir -p $(@D)
 	$(CC_C99) -DHOSTILE=$(filter-out macros,$*) $< -o $@
 
