@@ -11038,15 +11038,24 @@ TBX_FORCED void tbx_block_boxes(tbx_block *b, const tbx_quick *q, const tbx_sour
         const tbx_i4 out = ((v0 & magnitude) > far_bits) | ((v1 & magnitude) > far_bits) |
                            ((v2 & magnitude) > far_bits);
         if (!TBX_RARELY(tbx_any(out))) {
-            const tbx_f4 low = tbx_min4(tbx_min4((tbx_f4)v0, (tbx_f4)v1), (tbx_f4)v2) - centre;
-            const tbx_f4 high = tbx_max4(tbx_max4((tbx_f4)v0, (tbx_f4)v1), (tbx_f4)v2) - centre;
-            const tbx_f4 y0 = tbx_min4(tbx_max4(low * steps, least), most);
-            const tbx_f4 y1 = tbx_min4(tbx_max4(high * steps, least), most);
-            const tbx_u4 q0 = (tbx_u4)__builtin_convertvector(y0, tbx_i4) + bias;
-            const tbx_u4 q1 = (tbx_u4)__builtin_convertvector(y1, tbx_i4) + bias;
-            const tbx_i4 sure = (tbx_i4)(((tbx_h8)q0 <= limit) & ((tbx_h8)q1 <= limit));
-            const tbx_i4 first = (tbx_i4)(q0 >> half);
-            const tbx_i4 extents = (tbx_i4)(q1 >> half) - first;
+            tbx_f4 low = tbx_min4(tbx_min4((tbx_f4)v0, (tbx_f4)v1), (tbx_f4)v2) - centre;
+            tbx_f4 high = tbx_max4(tbx_max4((tbx_f4)v0, (tbx_f4)v1), (tbx_f4)v2) - centre;
+            tbx_f4 y0;
+            tbx_f4 y1;
+            tbx_u4 q0;
+            tbx_u4 q1;
+            tbx_i4 sure;
+            tbx_i4 first;
+            tbx_i4 extents;
+            TBX_KEEP_VECTOR(low);
+            TBX_KEEP_VECTOR(high);
+            y0 = tbx_min4(tbx_max4(low * steps, least), most);
+            y1 = tbx_min4(tbx_max4(high * steps, least), most);
+            q0 = (tbx_u4)__builtin_convertvector(y0, tbx_i4) + bias;
+            q1 = (tbx_u4)__builtin_convertvector(y1, tbx_i4) + bias;
+            sure = (tbx_i4)(((tbx_h8)q0 <= limit) & ((tbx_h8)q1 <= limit));
+            first = (tbx_i4)(q0 >> half);
+            extents = (tbx_i4)(q1 >> half) - first;
             TBX_COPY(b->box[i], &first, sizeof first);
             b->box[i][3] = (int32_t)tbx_to_bytes(extents);
             if (!TBX_RARELY(tbx_signs(sure == all) != 15)) {
@@ -11801,10 +11810,11 @@ TBX_FN unsigned tbx_group_decide(const tbx_quick *q, const tbx_source *source, t
  *
  * where N and M are the whole and the other part of the normal, sums of those of E. The whole parts are exact: P is
  * at most 3 * PIECES off any inner plane, so N at most (4 * PIECES)^2, D at most 9 * 2^20 * 1.1. Each product of G
- * and H is off by 3.1 u of itself, each difference and the sum by 1 u: less than PRECISE_ERROR times the sum of
- * magnitudes; D's by that of N . r and M . v, nine steps of it, and what M is off by. E = 0 and D = 0 with all r = 0
+ * and H is off by 3.1 u of itself, twice that where a compiler multiplies out, their sums, in whatever order, by
+ * less than 9 u: PRECISE_ERROR times the sum of magnitudes bounds it; D's by that of N . r and M . v, nine steps of
+ * it, and what M is off by. E = 0 and D = 0 with all r = 0
  * is touching, which counts where boxes are closed. Points that are not inside a triangle's own box decide nothing. */
-#define TBX_PRECISE_ERROR (8.0f * TBX_U32)
+#define TBX_PRECISE_ERROR (16.0f * TBX_U32)
 #define TBX_PRECISE_PLANE_ERROR (20.0f * TBX_U32)
 #define TBX_PRECISE_LEAST 1e-30f      /* of a rest: no product of two is flushed unseen */
 
@@ -11880,6 +11890,19 @@ TBX_FN void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, tbx_
     a->level = ((tbx_iw)v[0] == (tbx_iw)v[1]) & ((tbx_iw)v[1] == (tbx_iw)v[2]);
 }
 
+/* What has been computed, so that no compiler rearranges the sums it goes into. */
+TBX_FORCED tbx_fw tbx_precise_kept(tbx_fw a)
+{
+    TBX_KEEP_VECTOR(a);
+    return a;
+}
+
+/* From corner i to corner j. */
+TBX_FORCED tbx_fw tbx_precise_edge(const tbx_precise_axis *a, int i, int j)
+{
+    return tbx_precise_kept(a->place[j] - a->place[i]) + tbx_precise_kept(a->rest[j] - a->rest[i]);
+}
+
 /* Lanes in which corners i and j differ on an axis by less than the rests are off by, d as computed. */
 TBX_FORCED tbx_iw tbx_precise_doubt(const tbx_precise_axis *a, int i, int j, tbx_fw d)
 {
@@ -11918,13 +11941,18 @@ TBX_NOINLINE tbx_fw tbx_precise_edges(tbx_missed *m, const tbx_precise_axis *x, 
         const tbx_fw g1 = y->rest[i] * (x->place[j] + x->rest[j]);
         const tbx_fw h0 = x->rest[i] * (y->place[j] + y->rest[j]);
         const tbx_fw h1 = y->place[i] * x->rest[j];
+        tbx_fw part;
         diagonal[i] = tbx_precise_same(x->v[i], y->v[i]) & alike;
         point[i] = tbx_precise_same(x->v[i], x->v[j]) & tbx_precise_same(y->v[i], y->v[j]);
         area += x->place[i] * y->place[j] - y->place[i] * x->place[j];
-        area_rest += (g0 - g1) + (h0 - h1);
+        part = (g0 - g1) + (h0 - h1);
+        TBX_KEEP_VECTOR(part);
+        area_rest += part;
         area_error += tbx_wide_abs(g0) + tbx_wide_abs(g1) + tbx_wide_abs(h0) + tbx_wide_abs(h1);
     }
     area_error = area_error * relative;
+    TBX_KEEP_VECTOR(area); /* whole and other parts are kept apart: their sum is the last that is rounded */
+    TBX_KEEP_VECTOR(area_rest);
     across = x->level | y->level;
     *flat = across | point[0] | point[1] | point[2] | (diagonal[0] & diagonal[1] & diagonal[2]) |
             (x->whole & y->whole & (area == zero));
@@ -11934,8 +11962,8 @@ TBX_NOINLINE tbx_fw tbx_precise_edges(tbx_missed *m, const tbx_precise_axis *x, 
     m->unsure |= (tbx_wide_abs(area + area_rest) <= area_error) & ~*flat;
     for (i = 0; i < 3; i++) {
         const int j = i < 2 ? i + 1 : 0;
-        const tbx_fw d_b = (x->place[j] - x->place[i]) + (x->rest[j] - x->rest[i]);
-        const tbx_fw d_c = (y->place[j] - y->place[i]) + (y->rest[j] - y->rest[i]);
+        const tbx_fw d_b = tbx_precise_edge(x, i, j);
+        const tbx_fw d_c = tbx_precise_edge(y, i, j);
         const tbx_iw cell = tbx_group_side(tbx_wide_sign(d_c) ^ ~sign, 4, b) &
                             tbx_group_side(tbx_wide_sign(d_b) ^ sign, 4, c) & ~across;
         const tbx_iw any = ~(x->whole & y->whole);
@@ -11949,15 +11977,15 @@ TBX_NOINLINE tbx_fw tbx_precise_edges(tbx_missed *m, const tbx_precise_axis *x, 
         m->unsure |= tbx_precise_doubt(y, i, j, d_c) & ~across;
         for (l = 0; l < y->points; l++) {
             const tbx_fw p = tbx_wide_all((float)l) * pieces;
-            const tbx_fw h0 = x->rest[i] * ((y->place[j] - p) + y->rest[j]);
+            const tbx_fw h0 = x->rest[i] * (tbx_precise_kept(y->place[j] - p) + y->rest[j]);
             const tbx_fw h1 = (y->place[i] - p) * x->rest[j];
             h[l] = h0 - h1;
             h_error[l] = (tbx_wide_abs(h0) + tbx_wide_abs(h1)) * relative + tbx_wide_all(1e-34f);
         }
         for (k = 0; k < x->points; k++) {
             const tbx_fw p = tbx_wide_all((float)k) * pieces;
-            const tbx_fw x_i = x->place[i] - p;
-            const tbx_fw x_j = x->place[j] - p;
+            const tbx_fw x_i = tbx_precise_kept(x->place[i] - p);
+            const tbx_fw x_j = tbx_precise_kept(x->place[j] - p);
             const tbx_fw g0 = x_i * y->rest[j];
             const tbx_fw g1 = y->rest[i] * (x_j + x->rest[j]);
             const tbx_fw g = g0 - g1;
@@ -11965,7 +11993,7 @@ TBX_NOINLINE tbx_fw tbx_precise_edges(tbx_missed *m, const tbx_precise_axis *x, 
             for (l = 0; l < y->points; l++) {
                 const tbx_fw o = tbx_wide_all((float)l) * pieces;
                 const tbx_fw whole = x_i * (y->place[j] - o) - (y->place[i] - o) * x_j;
-                const tbx_fw e = whole + (g + h[l]);
+                const tbx_fw e = tbx_precise_kept(whole) + tbx_precise_kept(g + h[l]);
                 const tbx_iw inside = (x->extent > tbx_wide_int(k)) & (y->extent > tbx_wide_int(l)) & edge;
                 const tbx_iw tie = diagonal[i] & diagonal[j] & (x_i == y->place[i] - o) & (x_j == y->place[j] - o);
                 const tbx_iw outside = ((e < zero) ^ sign) & (e != zero) & inside & ~tie;
@@ -12007,14 +12035,17 @@ TBX_NOINLINE void tbx_precise_plane(tbx_missed *m, const tbx_precise_axis axis[3
         cell &= tbx_group_side(sign, 4, k);
         other &= tbx_group_side(~sign, 4, k);
     }
+    TBX_KEEP_VECTOR(d);
+    TBX_KEEP_VECTOR(d_rest);
     for (z = 0; z < axis[2].points; z++) {
         for (y = 0; y < axis[1].points; y++) {
             for (x = 0; x < axis[0].points; x++) {
                 const tbx_fw at_x = tbx_wide_all((float)x) * pieces;
                 const tbx_fw at_y = tbx_wide_all((float)y) * pieces;
                 const tbx_fw at_z = tbx_wide_all((float)z) * pieces;
-                const tbx_fw value = (((d - at_x * n[0]) - at_y * n[1]) - at_z * n[2]) +
-                                     (((d_rest - at_x * rest[0]) - at_y * rest[1]) - at_z * rest[2]);
+                const tbx_fw value =
+                    tbx_precise_kept(((d - at_x * n[0]) - at_y * n[1]) - at_z * n[2]) +
+                    tbx_precise_kept(((d_rest - at_x * rest[0]) - at_y * rest[1]) - at_z * rest[2]);
                 const tbx_iw inside = (axis[0].extent > tbx_wide_int(x)) & (axis[1].extent > tbx_wide_int(y)) &
                                       (axis[2].extent > tbx_wide_int(z)) & ~flat;
                 const tbx_iw missed = tbx_wide_select(value < zero, other, cell) & (value != zero) & inside;

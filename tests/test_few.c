@@ -161,6 +161,40 @@ static void few_on_lattice(few_case *c, int n)
     few_copy(c);
 }
 
+/* Corners that are decimals, rounded to floats, in a grid of decimals: beside grid planes by less than a float's
+ * spacing, on some exactly; edges pass by corners of voxels as near; x equal to y, corners that coincide. */
+static void few_decimals(few_case *c, int n)
+{
+    static const double sizes[8] = {0.1, 0.05, 0.2, 0.3, 0.7, 0.01, 1.0 / 3, 1};
+    static const double origins[8] = {0, 0, 0.1, -0.3, -7, 5.05, 10000.1, 448262.25};
+    static const int    steps[6] = {1, 1, 2, 5, 10, 8};
+    const int           step = steps[random_below(6)];
+    const double        size = sizes[random_below(8)];
+    const double        origin = origins[random_below(8)];
+    const int           same = random_below(3);
+    int                 i;
+    int                 a;
+
+    for (a = 0; a < 3; a++) {
+        int first = c->grid.lo[a] + random_below(c->n[a] + 2) - 1;
+        c->grid.size[a] = same ? size : sizes[random_below(8)];
+        c->grid.origin[a] = same ? origin : origins[random_below(8)];
+        for (i = 0; i < 3; i++) {
+            double at = first + (double)random_below(n * step + 1) / step;
+            c->copies[3 * i + a] = (float)(c->grid.origin[a] + at * c->grid.size[a]);
+        }
+        if (random_below(6) == 0) {
+            c->copies[3 + a] = c->copies[a];
+        }
+    }
+    if (random_below(4) == 0) {
+        for (i = 0; i < 3; i++) {
+            c->copies[3 * i + 1] = c->copies[3 * i];
+        }
+    }
+    few_copy(c);
+}
+
 static int few_fill_is_expected(few_case *c, int copies)
 {
     tribox_mesh mesh;
@@ -246,11 +280,52 @@ static void corners_on_the_lattice_are_exact(void)
     few_ask(80, 60, 60, few_on_lattice, few_on_lattice);
 }
 
+/* Decimals: what floats round off decides, and exact signs where that is nothing, too. */
+static void decimals_are_exact(void)
+{
+    random_seed(205);
+    few_ask(6, 2, 12000, few_decimals, few_decimals);
+    few_ask(7, 4, 12000, few_decimals, few_decimals);
+    few_ask(12, 9, 2000, few_decimals, few_decimals);
+}
+
+/* Whole and rest of an edge must not be added before their differences are taken: with -ffast-math, rounding down,
+ * clang lost a voxel of this triangle. */
+static void rests_are_kept_apart(void)
+{
+    static const float v[9] = {-0x1.666666p+0f, -0x1.666666p+1f, -0x1.666666p-1f, -0x1.666666p+0f, -0x1.666666p-1f,
+                               -0x1.666666p+0f, -0x1.0cccccp+1f, -0x1.7f7ceep+0f, -0x1.666666p+1f};
+    int                a;
+
+    memset(&few.seed, 0, sizeof few.seed);
+    few.n[0] = few.n[1] = few.n[2] = 12;
+    few.words = 12 * 12;
+    few.rounding = FE_TONEAREST;
+#ifdef FE_DOWNWARD
+    few.rounding = FE_DOWNWARD;
+#endif
+    for (a = 0; a < 3; a++) {
+        few.grid.origin[a] = -7;
+        few.grid.size[a] = 0.7;
+        few.grid.lo[a] = a == 0 ? -1 : 1;
+        few.grid.hi[a] = few.grid.lo[a] + 12;
+    }
+    memcpy(few.copies, v, sizeof v);
+    few_copy(&few);
+    few.grid.flags = 0;
+    memset(few.expected, 0, few.words * sizeof *few.expected);
+    tribox_grid_spans(&few.grid, few.copies, few.copies + 3, few.copies + 6, few_set, &few);
+    CHECK(few_fill_is_expected(&few, 1));
+    CHECK(few_fill_is_expected(&few, FEW_COPIES));
+}
+
 int main(void)
 {
     RUN(two_voxels_an_axis_are_exact);
     RUN(three_and_four_voxels_an_axis_are_exact);
     RUN(up_to_eighty_voxels_an_axis_are_exact);
     RUN(corners_on_the_lattice_are_exact);
+    RUN(decimals_are_exact);
+    RUN(rests_are_kept_apart);
     return test_report("test_few");
 }
