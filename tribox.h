@@ -11226,11 +11226,14 @@ TBX_FN int tbx_plane_beside(const tribox_grid *grid, const tbx_quick *q, int k, 
         const double at = (double)(i + grid->lo[k]) * (double)TBX_PIECES;
         const double pieces = x * (double)TBX_PIECES;
         double along = pieces - q->origin_high[k];
+        double taken;
         double back;
         double lows;
         double rest;
         double error;
         TBX_KEEP_SCALAR(along);
+        taken = pieces - along; /* the difference is exact if both numbers come back from it */
+        TBX_KEEP_SCALAR(taken);
         back = along + q->origin_high[k];
         TBX_KEEP_SCALAR(back);
         along -= at * q->high[k];
@@ -11239,7 +11242,8 @@ TBX_FN int tbx_plane_beside(const tribox_grid *grid, const tbx_quick *q, int k, 
         TBX_KEEP_SCALAR(lows);
         rest = along - lows;
         error = q->origin_low[k] != 0.0 ? tbx_abs(lows) * (8.0 * TBX_U64) : 0.0;
-        if (back == pieces && (rest > error || rest < -error || (rest == 0.0 && error == 0.0))) {
+        if (back == pieces && taken == q->origin_high[k] &&
+            (rest > error || rest < -error || (rest == 0.0 && error == 0.0))) {
             return rest > 0.0 ? -1 : rest < 0.0;
         }
     }
@@ -11853,6 +11857,7 @@ TBX_FN void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, tbx_
         const tbx_dw x = __builtin_convertvector(v[i], tbx_dw);
         tbx_dw at = (x - origin) * units_pieces + round;
         tbx_dw along;
+        tbx_dw taken;
         tbx_dw back;
         tbx_dw lows;
         tbx_dw rest;
@@ -11861,9 +11866,11 @@ TBX_FN void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, tbx_
         TBX_KEEP(at);
         along = x * pieces - origin_high;
         TBX_KEEP(along);
+        taken = x * pieces - along; /* as in tbx_plane_beside */
+        TBX_KEEP(taken);
         back = along + origin_high;
         TBX_KEEP(back);
-        *unsure |= __builtin_convertvector(back != x * pieces, tbx_iw) |
+        *unsure |= __builtin_convertvector((back != x * pieces) | (taken != origin_high), tbx_iw) |
                    ((size > tbx_wide_int(0)) & (size < tbx_wide_int(0x00800000)));
         along -= at * high;
         TBX_KEEP(along);
