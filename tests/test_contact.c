@@ -410,7 +410,7 @@ static void a_box_slides_over_a_seam(void)
     CHECK(tribox_sweep_rule(v[0], v[2], v[3], lo, hi, u, TRIBOX_OPEN, &t0, NULL, x) == 0);
     u[2] = -1e-30f;
     CHECK(tribox_sweep_rule(v[0], v[2], v[3], lo, hi, u, TRIBOX_OPEN, &t0, NULL, x) == 1);
-    CHECK(t0 >= 0 && t0 <= 0 && x[2] >= 1 && x[2] <= 1);
+    CHECK(t0 >= 0 && t0 <= 0 && x[2] > 0.9999f && x[2] < 1.0001f);
     u[2] = 0;
     lower[2] = -1e-45f;
     CHECK(tribox_sweep_rule(v[0], v[2], v[3], lower, hi, u, TRIBOX_OPEN, &t0, NULL, x) == 1);
@@ -438,7 +438,7 @@ static void open_sweeps_of_flat_and_infinite_boxes(void)
     lo[2] = 2;
     u[2] = -1;
     CHECK(tribox_sweep_rule(v[0], v[1], v[2], lo, hi, u, TRIBOX_OPEN, t, t + 1, x) == 1);
-    CHECK(t[0] <= 0 && t[1] >= 1 && x[2] >= 1);
+    CHECK(t[0] <= 0 && t[1] >= 1 && x[2] > 0.9999f);
     lo[2] = 3;
     CHECK(tribox_sweep_rule(v[0], v[1], v[2], lo, hi, u, TRIBOX_OPEN, t, t + 1, x) == 0);
     CHECK(tribox_sweep_rule(v[0], v[1], v[2], lo, hi, u, 0, t, t + 1, x) == 1);
@@ -539,14 +539,14 @@ static void moving_boxes_without_a_question(void)
     float t[2];
     float x[3];
     CHECK(tribox_sweep_box(a[0], a[1], b[0], b[1], u, 0, &t[0], &t[1], x) == 1);
-    CHECK(t[0] >= .5f && t[0] <= .5f && t[1] >= 1 && x[0] <= -1);
+    CHECK(t[0] >= .5f && t[0] <= .5f && t[1] >= 1 && x[0] < -0.9999f);
     b[1][0] = infinity();
     b[0][1] = b[0][2] = -infinity();
     CHECK(tribox_sweep_box(a[0], a[1], b[0], b[1], u, TRIBOX_OPEN, &t[0], &t[1], x) == 1);
-    CHECK(t[0] >= .5f && t[0] <= .5f && t[1] >= 1 && x[0] <= -1);
+    CHECK(t[0] >= .5f && t[0] <= .5f && t[1] >= 1 && x[0] < -0.9999f);
     a[0][0] = -infinity();
     CHECK(tribox_sweep_box(a[0], a[1], b[0], b[1], u, TRIBOX_OPEN, &t[0], &t[1], x) == 1);
-    CHECK(t[0] >= .5f && t[0] <= .5f && t[1] >= 1 && x[0] <= -1);
+    CHECK(t[0] >= .5f && t[0] <= .5f && t[1] >= 1 && x[0] < -0.9999f);
     b[0][0] = infinity();
     CHECK(tribox_sweep_box(a[0], a[1], b[0], b[1], u, 0, &t[0], &t[1], x) == 0);
     CHECK(tribox_sweep_box(b[0], b[1], a[0], a[1], u, 0, &t[0], &t[1], x) == 0);
@@ -932,7 +932,7 @@ static void gaps_without_a_question(void)
     float x[3] = {9, 9, 9};
     double s = tribox_gap(p.v[0], p.v[1], p.v[2], p.lo, p.hi, NULL);
     int i;
-    CHECK(s >= 2 && s <= 2);
+    CHECK(s > 1.999999 && s < 2.000001);
     for (i = 0; i < 15; i++) {
         float *at = i < 9 ? &p.v[i / 3][i % 3] : i < 12 ? &p.lo[i - 9] : &p.hi[i - 12];
         const float was = *at;
@@ -956,7 +956,7 @@ static void gaps_without_a_question(void)
     CHECK(oracle_read(s).is_infinite && oracle_read(s).sign < 0 && x[0] > 8);
     p.hi[1] = -2;
     s = tribox_gap(p.v[0], p.v[1], p.v[2], p.lo, p.hi, x);
-    CHECK(s >= 2 && s <= 2 && x[1] <= -1);
+    CHECK(s > 1.999999 && s < 2.000001 && x[1] < -0.9999f);
 }
 
 /* ---- segments through grids ---------------------------------------------------------------------------- */
