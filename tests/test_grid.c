@@ -743,13 +743,13 @@ static void spans_of_a_mesh_paint_its_fill(void)
     }
 }
 
-/* A cube of side .9 in map coordinates, which floats would round to halves: voxels of 1/8, whose faces are doubles, are
+/* A cube of side .9 in map coordinates, which floats would round to 1/32: voxels of 1/8, whose faces are doubles, are
  * set exactly where a triangle touches them, in the fill and in the spans. */
 static void a_cube_in_map_coordinates_keeps_its_digits(void)
 {
     static const unsigned char side[36] = {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
                                            2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3};
-    const double    corner[3] = {448262.25, 5411932.7, 112.3};
+    const double    corner[3] = {448262.25, 411932.7, 112.3};
     double          v[24];
     uint32_t        index[36];
     uint64_t        bits[16 * 16];
