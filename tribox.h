@@ -10496,6 +10496,15 @@ TBX_FORCED tbx_fw tbx_wide_choose(tbx_iw mask, tbx_fw a, tbx_fw b)
     return (tbx_fw)tbx_wide_select(mask, (tbx_iw)a, (tbx_iw)b);
 }
 
+/* 1/x in lanes `has`, else 1. The divisor is chosen first: clang would divide by x in every lane, and raise
+ * divide-by-zero, and choose a quotient. */
+TBX_FORCED tbx_fw tbx_wide_inverse(tbx_iw has, tbx_fw x)
+{
+    tbx_fw divisor = tbx_wide_choose(has, x, tbx_wide_all(1.0f));
+    TBX_KEEP_VECTOR(divisor);
+    return tbx_wide_all(1.0f) / divisor;
+}
+
 TBX_FORCED tbx_fw tbx_wide_where(tbx_iw mask, tbx_fw a)
 {
     return (tbx_fw)(mask & (tbx_iw)a);
@@ -12362,7 +12371,7 @@ TBX_FORCED void tbx_row_line(tbx_row_lines *out, const tbx_row_parts *p, const t
     const tbx_fw one = tbx_wide_all(1.0f);
     const tbx_fw nowhere = tbx_wide_all(TBX_NOWHERE);
     const tbx_iw has = tbx_wide_abs(e_r) > tbx_wide_all(1e-18f);
-    const tbx_fw inverse = one / tbx_wide_choose(has, e_r, one);
+    const tbx_fw inverse = tbx_wide_inverse(has, e_r);
     const tbx_fw slope = tbx_wide_where(has, e_b * inverse);
     const tbx_fw steep = tbx_wide_abs(slope);
     const tbx_fw middle = (v_b + tbx_wide_all(2.0f)) - slope * (v_r + half);
@@ -14125,7 +14134,7 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     e2 = tbx_wide_flip(e2, sign);
     area = tbx_wide_flip(area, sign);
     tiny = area <= error;
-    over_area = tbx_wide_all(1.0f) / tbx_wide_choose(tiny, tbx_wide_all(1.0f), area);
+    over_area = tbx_wide_inverse(~tiny, area);
     x_error = spread * (tbx_wide_all(2.0f * error_all) * over_area + tbx_wide_all(24.0f * u)) +
               tbx_wide_all(20.0f * u) * (m + tbx_wide_all(q->rho));
     x_error = x_error * tbx_wide_all(q->over_step[0]);
