@@ -3941,6 +3941,8 @@ TBX_FN void tbx_walk_groups(tbx_walk *w)
         return;
     }
     w->group[TBX_XY].error = w->group[TBX_XZ].error = w->group[TBX_YZ].error = w->group[TBX_PLANE].error = 1.0;
+    /* numbers also where the plane is not used: compilers compute with them before they ask */
+    w->plane_at[0] = w->plane_at[1] = w->plane_slope_z = 0.0;
     if (w->light) {
         w->extent = 0.0;
         w->delta = w->frame->reach;
