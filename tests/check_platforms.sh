@@ -199,14 +199,13 @@ fi
 for cc in gcc-12 clang-14 clang-19 clang-22; do
     for simd in "" " -DTRIBOX_SIMD=0"; do
         for flags in -O1 -O2 "-O3 -march=native" "-O2 -ffast-math"; do
-            traps "eighth up flush" $cc "$flags$simd"
+            traps eighth $cc "$flags$simd"
         done
     done
-    traps "eighth up" $cc -O0
+    traps eighth $cc -O0
 done
 traps "" gcc-12 -O2 # all questions
 traps "" clang-22 -O2
-traps "eighth" gcc-12 "-m32 -O2 -mfpmath=387 -mno-sse"
 traps "eighth" clang-22 "-O2 $before -DBEFORE_MSVC"
 traps "eighth" gcc-12 "-O2 $before -DBEFORE_NO_GNU"
 traps "eighth" clang-22 "-Ofast -march=native"
