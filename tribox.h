@@ -2269,8 +2269,7 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
 #endif
 
 #define TBX_TRI_ULPS 60
-#define TBX_NORMAL_ULPS \
-    8 /* n_a, in units of X_b X_c: the 7 above, and the rounding of what they are measured in */
+#define TBX_NORMAL_ULPS 8 /* n_a, in units of X_b X_c: the 7 above, and the rounding of what they are measured in */
 
 /* Orders as floats do; +0 and -0 are 0. */
 TBX_FN int32_t tbx_key32(const float *x)
