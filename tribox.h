@@ -10425,11 +10425,11 @@ TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
 #define TBX_SIGN_BIT (-2147483647 - 1)
 #define TBX_MOST_INDEX 268435456.0f /* 2^28: what follows fits integers */
 
-typedef float tbx_fw __attribute__((vector_size(4 * TBX_WIDE)));
-typedef int32_t tbx_iw __attribute__((vector_size(4 * TBX_WIDE)));
-typedef uint32_t tbx_uw __attribute__((vector_size(4 * TBX_WIDE)));
+typedef float tbx_fw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
+typedef int32_t tbx_iw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
+typedef uint32_t tbx_uw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
 
-typedef double tbx_dw __attribute__((vector_size(8 * TBX_WIDE)));
+typedef double tbx_dw __attribute__((vector_size(8 * TBX_WIDE), aligned(16)));
 
 TBX_FORCED tbx_fw tbx_wide_all(float x)
 {
