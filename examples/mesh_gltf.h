@@ -360,11 +360,12 @@ static inline int gltf_access(gltf *g, int64_t number, size_t components, gltf_d
         return gltf_fail(g, "accessor %lu has no data of its own (packed by an extension?)", (size_t)number);
     }
     view = g->list[GLTF_VIEWS].item[index];
-    out->type = (int)json_number(j, accessor, "componentType", 0);
+    index = json_whole(j, accessor, "componentType");
+    out->type = index >= 5120 && index <= 5126 ? (int)index : 0;
     out->normalized = json_is(j, json_get(j, accessor, "normalized"), "true");
     count = json_whole(j, accessor, "count");
     index = json_whole(j, view, "buffer");
-    if (out->type < 5120 || out->type > 5126 || out->type == 5124 || count < 0 || index < 0
+    if (out->type == 0 || out->type == 5124 || count < 0 || index < 0
         || (uint64_t)index >= g->list[GLTF_BUFFERS].count || json_get(j, view, "extensions")) {
         return gltf_fail(g, "accessor %lu cannot be read: its type, its count, or packed data", (size_t)number);
     }

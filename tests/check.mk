@@ -6,12 +6,13 @@ VERIFY_SEED      ?= 1
 VERIFY_JOBS      ?= 2
 FUZZ_SECONDS     ?= 60
 PLATFORMS_ONLY   ?= .
+MUTANT_MESHES    ?= 10000
 FUZZ_TARGETS     := overlap tri grid mesh companions
 FUZZ_FLAGS       := -std=c99 -I. -O1 -g -fno-sanitize-recover=all \
                     -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow
-CHECK_PARTS      := verify golden-check platforms headers sanitize proofs errors mutate cuda fuzz coverage
+CHECK_PARTS      := verify golden-check platforms headers sanitize mesh-mutants proofs errors mutate cuda fuzz coverage
 
-.PHONY: check verify golden golden-check platforms platforms-all headers sanitize proofs errors mutate cuda fuzz coverage
+.PHONY: check verify golden golden-check platforms platforms-all headers sanitize mesh-mutants proofs errors mutate cuda fuzz coverage
 
 check: ## all checks below, one after the other, and their sum
 	@bash tests/check.sh $(CHECK_PARTS)
@@ -45,6 +46,15 @@ headers: ## warnings, includes, macros, symbols, stack, static analysis
 
 sanitize: ## the suite under the address, undefined-behaviour and memory sanitizers
 	@bash tests/check_sanitize.sh
+
+$(B)/mutated_meshes: tests/mutated_meshes.c tests/test.h $(wildcard examples/*.h) tribox.h
+	@mkdir -p $(B)
+	clang -std=c99 -I. -O1 -g -DTRIBOX_SIMD=0 -fno-sanitize-recover=all \
+	    -fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow -o $@ $< -lm
+
+mesh-mutants: $(B)/mutated_meshes ## the mesh readers under the sanitizers, on MUTANT_MESHES damaged files
+	@mkdir -p $(B)/mutants
+	@ASAN_OPTIONS=max_allocation_size_mb=64 timeout 900 $(B)/mutated_meshes $(MUTANT_MESHES) $(B)/mutants
 
 proofs: ## the filter's error constants, proved by Gappa
 	@bash tests/check_proofs.sh
