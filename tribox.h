@@ -8661,10 +8661,23 @@ TBX_FN unsigned tbx_odd1(const float *x)
     return (unsigned)(magnitude - 0x00800000u >= 0x7f000000u) & (unsigned)(magnitude != 0);
 }
 
+#if TRIBOX_SIMD /* section 11.5 */
+TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const float d[3]);
+TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const float b[3],
+                              const float *b_radius);
+TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius);
+#else
 TBX_FN unsigned tbx_odd3(const float x[3])
 {
     return tbx_odd1(x) | tbx_odd1(x + 1) | tbx_odd1(x + 2);
 }
+
+/* Is one of twelve floats odd? */
+TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const float d[3])
+{
+    return (tbx_odd3(a) | tbx_odd3(b) | tbx_odd3(c) | tbx_odd3(d)) != 0;
+}
+#endif
 
 /* As a radius: also what is below 0. */
 TBX_FN unsigned tbx_odd_radius(const float *r)
@@ -8736,9 +8749,14 @@ TBX_COLD int tbx_sphere_sphere_exact(const float a[3], const float *a_radius, co
 
 TRIBOX_FN int tribox_sphere_sphere(const float a[3], float a_radius, const float b[3], float b_radius)
 {
+#if TRIBOX_SIMD
+    const int quick = tbx_sphere_sphere4(a, &a_radius, b, &b_radius);
+    if (!TBX_RARELY(quick == TBX_UNSURE)) {
+        return quick;
+    }
+#endif
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY((tbx_odd3(a) | tbx_odd3(b) | tbx_odd_radius(&a_radius) | tbx_odd_radius(&b_radius)) !=
-                    0)) {
+    if (!TBX_RARELY(tbx_odd4(a, a, b, b) || (tbx_odd_radius(&a_radius) | tbx_odd_radius(&b_radius)) != 0)) {
         const double p[3] = { (double)a[0], (double)a[1], (double)a[2] };
         const double q[3] = { (double)b[0], (double)b[1], (double)b[2] };
         const double r = (double)a_radius + (double)b_radius;
@@ -8800,8 +8818,14 @@ TBX_COLD int tbx_plane_sphere_exact(const float n[3], const float *d, const floa
 
 TRIBOX_FN int tribox_plane_sphere(const float n[3], float d, const float c[3], float radius)
 {
+#if TRIBOX_SIMD
+    const int quick = tbx_plane_sphere4(n, &d, c, &radius);
+    if (!TBX_RARELY(quick == TBX_UNSURE)) {
+        return quick;
+    }
+#endif
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY((tbx_odd3(n) | tbx_odd3(c) | tbx_odd1(&d) | tbx_odd_radius(&radius)) != 0)) {
+    if (!TBX_RARELY(tbx_odd4(n, n, c, c) || (tbx_odd1(&d) | tbx_odd_radius(&radius)) != 0)) {
         const double x = (double)n[0];
         const double y = (double)n[1];
         const double z = (double)n[2];
@@ -8875,7 +8899,7 @@ TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_
                                 const float box_max[3])
 {
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY((tbx_odd3(c) | tbx_odd3(box_min) | tbx_odd3(box_max) | tbx_odd_radius(&radius)) != 0) &&
+    if (!TBX_RARELY(tbx_odd4(c, c, box_min, box_max) || tbx_odd_radius(&radius) != 0) &&
         !TBX_RARELY((box_min[0] > box_max[0]) | (box_min[1] > box_max[1]) | (box_min[2] > box_max[2]))) {
         const double x = tbx_outside(c[0], box_min[0], box_max[0]);
         const double y = tbx_outside(c[1], box_min[1], box_max[1]);
@@ -9100,8 +9124,7 @@ TRIBOX_FN int tribox_sphere_triangle(const float c[3], float radius, const float
 {
     const float *const v[3] = { v0, v1, v2 };
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY((tbx_odd3(c) | tbx_odd3(v0) | tbx_odd3(v1) | tbx_odd3(v2) | tbx_odd_radius(&radius)) !=
-                    0)) {
+    if (!TBX_RARELY(tbx_odd4(c, v0, v1, v2) || tbx_odd_radius(&radius) != 0)) {
         const int verdict = tbx_touch_filter(c, radius, v);
         if (!TBX_RARELY(verdict == TBX_UNSURE)) {
             return verdict;
@@ -9285,6 +9308,7 @@ TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const do
     double d;
     double error;
     double root;
+    double inverse;
     double t[2];
     int k;
     for (k = 0; k < 3; k++) {
@@ -9303,10 +9327,13 @@ TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const do
     if (!(d > 1024.0 * error && a > 0.0)) {
         return TBX_UNSURE;
     }
-    root = d * tbx_inverse_root(d);
-    error = (error / root + (mag + root) * TBX_PIERCE_ERROR) / a;
-    t[0] = (-b - root) / a;
-    t[1] = (root - b) / a;
+    inverse = tbx_inverse_root(d);
+    root = d * inverse;
+    error *= inverse;
+    inverse = 1.0 / a;
+    error = (error + (mag + root) * TBX_PIERCE_ERROR) * inverse;
+    t[0] = (-b - root) * inverse;
+    t[1] = (root - b) * inverse;
     if (t[1] + error < from || t[0] - error > to) {
         return TBX_MISS;
     }
@@ -9351,7 +9378,7 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
     (void)k;
 #if TBX_DOUBLE_IS_53_BITS
     double near_ends[2];
-    if (!TBX_RARELY((tbx_odd3(origin) | tbx_odd3(dir) | tbx_odd3(c) | tbx_odd_radius(&radius)) != 0) &&
+    if (!TBX_RARELY(tbx_odd4(origin, dir, c, c) || tbx_odd_radius(&radius) != 0) &&
         tbx_pierce_ends(ends, near_ends)) {
         hit = tbx_pierce_filter(origin, dir, near_ends, c, (double)radius, key);
         for (k = 0; k < 2 && hit == TBX_HIT; k++) {
@@ -13454,6 +13481,82 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
         }
     }
 }
+/* ---- Spheres */
+
+/* Is one of twelve floats subnormal, infinite or NaN? */
+TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const float d[3])
+{
+    const tbx_f4 w = tbx_abs4(tbx_load3(a));
+    const tbx_f4 x = tbx_abs4(tbx_load3(b));
+    const tbx_f4 y = tbx_abs4(tbx_load3(c));
+    const tbx_f4 z = tbx_abs4(tbx_load3(d));
+    return tbx_any(tbx_above(w, 0x7f7fffff) | tbx_above(x, 0x7f7fffff) | tbx_above(y, 0x7f7fffff) |
+                   tbx_above(z, 0x7f7fffff) | tbx_below(w, 0x00800000) | tbx_below(x, 0x00800000) |
+                   tbx_below(y, 0x00800000) | tbx_below(z, 0x00800000));
+}
+
+/* Is a float, above 0, within [least, most), given by their bits? */
+TBX_FN int tbx_within(const float *x, uint32_t least, uint32_t most)
+{
+    return tbx_bits32(x) - least < most - least;
+}
+
+/* Both sides err by less than 6 u of themselves, u = 2^-23. Centres are below 2^60 and radii at least 2^-60, so
+ * that what is flushed, 2^-125 of a difference, is nothing to them. */
+#define TBX_BALL_ERROR4 1.9073486328125e-06f /* 2^-19 */
+
+TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const float b[3], const float *b_radius)
+{
+    const tbx_f4 p = tbx_load3(a);
+    const tbx_f4 q = tbx_load3(b);
+    const tbx_i4 outside = tbx_above(tbx_abs4(p), 0x5d800000) | tbx_above(tbx_abs4(q), 0x5d800000);
+    if (TBX_RARELY(tbx_any(outside) || !tbx_within(a_radius, 0x21800000u, 0x5d800000u) ||
+                   !tbx_within(b_radius, 0x21800000u, 0x5d800000u))) {
+        return TBX_UNSURE;
+    }
+    {
+        tbx_f4 d = p - q;
+        const float r = *a_radius + *b_radius;
+        float apart;
+        float error;
+        TBX_KEEP_VECTOR(d);
+        d = d * d;
+        apart = (d[0] + d[1]) + d[2];
+        error = (apart + r * r) * TBX_BALL_ERROR4;
+        apart -= r * r;
+        return TBX_RARELY(!(tbx_absf(apart) > error)) ? TBX_UNSURE : apart < 0.0f;
+    }
+}
+
+/* v errs by 4 u of the magnitudes of its terms; |n|^2 is at least 2^-40 and r at least 2^-30. Returns what
+ * tribox_plane_sphere does, or UNSURE. */
+#define TBX_PLANE_SPHERE_ERROR4 9.5367431640625e-07f /* 2^-20 */
+
+TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius)
+{
+    const tbx_f4 x = tbx_load3(n);
+    const tbx_f4 y = tbx_load3(c);
+    const tbx_i4 outside = tbx_above(tbx_abs4(x), 0x4e800000) | tbx_above(tbx_abs4(y), 0x4e800000);
+    if (TBX_RARELY(tbx_any(outside) || !tbx_within(radius, 0x30800000u, 0x4e800000u) ||
+                   (tbx_bits32(d) & 0x7fffffffu) > 0x5d800000u)) { /* 2^30, 2^-30..2^30, 2^60 */
+        return TBX_UNSURE;
+    }
+    {
+        const tbx_f4 product = x * y;
+        const tbx_f4 sums = tbx_sums3(product, x * x);
+        const tbx_f4 sizes = tbx_sums3(tbx_abs4(product), x);
+        const float v = sums[0] + *d;
+        const float error = (sizes[0] + tbx_absf(*d)) * TBX_PLANE_SPHERE_ERROR4;
+        const float square = *radius * *radius * sums[1];
+        const float apart = v * v - square; /* sure beyond (|v| + error)^2 - v^2, and their own errors */
+        const float band = (2.0f * tbx_absf(v) + error) * error + (v * v + square) * TBX_BALL_ERROR4;
+        if (TBX_RARELY(!(tbx_absf(apart) > band)) || TBX_RARELY(!(sums[1] > 9.094947017729282e-13f))) {
+            return TBX_UNSURE; /* 2^-40 */
+        }
+        return ((v > 0.0f) - (v < 0.0f)) & -(int)(apart > 0.0f);
+    }
+}
+
 #if TBX_DOUBLE_IS_53_BITS
 /* ---- Gap */
 
@@ -14659,6 +14762,8 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_PLANE_SPHERE_ERROR
 #undef TBX_TOUCH_ERROR
 #undef TBX_PIERCE_ERROR
+#undef TBX_BALL_ERROR4
+#undef TBX_PLANE_SPHERE_ERROR4
 #undef TBX_GAP_CLOSE
 #undef TBX_GAP_ERROR4
 #undef TBX_GAP_ROOT
