@@ -13524,7 +13524,7 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
         apart = (d[0] + d[1]) + d[2];
         error = (apart + r * r) * TBX_BALL_ERROR4;
         apart -= r * r;
-        return TBX_RARELY(!(tbx_absf(apart) > error)) ? TBX_UNSURE : apart < 0.0f;
+        return TBX_RARELY(!(tbx_absf(apart) > error)) ? TBX_UNSURE : (int)(apart < 0.0f);
     }
 }
 
