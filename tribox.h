@@ -5458,18 +5458,21 @@ TBX_FOR_FORMAT int64_t tbx_scan3(const void *x, int format)
            tbx_scan((const char *)x + 2 * size, format);
 }
 
-/* Three numbers that were looked at, as doubles; not before: signalling NaN would raise a flag. */
+/* A float that was looked at, as a double; not before: signalling NaN would raise a flag. */
+TBX_FN double tbx_take(const float *x)
+{
+    float narrow = *x;
+    TBX_KEEP_SCALAR(narrow);
+    return (double)narrow;
+}
+
+/* Three numbers, likewise. */
 TBX_FOR_FORMAT void tbx_take3(double out[3], const void *x, int format)
 {
     if (format == TBX_FLOAT) {
-        float narrow[3];
-        TBX_COPY(narrow, x, sizeof narrow);
-        TBX_KEEP_SCALAR(narrow[0]);
-        TBX_KEEP_SCALAR(narrow[1]);
-        TBX_KEEP_SCALAR(narrow[2]);
-        out[0] = (double)narrow[0];
-        out[1] = (double)narrow[1];
-        out[2] = (double)narrow[2];
+        out[0] = tbx_take((const float *)x);
+        out[1] = tbx_take((const float *)x + 1);
+        out[2] = tbx_take((const float *)x + 2);
     } else {
         TBX_COPY(out, x, 3 * sizeof *out);
     }
@@ -6314,7 +6317,7 @@ TBX_FN int64_t tbx_slab_round(double t, int up)
     return negative ? -(key + !up) : key + up;
 }
 
-#define TBX_SLAB_BEYOND 2.037035976334486e+90 /* 2^300: past every time */
+#define TBX_SLAB_BEYOND TBX_POW2(300) /* past every time */
 
 /* A ray and a box as they came. */
 typedef struct tbx_ray_ask {
@@ -8757,10 +8760,13 @@ TRIBOX_FN int tribox_sphere_sphere(const float a[3], float a_radius, const float
 #endif
 #if TBX_DOUBLE_IS_53_BITS
     if (!TBX_RARELY(tbx_odd4(a, a, b, b) || (tbx_odd_radius(&a_radius) | tbx_odd_radius(&b_radius)) != 0)) {
-        const double p[3] = { (double)a[0], (double)a[1], (double)a[2] };
-        const double q[3] = { (double)b[0], (double)b[1], (double)b[2] };
-        const double r = (double)a_radius + (double)b_radius;
-        const int verdict = tbx_ball_less(tbx_square_distance(p, q), r * r);
+        const double r = tbx_take(&a_radius) + tbx_take(&b_radius);
+        double p[3];
+        double q[3];
+        int verdict;
+        tbx_take3(p, a, TBX_FLOAT);
+        tbx_take3(q, b, TBX_FLOAT);
+        verdict = tbx_ball_less(tbx_square_distance(p, q), r * r);
         if (!TBX_RARELY(verdict == TBX_UNSURE)) {
             return verdict;
         }
@@ -8816,6 +8822,37 @@ TBX_COLD int tbx_plane_sphere_exact(const float n[3], const float *d, const floa
  * or put on. */
 #define TBX_PLANE_SPHERE_ERROR (4.0 * TBX_U64)
 
+/* What tribox_plane_sphere returns, or UNSURE. */
+TBX_FN int tbx_plane_sphere_filter(const float n[3], double d, const float center[3], double r)
+{
+    double x[3];
+    double c[3];
+    double v = d;
+    double mag = tbx_abs(d);
+    double square = 0.0;
+    double least;
+    double most;
+    int k;
+    tbx_take3(x, n, TBX_FLOAT);
+    tbx_take3(c, center, TBX_FLOAT);
+    for (k = 0; k < 3; k++) {
+        const double term = x[k] * c[k];
+        v += term;
+        mag += tbx_abs(term);
+        square += x[k] * x[k];
+    }
+    square *= r * r;
+    least = tbx_abs(v) - mag * TBX_PLANE_SPHERE_ERROR;
+    most = tbx_abs(v) + mag * TBX_PLANE_SPHERE_ERROR;
+    if (most * most < square * (1.0 - TBX_BALL_ERROR)) {
+        return 0;
+    }
+    if (least > 0.0 && least * least > square * (1.0 + TBX_BALL_ERROR)) {
+        return v > 0.0 ? 1 : -1;
+    }
+    return TBX_UNSURE;
+}
+
 TRIBOX_FN int tribox_plane_sphere(const float n[3], float d, const float c[3], float radius)
 {
 #if TRIBOX_SIMD
@@ -8826,24 +8863,9 @@ TRIBOX_FN int tribox_plane_sphere(const float n[3], float d, const float c[3], f
 #endif
 #if TBX_DOUBLE_IS_53_BITS
     if (!TBX_RARELY(tbx_odd4(n, n, c, c) || (tbx_odd1(&d) | tbx_odd_radius(&radius)) != 0)) {
-        const double x = (double)n[0];
-        const double y = (double)n[1];
-        const double z = (double)n[2];
-        const double r = (double)radius;
-        const double a = x * (double)c[0];
-        const double b = y * (double)c[1];
-        const double e = z * (double)c[2];
-        const double v = a + b + e + (double)d;
-        const double error =
-            (tbx_abs(a) + tbx_abs(b) + tbx_abs(e) + tbx_abs((double)d)) * TBX_PLANE_SPHERE_ERROR;
-        const double square = r * r * (x * x + y * y + z * z);
-        const double least = tbx_abs(v) - error;
-        const double most = tbx_abs(v) + error;
-        if (most * most < square * (1.0 - TBX_BALL_ERROR)) {
-            return 0;
-        }
-        if (least > 0.0 && least * least > square * (1.0 + TBX_BALL_ERROR)) {
-            return v > 0.0 ? 1 : -1;
+        const int verdict = tbx_plane_sphere_filter(n, tbx_take(&d), c, tbx_take(&radius));
+        if (!TBX_RARELY(verdict == TBX_UNSURE)) {
+            return verdict;
         }
     }
 #endif
@@ -8887,25 +8909,41 @@ TBX_COLD int tbx_sphere_box_exact(const float center[3], const float *radius, co
 }
 
 /* How far x lies outside of lo..hi. */
-TBX_FN double tbx_outside(float x, float lo, float hi)
+TBX_FN double tbx_outside(double x, double lo, double hi)
 {
-    const double below = (double)lo - (double)x;
-    const double above = (double)x - (double)hi;
+    const double below = lo - x;
+    const double above = x - hi;
     const double farther = below > above ? below : above;
     return farther > 0.0 ? farther : 0.0;
+}
+
+/* Empty boxes are unsure, too. */
+TBX_FN int tbx_sphere_box_filter(const float center[3], double r, const float box_min[3], const float box_max[3])
+{
+    double c[3];
+    double lo[3];
+    double hi[3];
+    double x;
+    double y;
+    double z;
+    tbx_take3(c, center, TBX_FLOAT);
+    tbx_take3(lo, box_min, TBX_FLOAT);
+    tbx_take3(hi, box_max, TBX_FLOAT);
+    x = tbx_outside(c[0], lo[0], hi[0]);
+    y = tbx_outside(c[1], lo[1], hi[1]);
+    z = tbx_outside(c[2], lo[2], hi[2]);
+    if (TBX_RARELY((lo[0] > hi[0]) | (lo[1] > hi[1]) | (lo[2] > hi[2]))) {
+        return TBX_UNSURE;
+    }
+    return tbx_ball_less(x * x + y * y + z * z, r * r);
 }
 
 TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_min[3],
                                 const float box_max[3])
 {
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY(tbx_odd4(c, c, box_min, box_max) || tbx_odd_radius(&radius) != 0) &&
-        !TBX_RARELY((box_min[0] > box_max[0]) | (box_min[1] > box_max[1]) | (box_min[2] > box_max[2]))) {
-        const double x = tbx_outside(c[0], box_min[0], box_max[0]);
-        const double y = tbx_outside(c[1], box_min[1], box_max[1]);
-        const double z = tbx_outside(c[2], box_min[2], box_max[2]);
-        const double r = (double)radius;
-        const int verdict = tbx_ball_less(x * x + y * y + z * z, r * r);
+    if (!TBX_RARELY(tbx_odd4(c, c, box_min, box_max) || tbx_odd_radius(&radius) != 0)) {
+        const int verdict = tbx_sphere_box_filter(c, tbx_take(&radius), box_min, box_max);
         if (!TBX_RARELY(verdict == TBX_UNSURE)) {
             return verdict;
         }
@@ -9076,8 +9114,9 @@ TBX_FN void tbx_touch_weights(const double a[3], const double b[3], const double
  * by less than 16 u M from one of T, and a corner's distance along the way g by 16 u M |g|. */
 #define TBX_TOUCH_ERROR (16.0 * TBX_U64)
 
-TBX_FN int tbx_touch_filter(const float center[3], float radius, const float *const v[3])
+TBX_FN int tbx_touch_filter(const float center[3], double r, const float *const v[3])
 {
+    double x[4][3];
     double a[3];
     double b[3];
     double p[3];
@@ -9089,13 +9128,16 @@ TBX_FN int tbx_touch_filter(const float center[3], float radius, const float *co
     double least = 0.0;
     double of_a = 0.0;
     double of_b = 0.0;
-    const double r = (double)radius;
     double error;
     int k;
+    tbx_take3(x[0], v[0], TBX_FLOAT);
+    tbx_take3(x[1], v[1], TBX_FLOAT);
+    tbx_take3(x[2], v[2], TBX_FLOAT);
+    tbx_take3(x[3], center, TBX_FLOAT);
     for (k = 0; k < 3; k++) {
-        a[k] = (double)v[1][k] - (double)v[0][k];
-        b[k] = (double)v[2][k] - (double)v[0][k];
-        p[k] = (double)center[k] - (double)v[0][k];
+        a[k] = x[1][k] - x[0][k];
+        b[k] = x[2][k] - x[0][k];
+        p[k] = x[3][k] - x[0][k];
         mag += tbx_abs(a[k]) + tbx_abs(b[k]) + tbx_abs(p[k]);
     }
     tbx_touch_weights(a, b, p, weight);
@@ -9125,7 +9167,7 @@ TRIBOX_FN int tribox_sphere_triangle(const float c[3], float radius, const float
     const float *const v[3] = { v0, v1, v2 };
 #if TBX_DOUBLE_IS_53_BITS
     if (!TBX_RARELY(tbx_odd4(c, v0, v1, v2) || tbx_odd_radius(&radius) != 0)) {
-        const int verdict = tbx_touch_filter(c, radius, v);
+        const int verdict = tbx_touch_filter(c, tbx_take(&radius), v);
         if (!TBX_RARELY(verdict == TBX_UNSURE)) {
             return verdict;
         }
@@ -9281,14 +9323,18 @@ TBX_FN int64_t tbx_floor_key(double t)
 TBX_FN int tbx_pierce_end(double t, double error, int e, int64_t *out)
 {
     const double x = e == 0 ? t : -t;
+    double before = x - error;
+    double after = x + error;
     int64_t key;
     if (!(tbx_abs(t) > 7.888609052210118e-31 + error &&
           tbx_abs(t) < 1.2676506002282294e+30)) { /* 2^-100, 2^100 */
         return 0;
     }
-    key = tbx_floor_key(x - error);
+    TBX_KEEP_SCALAR(before); /* to floats only if in range */
+    TBX_KEEP_SCALAR(after);
+    key = tbx_floor_key(before);
     *out = e == 0 ? key : -key;
-    return key == tbx_floor_key(x + error);
+    return key == tbx_floor_key(after);
 }
 
 /* In double. In units of u: B errs by 5 of the magnitudes b of its terms, C by 8 of c = m.m + r^2, so D = B^2 - A
@@ -9301,6 +9347,9 @@ TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const do
 {
     const double from = ends[0];
     const double to = ends[1];
+    double o[3];
+    double w[3];
+    double c[3];
     double a = 0.0;
     double b = 0.0;
     double mm = 0.0;
@@ -9311,13 +9360,15 @@ TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const do
     double inverse;
     double t[2];
     int k;
+    tbx_take3(o, origin, TBX_FLOAT);
+    tbx_take3(w, dir, TBX_FLOAT);
+    tbx_take3(c, center, TBX_FLOAT);
     for (k = 0; k < 3; k++) {
-        const double m = (double)origin[k] - (double)center[k];
-        const double x = (double)dir[k];
-        a += x * x;
-        b += x * m;
+        const double m = o[k] - c[k];
+        a += w[k] * w[k];
+        b += w[k] * m;
         mm += m * m;
-        mag += tbx_abs(x * m);
+        mag += tbx_abs(w[k] * m);
     }
     d = b * b - a * (mm - r * r);
     error = (mag * mag + a * (mm + r * r)) * TBX_PIERCE_ERROR;
@@ -9327,6 +9378,7 @@ TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const do
     if (!(d > 1024.0 * error && a > 0.0)) {
         return TBX_UNSURE;
     }
+    TBX_KEEP_SCALAR(a); /* divides only if it is not 0 */
     inverse = tbx_inverse_root(d);
     root = d * inverse;
     error *= inverse;
@@ -9351,7 +9403,7 @@ TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const do
     return TBX_HIT;
 }
 
-/* A ray's ends in double; an infinite one is farther than any float. 0 for NaN, subnormals, and what is no ray. */
+/* A ray's ends in double; an infinite one is past every time, |B| / A < 2^256. 0 for NaN, subnormals, and what is no ray. */
 TBX_FN int tbx_pierce_ends(const float t[2], double out[2])
 {
     const int32_t infinity = 0x7f800000;
@@ -9363,24 +9415,27 @@ TBX_FN int tbx_pierce_ends(const float t[2], double out[2])
         (!from_infinite && tbx_odd1(&t[0]) != 0) || (!to_infinite && tbx_odd1(&t[1]) != 0)) {
         return 0;
     }
-    out[0] = from_infinite ? -(double)FLT_MAX : (double)t[0];
-    out[1] = to_infinite ? (double)FLT_MAX : (double)t[1];
+    out[0] = from_infinite ? -TBX_SLAB_BEYOND : tbx_take(&t[0]);
+    out[1] = to_infinite ? TBX_SLAB_BEYOND : tbx_take(&t[1]);
     return 1;
 }
 
 TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float t_min, float t_max,
                                 const float c[3], float radius, float *out_t0, float *out_t1)
 {
-    const float ends[2] = { t_min, t_max };
+    float ends[2];
+    double near_ends[2];
     int64_t key[2];
     int hit = TBX_UNSURE;
     int k;
     (void)k;
+    (void)near_ends;
+    TBX_COPY(&ends[0], &t_min, sizeof t_min);
+    TBX_COPY(&ends[1], &t_max, sizeof t_max);
 #if TBX_DOUBLE_IS_53_BITS
-    double near_ends[2];
     if (!TBX_RARELY(tbx_odd4(origin, dir, c, c) || tbx_odd_radius(&radius) != 0) &&
         tbx_pierce_ends(ends, near_ends)) {
-        hit = tbx_pierce_filter(origin, dir, near_ends, c, (double)radius, key);
+        hit = tbx_pierce_filter(origin, dir, near_ends, c, tbx_take(&radius), key);
         for (k = 0; k < 2 && hit == TBX_HIT; k++) {
             key[k] = key[k] == 0 ? (int64_t)tbx_key32(&ends[k]) : key[k];
         }
@@ -13501,22 +13556,28 @@ TBX_FN int tbx_within(const float *x, uint32_t least, uint32_t most)
     return tbx_bits32(x) - least < most - least;
 }
 
-/* Both sides err by less than 6 u of themselves, u = 2^-23. Centres are below 2^60 and radii at least 2^-60, so
- * that what is flushed, 2^-125 of a difference, is nothing to them. */
+/* Both sides err by less than 6 u of themselves, u = 2^-23. Centres are below 2^60 and radii at least 2^-40, so
+ * that what is flushed, 2^-126 of a difference or of a square, is nothing to 2^-19 of their squares. */
 #define TBX_BALL_ERROR4 1.9073486328125e-06f /* 2^-19 */
 
 TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const float b[3], const float *b_radius)
 {
-    const tbx_f4 p = tbx_load3(a);
-    const tbx_f4 q = tbx_load3(b);
+    tbx_f4 p = tbx_load3(a);
+    tbx_f4 q = tbx_load3(b);
+    float of_a = *a_radius;
+    float of_b = *b_radius;
     const tbx_i4 outside = tbx_above(tbx_abs4(p), 0x5d800000) | tbx_above(tbx_abs4(q), 0x5d800000);
-    if (TBX_RARELY(tbx_any(outside) || !tbx_within(a_radius, 0x21800000u, 0x5d800000u) ||
-                   !tbx_within(b_radius, 0x21800000u, 0x5d800000u))) {
+    if (TBX_RARELY(tbx_any(outside) || !tbx_within(a_radius, 0x2b800000u, 0x5d800000u) ||
+                   !tbx_within(b_radius, 0x2b800000u, 0x5d800000u))) {
         return TBX_UNSURE;
     }
+    TBX_KEEP_VECTOR(p); /* nothing is computed before it is known to be in range */
+    TBX_KEEP_VECTOR(q);
+    TBX_KEEP_SCALAR(of_a);
+    TBX_KEEP_SCALAR(of_b);
     {
         tbx_f4 d = p - q;
-        const float r = *a_radius + *b_radius;
+        const float r = of_a + of_b;
         float apart;
         float error;
         TBX_KEEP_VECTOR(d);
@@ -13534,20 +13595,26 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
 
 TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius)
 {
-    const tbx_f4 x = tbx_load3(n);
-    const tbx_f4 y = tbx_load3(c);
+    tbx_f4 x = tbx_load3(n);
+    tbx_f4 y = tbx_load3(c);
+    float of_d = *d;
+    float r = *radius;
     const tbx_i4 outside = tbx_above(tbx_abs4(x), 0x4e800000) | tbx_above(tbx_abs4(y), 0x4e800000);
     if (TBX_RARELY(tbx_any(outside) || !tbx_within(radius, 0x30800000u, 0x4e800000u) ||
                    (tbx_bits32(d) & 0x7fffffffu) > 0x5d800000u)) { /* 2^30, 2^-30..2^30, 2^60 */
         return TBX_UNSURE;
     }
+    TBX_KEEP_VECTOR(x);
+    TBX_KEEP_VECTOR(y);
+    TBX_KEEP_SCALAR(of_d);
+    TBX_KEEP_SCALAR(r);
     {
         const tbx_f4 product = x * y;
         const tbx_f4 sums = tbx_sums3(product, x * x);
         const tbx_f4 sizes = tbx_sums3(tbx_abs4(product), x);
-        const float v = sums[0] + *d;
-        const float error = (sizes[0] + tbx_absf(*d)) * TBX_PLANE_SPHERE_ERROR4;
-        const float square = *radius * *radius * sums[1];
+        const float v = sums[0] + of_d;
+        const float error = (sizes[0] + tbx_absf(of_d)) * TBX_PLANE_SPHERE_ERROR4;
+        const float square = r * r * sums[1];
         const float apart = v * v - square; /* sure beyond (|v| + error)^2 - v^2, and their own errors */
         const float band = (2.0f * tbx_absf(v) + error) * error + (v * v + square) * TBX_BALL_ERROR4;
         if (TBX_RARELY(!(tbx_absf(apart) > band)) || TBX_RARELY(!(sums[1] > 9.094947017729282e-13f))) {
@@ -13619,11 +13686,11 @@ TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float
                                const float box_min[3], const float box_max[3], tbx_gap_roots *out_roots)
 {
     const tbx_f4 below_all = { 0.0f, 0.0f, 0.0f, -1099511627776.0f }; /* -2^40 */
-    const tbx_f4 p0 = tbx_load3(v0);
-    const tbx_f4 p1 = tbx_load3(v1);
-    const tbx_f4 p2 = tbx_load3(v2);
-    const tbx_f4 lo = tbx_load3(box_min);
-    const tbx_f4 hi = tbx_load3(box_max);
+    tbx_f4 p0 = tbx_load3(v0);
+    tbx_f4 p1 = tbx_load3(v1);
+    tbx_f4 p2 = tbx_load3(v2);
+    tbx_f4 lo = tbx_load3(box_min);
+    tbx_f4 hi = tbx_load3(box_max);
     const tbx_i4 outside = tbx_above(tbx_abs4(p0), 0x4d800000) | tbx_above(tbx_abs4(p1), 0x4d800000) |
                            tbx_above(tbx_abs4(p2), 0x4d800000) | tbx_above(tbx_abs4(lo), 0x4d800000) |
                            tbx_above(tbx_abs4(hi), 0x4d800000);
@@ -13636,6 +13703,11 @@ TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float
     if (TBX_RARELY(tbx_any(outside))) {
         return 0;
     }
+    TBX_KEEP_VECTOR(p0);
+    TBX_KEEP_VECTOR(p1);
+    TBX_KEEP_VECTOR(p2);
+    TBX_KEEP_VECTOR(lo);
+    TBX_KEEP_VECTOR(hi);
     a1 = p1 - p0;
     a2 = p2 - p0;
     e1 = p2 - p1;
@@ -13737,10 +13809,22 @@ TBX_FN double tbx_with_sign(double x, double y)
 TBX_FN int tbx_gap_near_face(const float *const v[3], const float lo[3], const float hi[3], unsigned axis,
                              double *out_s, double out_axis[3])
 {
-    const float least = tbx_minf(tbx_minf(v[0][axis], v[1][axis]), v[2][axis]);
-    const float most = tbx_maxf(tbx_maxf(v[0][axis], v[1][axis]), v[2][axis]);
-    const double up = (double)lo[axis] - (double)most;
-    const double down = (double)least - (double)hi[axis];
+    double x[5];
+    double least;
+    double most;
+    double up;
+    double down;
+    tbx_widen(&x[0], &v[0][axis]); /* a subnormal is all that s may be */
+    tbx_widen(&x[1], &v[1][axis]);
+    tbx_widen(&x[2], &v[2][axis]);
+    tbx_widen(&x[3], &lo[axis]);
+    tbx_widen(&x[4], &hi[axis]);
+    least = x[0] < x[1] ? x[0] : x[1];
+    most = x[0] < x[1] ? x[1] : x[0];
+    least = x[2] < least ? x[2] : least;
+    most = x[2] > most ? x[2] : most;
+    up = x[3] - most;
+    down = least - x[4];
     *out_s = up > down ? up : down;
     out_axis[0] = out_axis[1] = out_axis[2] = 0.0;
     out_axis[axis] = tbx_with_sign(1.0, up - down);

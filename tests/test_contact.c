@@ -61,8 +61,7 @@ static int fraction_order(fraction a, fraction b)
 static int floors_fraction(float f, fraction x)
 {
     /* -Ofast may read a subnormal float as zero, so 2^-149 is a double here */
-    const double next = f == 0.0f ? 1.0 / 713623846352979940529142984724747568191373312.0
-                                  : (double)nudge_float(f, 1);
+    const double next = f == 0.0f ? power_of_two(-149) : (double)nudge_float(f, 1);
     return (double)f * (double)x.d <= (double)x.n && next * (double)x.d > (double)x.n;
 }
 
@@ -1175,8 +1174,8 @@ static void segments_pass_voxels_in_order(void)
 static void segments_far_and_none(void)
 {
     tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {2, 2, 2}, 0};
-    double p[3] = {-1e300, .5, .5};
-    double q[3] = {1e300, .5, .5};
+    double p[3] = {-power_of_two(1000), .5, .5};
+    double q[3] = {power_of_two(1000), .5, .5};
     walked got;
     int k;
     got.count = 0;
@@ -1615,6 +1614,20 @@ static void rays_and_spheres_are_exact(void)
     CHECK(hits > i / 8 && hits < i - i / 8);
 }
 
+/* An endless ray may enter a sphere past all floats, and one that ends at the last float then misses it. */
+static void endless_rays_go_past_all_floats(void)
+{
+    const float o[3] = {0, 0, 0};
+    const float d[3] = {0, (float)power_of_two(-65), 0};
+    const float c[3] = {0, (float)power_of_two(95), 0};
+    const float r = (float)power_of_two(90);
+    float t[2] = {9, 9};
+    CHECK(tribox_ray_sphere(o, d, 0, infinity(), c, r, &t[0], &t[1]) == 1);
+    CHECK(float_order(t[0]) == float_order(FLT_MAX) && float_order(t[1]) == float_order(infinity()));
+    CHECK(tribox_ray_sphere(o, d, 0, FLT_MAX, c, r, NULL, NULL) == 0);
+    CHECK(tribox_ray_sphere(o, d, -infinity(), FLT_MAX, c, r, NULL, NULL) == 0);
+}
+
 /* Radii that are no lengths, and centres that are no points. */
 static void spheres_without_a_question(void)
 {
@@ -1679,6 +1692,7 @@ int main(void)
     RUN(spheres_are_exact);
     RUN(spheres_and_triangles_are_exact);
     RUN(rays_and_spheres_are_exact);
+    RUN(endless_rays_go_past_all_floats);
     RUN(spheres_without_a_question);
     return test_report("test_contact");
 }
