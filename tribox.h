@@ -4502,6 +4502,7 @@ TBX_FN double tbx_floor_to(double x, double q)
     if ((tbx_bits64(&x) >> 52 & 0x7ffu) >= (tbx_bits64(&q) >> 52) + 52) {
         return x;
     }
+    TBX_KEEP_SCALAR(q); /* a product, which -ffast-math would divide by one factor after the other: infinity */
     units = x / q;
     TBX_KEEP_SCALAR(units);
     whole = (double)(int64_t)units;
@@ -5207,10 +5208,20 @@ TBX_FN int tbx_source_bounds(const tbx_source *source, double out_min[3], double
     return any;
 }
 
+/* Kept, because -ffast-math adds before it halves, and a sum of large doubles is infinite. */
+TBX_FN double tbx_half(double x)
+{
+    double half = x * 0.5;
+    TBX_KEEP_SCALAR(half);
+    return half;
+}
+
 /* Voxels of this size along an extent: up to n, so that the conversion is in range. */
 TBX_FN int tbx_fit_cells(double extent, double size, int n)
 {
-    double cells = extent / size * (1.0 + 1.0 / 4096.0 / n) + 1.0;
+    double cells = extent / size;
+    TBX_KEEP_SCALAR(cells);
+    cells = cells * (1.0 + 1.0 / 4096.0 / n) + 1.0;
     cells = cells < (double)n ? cells : (double)n;
     TBX_KEEP_SCALAR(cells);
     return (int)cells;
@@ -5227,9 +5238,11 @@ TBX_FN int tbx_fit_try(tribox_grid *grid, const double t_min[3], const double t_
     for (k = 0; k < 3; k++) {
         const double extent = t_max[k] - t_min[k];
         const int cells = extent < longest ? tbx_fit_cells(extent, size, n) : n;
+        double middle = tbx_half(t_min[k]) + tbx_half(t_max[k]);
+        TBX_KEEP_SCALAR(middle);
         grid->size[k] = size;
         grid->hi[k] = cells;
-        grid->origin[k] = tbx_floor_to((t_min[k] * 0.5 + t_max[k] * 0.5) - cells * (size * 0.5), q);
+        grid->origin[k] = tbx_floor_to(middle - cells * (size * 0.5), q);
         fits &=
             tbx_plane_compare(grid, k, 0, t_min[k]) < 0 && tbx_plane_compare(grid, k, cells, t_max[k]) > 0;
     }
@@ -5245,6 +5258,7 @@ TBX_FN int tbx_fit(tribox_grid *grid, const tbx_source *source, int n)
     double t_max[3];
     double longest = 0.0;
     double size;
+    double margin;
     double bump = 0.0; /* doubles, for a mesh that is small beside its coordinates */
     int varies = 0;
     int tries;
@@ -5260,7 +5274,8 @@ TBX_FN int tbx_fit(tribox_grid *grid, const tbx_source *source, int n)
         return 0;
     }
     for (k = 0; k < 3; k++) {
-        const double half = t_max[k] * 0.5 - t_min[k] * 0.5;
+        double half = tbx_half(t_max[k]) - tbx_half(t_min[k]);
+        TBX_KEEP_SCALAR(half);
         if (!(half < TBX_POW2(1020))) { /* the extent is no double */
             return 0;
         }
@@ -5270,7 +5285,11 @@ TBX_FN int tbx_fit(tribox_grid *grid, const tbx_source *source, int n)
     if (!varies) {
         return 0;
     }
-    size = longest / n * (1.0 + 1.0 / 512.0 / n);
+    size = longest / n;
+    margin = 1.0 + 1.0 / 512.0 / n;
+    TBX_KEEP_SCALAR(size); /* n * n is not multiplied out by -ffast-math: it overflows */
+    TBX_KEEP_SCALAR(margin);
+    size *= margin;
     size = size > least ? size : least;
     for (tries = 0; tries < 4096;
          tries++) { /* each doubles the bump: in the end it is larger than any error */
@@ -6585,8 +6604,10 @@ TBX_FN int tbx_chord_across(const tbx_chord *b, const tbx_chord *c)
 {
     const double x = tbx_abs(b->a);
     const double y = tbx_abs(c->a);
-    const double value = x * c->h + y * b->h - tbx_abs(b->m * c->a - c->m * b->a);
-    const double bound = TBX_ULPS * TBX_U64 * x * y;
+    double value = x * c->h + y * b->h - tbx_abs(b->m * c->a - c->m * b->a);
+    double bound = TBX_ULPS * TBX_U64 * x * y;
+    TBX_KEEP_SCALAR(value); /* clang 19 compared a lane beside it, which holds anything, with a signal */
+    TBX_KEEP_SCALAR(bound);
     return (value < bound) + (value < -bound);
 }
 

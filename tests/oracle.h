@@ -201,14 +201,25 @@ typedef struct oracle_number {
     int      is_infinite;
 } oracle_number;
 
-TEST_FN oracle_number oracle_read(double x)
+/* By address, and through a volatile object: under -ffast-math compilers take a double that is passed by value for
+ * neither NaN nor infinite, and fold what asks its bits. */
+TEST_FN uint64_t oracle_bits(const double *x)
 {
-    oracle_number r;
-    uint64_t      bits;
-    int           field;
-    int           step;
+    volatile uint64_t bits;
+    uint64_t          seen;
 
-    memcpy(&bits, &x, sizeof bits);
+    memcpy(&seen, x, sizeof seen);
+    bits = seen;
+    return bits;
+}
+
+TEST_FN oracle_number oracle_read(const double *x)
+{
+    oracle_number  r;
+    const uint64_t bits = oracle_bits(x);
+    int            field;
+    int            step;
+
     field = (int)(bits >> 52 & 2047);
     r.sign = bits >> 63 ? -1 : 1;
     r.mantissa = bits & 0xFFFFFFFFFFFFFu;
@@ -232,17 +243,14 @@ TEST_FN oracle_number oracle_read(double x)
     return r;
 }
 
-static inline int oracle_is_finite(double x)
+static inline int oracle_is_finite(const double *x)
 {
-    uint64_t bits;
-
-    memcpy(&bits, &x, sizeof bits);
-    return (bits >> 52 & 2047) != 2047;
+    return (oracle_bits(x) >> 52 & 2047) != 2047;
 }
 
 TEST_FN void oracle_lower_unit(int *unit, double x)
 {
-    oracle_number r = oracle_read(x);
+    oracle_number r = oracle_read(&x);
 
     if (r.sign != 0 && r.exponent < *unit) {
         *unit = r.exponent;
@@ -251,7 +259,7 @@ TEST_FN void oracle_lower_unit(int *unit, double x)
 
 TEST_FN void oracle_integer(wide *out, double x, int unit)
 {
-    oracle_number r = oracle_read(x);
+    oracle_number r = oracle_read(&x);
 
     wide_set(out, r.sign, r.mantissa, r.sign ? r.exponent - unit : 0);
 }
@@ -565,7 +573,7 @@ TEST_FN int oracle_triangle_is_a_set(const triangle *t)
     int i;
 
     for (i = 0; i < 9; i++) {
-        if (!oracle_is_finite(t->v[i / 3][i % 3])) {
+        if (!oracle_is_finite(&t->v[i / 3][i % 3])) {
             return 0;
         }
     }
@@ -620,8 +628,8 @@ TEST_FN unsigned oracle_box(const triangle *t, const double box_min[3], const do
         return 0;
     }
     for (a = 0; a < 3; a++) {
-        oracle_number lo = oracle_read(box_min[a]);
-        oracle_number hi = oracle_read(box_max[a]);
+        oracle_number lo = oracle_read(&box_min[a]);
+        oracle_number hi = oracle_read(&box_max[a]);
         if (lo.is_nan || hi.is_nan || (lo.is_infinite && lo.sign > 0) || (hi.is_infinite && hi.sign < 0)) {
             return 0;
         }
@@ -634,12 +642,12 @@ TEST_FN unsigned oracle_box(const triangle *t, const double box_min[3], const do
     }
     oracle_set_triangle(&c, t, unit);
     for (a = 0; a < 3; a++) {
-        if (oracle_is_finite(box_min[a])) {
+        if (oracle_is_finite(&box_min[a])) {
             oracle_integer(&c.face[0][a], box_min[a], unit);
         } else {
             oracle_face_beyond(&c, 0, a);
         }
-        if (oracle_is_finite(box_max[a])) {
+        if (oracle_is_finite(&box_max[a])) {
             oracle_integer(&c.face[1][a], box_max[a], unit);
         } else {
             oracle_face_beyond(&c, 1, a);
@@ -667,8 +675,8 @@ TEST_FN unsigned oracle_voxel(const triangle *t, const double p[3], const double
         return 0;
     }
     for (a = 0; a < 3; a++) {
-        oracle_number s = oracle_read(size[a]);
-        if (!oracle_is_finite(p[a]) || s.is_nan || s.sign < 0) {
+        oracle_number s = oracle_read(&size[a]);
+        if (!oracle_is_finite(&p[a]) || s.is_nan || s.sign < 0) {
             return 0;
         }
         oracle_lower_unit(&unit, p[a]);
@@ -679,7 +687,7 @@ TEST_FN unsigned oracle_voxel(const triangle *t, const double p[3], const double
     oracle_set_triangle(&c, t, unit);
     for (a = 0; a < 3; a++) {
         oracle_integer(&c.face[0][a], p[a], unit);
-        if (oracle_is_finite(size[a])) {
+        if (oracle_is_finite(&size[a])) {
             wide step;
             wide count;
             wide offset;
@@ -705,7 +713,7 @@ TEST_FN unsigned oracle_voxel(const triangle *t, const double p[3], const double
 }
 
 /* Is the double sum exactly p + size? */
-TEST_FN int oracle_sum_is(double p, double size, double sum)
+TEST_FN int oracle_sum_is(const double *p, const double *size, const double *sum)
 {
     int  unit = 2000;
     wide a;
@@ -715,12 +723,12 @@ TEST_FN int oracle_sum_is(double p, double size, double sum)
     if (!oracle_is_finite(p) || !oracle_is_finite(size) || !oracle_is_finite(sum)) {
         return 0;
     }
-    oracle_lower_unit(&unit, p);
-    oracle_lower_unit(&unit, size);
-    oracle_lower_unit(&unit, sum);
-    oracle_integer(&a, p, unit);
-    oracle_integer(&b, size, unit);
-    oracle_integer(&s, sum, unit);
+    oracle_lower_unit(&unit, *p);
+    oracle_lower_unit(&unit, *size);
+    oracle_lower_unit(&unit, *sum);
+    oracle_integer(&a, *p, unit);
+    oracle_integer(&b, *size, unit);
+    oracle_integer(&s, *sum, unit);
     wide_add(&a, &a, &b);
     return wide_compare(&a, &s) == 0;
 }

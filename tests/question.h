@@ -127,7 +127,7 @@ TEST_FN int to_floats(float *out, const double *x, int count)
         volatile float f = x[i] > 3.4028234663852886e38 || x[i] < -3.4028234663852886e38 ? 0.0f : (float)x[i];
         double         back = (double)f;
         out[i] = f;
-        same = same && oracle_is_finite(x[i]) && memcmp(&back, &x[i], sizeof back) == 0;
+        same = same && oracle_is_finite(&x[i]) && memcmp(&back, &x[i], sizeof back) == 0;
     }
     return same;
 }
@@ -155,7 +155,7 @@ TEST_FN void question_from_box(question *q)
     q->has_voxel = 1;
     for (a = 0; a < 3; a++) {
         q->size[a] = q->hi[a] - q->lo[a];
-        q->has_voxel = q->has_voxel && oracle_sum_is(q->lo[a], q->size[a], q->hi[a]);
+        q->has_voxel = q->has_voxel && oracle_sum_is(&q->lo[a], &q->size[a], &q->hi[a]);
     }
     question_floats(q);
 }
@@ -169,7 +169,7 @@ TEST_FN void question_from_voxel(question *q)
     q->has_voxel = 1;
     for (a = 0; a < 3; a++) {
         q->hi[a] = q->lo[a] + q->size[a];
-        q->has_box = q->has_box && oracle_sum_is(q->lo[a], q->size[a], q->hi[a]);
+        q->has_box = q->has_box && oracle_sum_is(&q->lo[a], &q->size[a], &q->hi[a]);
     }
     question_floats(q);
 }
@@ -274,7 +274,7 @@ TEST_FN int question_has_grid(const question *q)
     int ok = q->has_voxel;
 
     for (a = 0; a < 3; a++) {
-        ok = ok && oracle_is_finite(q->size[a]) && oracle_read(q->size[a]).sign > 0;
+        ok = ok && oracle_is_finite(&q->size[a]) && oracle_read(&q->size[a]).sign > 0;
     }
     return ok;
 }

@@ -10,7 +10,7 @@
 /* x * times as an integer in units of 2^unit */
 TEST_FN void solid_number(wide *r, double x, int64_t times, int unit)
 {
-    oracle_number n = oracle_read(x);
+    oracle_number n = oracle_read(&x);
     wide          a;
     wide          b;
 
@@ -57,7 +57,7 @@ TEST_FN void solid_ask(solid_question *q, double v[3][3], const double base[3], 
         all[3] = base[k];
         all[4] = step[k];
         for (i = 0; i < 5; i++) {
-            oracle_number n = oracle_read(all[i]);
+            oracle_number n = oracle_read(&all[i]);
             unit = n.sign != 0 && n.exponent - (i == 4) < unit ? n.exponent - (i == 4) : unit;
         }
     }
@@ -116,7 +116,7 @@ TEST_FN int solid_crosses(double v[3][3], const double base[3], const double ste
     int                   k;
 
     for (i = 0; i < 9; i++) {
-        if (!oracle_is_finite(v[i / 3][i % 3])) {
+        if (!oracle_is_finite(&v[i / 3][i % 3])) {
             return 0;
         }
     }

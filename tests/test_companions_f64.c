@@ -25,7 +25,7 @@ static void any_case(f64_case *c)
     for (k = 0; k < 3; k++) {
         double x[7];
         for (j = 0; j < 7; j++) {
-            x[j] = lattice ? random_below(9) - 4 : (double)(float)random_signed();
+            x[j] = lattice ? random_below(9) - 4 : rounded_to_float(random_signed());
         }
         c->v[0][k] = x[0];
         c->v[1][k] = x[1];
@@ -204,14 +204,16 @@ static size_t worst_end(void)
     return n * sizeof fresh;
 }
 
-/* From 2^-1074 to 2^1024, with all bits in between. */
+/* From 2^-1074 to 2^1024, with all bits in between; as bits, where a program may read subnormals as zero. */
 static double worst_number(void)
 {
-    const double most = DBL_MAX * (1 - random_signed() * random_signed() / 8);
-    const double least = DBL_MIN * DBL_EPSILON * (1 + random_below(1000));
-    const double sign = random_below(2) ? 1 : -1;
+    const uint64_t most = UINT64_C(0x7fefffffffffffff) - random_bits() % (UINT64_C(1) << 50);
+    const uint64_t least = (uint64_t)(1 + random_below(1000));
+    const uint64_t bits = (random_below(2) ? most : least) | (random_bits() >> 63) << 63;
+    double         x;
 
-    return random_below(2) ? sign * most : sign * least;
+    memcpy(&x, &bits, sizeof x);
+    return x;
 }
 
 /* No run in integers writes more than the 12 KiB that the header keeps for it. */

@@ -171,7 +171,7 @@ static int ratio_compare(const ratio *a, const ratio *b)
 
 static void ratio_set(ratio *r, double x)
 {
-    oracle_number number = oracle_read(x);
+    oracle_number number = oracle_read(&x);
 
     if (number.is_infinite) {
         wide_set(&r->n, number.sign, 1, 0);
@@ -354,7 +354,7 @@ static int ray_truth(const float o[3], const float d[3], float t_min, float t_ma
             float        face = k ? hi[a] : lo[a];
             static ratio t;
             static wide  origin;
-            if (!oracle_is_finite((double)face)) {
+            if (float_order(face) <= float_order(-infinity()) || float_order(face) >= float_order(infinity())) {
                 continue;
             }
             oracle_integer(&t.n, exact(face), -150);

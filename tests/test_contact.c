@@ -709,7 +709,7 @@ static void find_gap(const pair *p, gap_truth *best)
 /* (|s| (1 - 2^-40))^2 |l|^2 <= g^2 <= (|s| (1 + 2^-40))^2 |l|^2 */
 static int gap_is_near(double s, const gap_truth *truth)
 {
-    const oracle_number n = oracle_read(s);
+    const oracle_number n = oracle_read(&s);
     static wide x;
     static wide y;
     static wide of_g;
@@ -780,7 +780,7 @@ static int gap_is_right(const pair *p)
     static gap_truth truth;
     float x[3] = {9, 9, 9};
     const double s = tribox_gap(p->v[0], p->v[1], p->v[2], p->lo, p->hi, x);
-    const oracle_number n = oracle_read(s);
+    const oracle_number n = oracle_read(&s);
     double l[3];
     int k;
     int flat = 0;
@@ -937,13 +937,13 @@ static void gaps_without_a_question(void)
         const float was = *at;
         *at = not_a_number();
         s = tribox_gap(p.v[0], p.v[1], p.v[2], p.lo, p.hi, x);
-        CHECK(oracle_read(s).is_infinite && oracle_read(s).sign > 0 && x[0] > 8);
+        CHECK(oracle_read(&s).is_infinite && oracle_read(&s).sign > 0 && x[0] > 8);
         *at = i >= 9 && i < 12 ? infinity() : -infinity();
         s = tribox_gap(p.v[0], p.v[1], p.v[2], p.lo, p.hi, x);
-        CHECK(oracle_read(s).is_infinite && oracle_read(s).sign > 0 && x[0] > 8);
+        CHECK(oracle_read(&s).is_infinite && oracle_read(&s).sign > 0 && x[0] > 8);
         *at = i >= 9 && i < 12 ? 4.0f : -4.0f;
         s = tribox_gap(p.v[0], p.v[1], p.v[2], p.lo, p.hi, x);
-        CHECK(i < 9 ? !oracle_read(s).is_infinite : oracle_read(s).is_infinite && x[0] > 8);
+        CHECK(i < 9 ? !oracle_read(&s).is_infinite : oracle_read(&s).is_infinite && x[0] > 8);
         *at = was;
         x[0] = 9;
     }
@@ -952,7 +952,7 @@ static void gaps_without_a_question(void)
         p.hi[i] = infinity();
     }
     s = tribox_gap(p.v[0], p.v[1], p.v[2], p.lo, p.hi, x);
-    CHECK(oracle_read(s).is_infinite && oracle_read(s).sign < 0 && x[0] > 8);
+    CHECK(oracle_read(&s).is_infinite && oracle_read(&s).sign < 0 && x[0] > 8);
     p.hi[1] = -2;
     s = tribox_gap(p.v[0], p.v[1], p.v[2], p.lo, p.hi, x);
     CHECK(s > 1.999999 && s < 2.000001 && x[1] < -0.9999f);

@@ -63,8 +63,8 @@ static int frame_is_right(const tribox_grid *g, const float *p, int corners, int
     for (a = 0; a < 3; a++) {
         float least = p[a];
         float greatest = p[a];
-        ok = ok && oracle_is_finite(g->origin[a]) && oracle_is_finite(g->size[a]) &&
-             oracle_read(g->size[a]).sign > 0 && memcmp(&g->size[a], &g->size[0], sizeof g->size[0]) == 0 &&
+        ok = ok && oracle_is_finite(&g->origin[a]) && oracle_is_finite(&g->size[a]) &&
+             oracle_read(&g->size[a]).sign > 0 && memcmp(&g->size[a], &g->size[0], sizeof g->size[0]) == 0 &&
              g->lo[a] < g->hi[a];
         for (i = 0; ok && i < corners; i++) {
             double x = (double)p[3 * i + a];
@@ -296,7 +296,7 @@ static void frame_holds_double_meshes_strictly_inside(void)
         for (k = 0; k < 9; k++) {
             d[k] = (random_below(3) ? 8 * random_signed() : random_below(9) - 4) * power_of_two(e) +
                    (away && e + away < 1015 ? power_of_two(e + away) : 0);
-            varies |= oracle_read(d[k]).sign != oracle_read(d[k % 3]).sign || d[k] > d[k % 3] || d[k] < d[k % 3];
+            varies |= oracle_read(&d[k]).sign != oracle_read(&d[k % 3]).sign || d[k] > d[k % 3] || d[k] < d[k % 3];
         }
         mesh.positions = d;
         mesh.stride = 0;

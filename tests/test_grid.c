@@ -279,9 +279,8 @@ static void grids_over_all_doubles_are_exact_on_every_voxel(void)
             v.grid.lo[a] = a == far_axis ? -16 : 0;
             v.grid.hi[a] = a == far_axis ? 48 : 3;
             for (j = 0; j < 3; j++) {
-                v.t.v[j][a] = a != far_axis ? 3 * random_signed()
-                              : i % 2       ? 1.7e308
-                                            : 1.7e308 * random_signed();
+                volatile double share = random_signed(); /* -ffast-math would multiply the terms of the sum: infinity */
+                v.t.v[j][a] = a != far_axis ? 3 * share : i % 2 ? 1.7e308 : 1.7e308 * share;
             }
         }
         voxels_finish(&v);
@@ -563,7 +562,7 @@ static void make_mesh(tribox_grid *grid, double v[MESH_TRIANGLES][3][3], int kin
                 double x = centre[k] + extent * 0.5 * random_signed();
                 x = random_below(4) ? x : (double)(int)x;
                 x = grid_plane(grid, k, x);
-                v[t][i][k] = kind % 2 ? (double)(float)x : x;
+                v[t][i][k] = kind % 2 ? rounded_to_float(x) : x;
                 if (random_below(40) == 0 && t > 0) {
                     v[t][i][k] = v[t - 1][i][k];
                 }
@@ -720,8 +719,8 @@ static void spans_of_a_mesh_paint_its_fill(void)
             for (k = 0; k < 9; k++) {
                 double x = c[k % 3] + extent * 0.5 * random_signed();
                 x = run % 4 == 3 ? (double)(int)(2 * x) / 2 : x;
-                f[9 * t + k] = (float)(x * grid.size[k % 3]);
-                d[9 * t + k] = (double)f[9 * t + k];
+                d[9 * t + k] = rounded_to_float(x * grid.size[k % 3]);
+                f[9 * t + k] = (float)d[9 * t + k];
             }
         }
         mesh.positions = f;

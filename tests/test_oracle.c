@@ -244,12 +244,13 @@ static void wide_integers_obey_the_square_rule(void)
 /* A sum is exact only if no bit is lost: 1e4 + 0.1 is not, 0.5 + 0.25 is, nor is 2^53 + 1. */
 static void oracle_tells_exact_sums(void)
 {
-    volatile double far_sum = 1e4 + 0.1;
-    volatile double odd_sum = 9007199254740992.0 + 1.0;
+    const double far_sum[3] = {1e4, 0.1, 1e4 + 0.1};
+    const double sum[3] = {0.5, 0.25, 0.75};
+    const double odd_sum[3] = {9007199254740992.0, 1.0, 9007199254740992.0 + 1.0};
 
-    CHECK(!oracle_sum_is(1e4, 0.1, far_sum));
-    CHECK(oracle_sum_is(0.5, 0.25, 0.75));
-    CHECK(!oracle_sum_is(9007199254740992.0, 1.0, odd_sum));
+    CHECK(!oracle_sum_is(&far_sum[0], &far_sum[1], &far_sum[2]));
+    CHECK(oracle_sum_is(&sum[0], &sum[1], &sum[2]));
+    CHECK(!oracle_sum_is(&odd_sum[0], &odd_sum[1], &odd_sum[2]));
 }
 
 int main(void)

@@ -212,10 +212,10 @@ static void rays_cross_as_exact_numbers_say(void)
                 x += random_signed() * 1e-7;
             }
             if (k < 9) {
-                f[k / 3][k % 3] = (float)x;
-                v[k / 3][k % 3] = (double)f[k / 3][k % 3];
+                v[k / 3][k % 3] = rounded_to_float(x);
+                f[k / 3][k % 3] = (float)v[k / 3][k % 3];
             } else {
-                p[k - 9] = random_below(3) ? (double)(float)x : x;
+                p[k - 9] = random_below(3) ? rounded_to_float(x) : x;
             }
         }
         if (random_below(4) == 0) { /* halfway between corners: on an edge where the lattice is fine enough */

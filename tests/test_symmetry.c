@@ -128,8 +128,8 @@ static void mirroring_keeps_the_answer(void)
 static double scaled(double x, double scale, int *exact)
 {
     double        y = x * scale;
-    oracle_number before = oracle_read(x);
-    oracle_number after = oracle_read(y);
+    oracle_number before = oracle_read(&x);
+    oracle_number after = oracle_read(&y);
 
     *exact = *exact && before.mantissa == after.mantissa && before.sign == after.sign &&
              before.is_infinite == after.is_infinite;

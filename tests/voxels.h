@@ -49,7 +49,7 @@ TEST_FN void voxels_finish(voxels *v)
     }
     for (a = 0; a < 3; a++) {
         v->n[a] = v->grid.hi[a] - v->grid.lo[a];
-        v->valid = v->valid && oracle_read(v->grid.size[a]).sign > 0;
+        v->valid = v->valid && oracle_read(&v->grid.size[a]).sign > 0;
     }
     v->count = v->n[0] * v->n[1] * v->n[2];
     for (i = 0; i < v->count; i++) {
