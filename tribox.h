@@ -138,6 +138,19 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
 /* Structs are laid out in the same way in every file, also where `#pragma pack(1)` is open. */
 #pragma pack(push, 16)
 
+/* Warnings that some users switch on and that this file cannot heed: it is C, where a cast has one form, and its
+ * comparisons of numbers for equality are meant. */
+#if defined(__GNUC__) && !defined(__TINYC__) && !defined(__PCC__) && !defined(__chibicc__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#ifdef __cplusplus
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#ifndef __clang__
+#pragma GCC diagnostic ignored "-Wuseless-cast"
+#endif
+#endif
+#endif
+
 /* One triangle prepared for boxes [p, p + size]. Read it freely; only the init and resize functions write it.
  *
  * The conditions are those of [SS10], n its normal, n_e and d_e its edge normals and distances, in float, at
@@ -4519,13 +4532,12 @@ TBX_FN void tbx_fill_mesh(const tribox_grid *grid, const tbx_source *source, uin
     tbx_frame f;
     tbx_part all;
     size_t t = 0;
-    if (tribox_grid_words(grid) == 0) {
+    if (tribox_grid_words(grid) == 0 || !tbx_frame_init(&f, grid)) {
         return;
     }
     target.bits = bits;
     target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
     target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
-    (void)tbx_frame_init(&f, grid);
     tbx_part_all(&all, grid);
 #if TRIBOX_SIMD
     if (!source->is_double) {
@@ -6636,8 +6648,7 @@ TBX_FOR_FORMAT int tbx_segment_filter64(const void *p, const void *q, const void
     return worst == 0 ? TBX_HIT : TBX_UNSURE;
 }
 
-TBX_NOINLINE int tbx_segment_float(const float p[3], const float q[3], const float box_min[3],
-                                   const float box_max[3])
+TBX_NOINLINE int tbx_segment_float(const float *p, const float *q, const float *box_min, const float *box_max)
 {
     return tbx_segment_filter64(p, q, box_min, box_max, TBX_FLOAT);
 }
@@ -9954,7 +9965,7 @@ TBX_FN void tbx_axes_set(tbx_axes *r, tbx_d2 p0, tbx_d2 p1, tbx_d2 p2, tbx_d2 lo
             r->h = h;
             r->x = x;
             r->refused = (bits - least) & -bits;
-            r->at_face = (lo >= t_max) | (t_min >= hi) | (lo >= hi);
+            r->at_face = (tbx_l2)((lo >= t_max) | (t_min >= hi) | (lo >= hi));
         }
     }
 }
@@ -10048,8 +10059,8 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
         const tbx_d2 volume = area_z * sz.x;
         const tbx_d2 edges_xy = tbx_min2(g_x + ulps * area_x, g_y + ulps * area_y);
         const tbx_d2 rest = tbx_min2(g_z + ulps * area_z, plane + ulps * volume);
-        const tbx_l2 axes = tbx_min2(edges_xy, rest) < zero;
-        const tbx_l2 faces = tbx_min2(xy.h, z.h) < zero;
+        const tbx_l2 axes = (tbx_l2)(tbx_min2(edges_xy, rest) < zero);
+        const tbx_l2 faces = (tbx_l2)(tbx_min2(xy.h, z.h) < zero);
         const tbx_l2 below = (tbx_l2)(g_x - ulps * area_x) | (tbx_l2)(g_y - ulps * area_y) |
                              (tbx_l2)(g_z - ulps * area_z) | (tbx_l2)(plane - ulps * volume);
         const int refused = tbx_signs2(z.refused) | tbx_signs2(xy.refused) << 2;
@@ -14890,6 +14901,9 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_STEPS
 #undef TBX_STORE
 
+#if defined(__GNUC__) && !defined(__TINYC__) && !defined(__PCC__) && !defined(__chibicc__)
+#pragma GCC diagnostic pop
+#endif
 #pragma pack(pop)
 
 #ifdef __cplusplus

@@ -15,7 +15,7 @@ warn_c="$warn -Wstrict-prototypes -Wmissing-prototypes"
 alone=$out/alone.c
 printf '#define TRIBOX_FN\n#include "tribox.h"\n' >"$alone"
 
-# ---- warnings: standards x compilers, at two levels, since some warnings need the optimiser
+# ---- warnings: compilers and levels, since some warnings need the optimiser; standards
 
 quiet() { # compiler, standard, flags, sources...
     local cc=$1 std=$2 flags=$3 source
@@ -27,30 +27,46 @@ quiet() { # compiler, standard, flags, sources...
 }
 export -f quiet
 
-units="$alone tests/golden.c tests/compile/c99.c tests/compile/include_twice.c"
-units="$units tests/compile/two_units_a.c tests/compile/two_units_b.c"
-for level in "-O0" "-O2" "-O3 -march=native" "-O2 -ffast-math" "-O2 -DTRIBOX_SIMD=0"; do
-    for cc in gcc clang; do
-        have $cc || continue
-        extra=
-        if [ $cc = clang ]; then
-            extra=-Wreserved-identifier
+small="tests/compile/c99.c tests/compile/include_twice.c tests/compile/two_units_a.c tests/compile/two_units_b.c"
+for cc in gcc clang; do
+    have $cc || continue
+    extra=
+    if [ $cc = clang ]; then
+        extra=-Wreserved-identifier
+    fi
+    for level in "-O0" "-O2" "-O3 -march=native" "-O2 -ffast-math" "-O2 -DTRIBOX_SIMD=0"; do
+        job "no warning: $cc -std=c99 $level" quiet $cc c99 "$warn_c $extra $level" "$alone"
+    done
+    # shellcheck disable=SC2086 # small is a list
+    job "no warning: $cc -std=c99 -O2, users' files" quiet $cc c99 "$warn_c $extra -O2" tests/golden.c $small
+    for std in c11 c17; do # another standard is another grammar, not another optimiser
+        # shellcheck disable=SC2086
+        job "no warning: $cc -std=$std" quiet $cc $std "$warn_c $extra -fsyntax-only" "$alone" $small
+    done
+done
+for cc in g++ clang++; do
+    have $cc || continue
+    for level in "-O0" "-O2" "-O2 -DTRIBOX_SIMD=0"; do
+        job "no warning: $cc -std=c++98 $level" quiet $cc c++98 "$warn $level" tests/compile/cpp98.cc
+    done
+    for std in c++11 c++17 c++20; do
+        source=tests/compile/cpp98.cc
+        if [ $std = c++20 ]; then
+            source=tests/compile/cpp20.cc
         fi
-        for std in c99 c11 c17; do
-            # shellcheck disable=SC2086 # units is a list
-            job "no warning: $cc -std=$std $level" quiet $cc $std "$warn_c $extra $level" $units
-        done
+        job "no warning: $cc -std=$std" quiet $cc $std "$warn -fsyntax-only" "$source"
     done
-    for cc in g++ clang++; do
-        have $cc || continue
-        for std in c++98 c++11 c++17 c++20; do
-            source=tests/compile/cpp98.cc
-            if [ $std = c++20 ]; then
-                source=tests/compile/cpp20.cc
-            fi
-            job "no warning: $cc -std=$std $level" quiet $cc $std "$warn $level" $source
-        done
-    done
+done
+# what some users switch on besides
+have gcc && job "no warning: gcc -Wfloat-equal" quiet gcc c99 "$warn_c -Wfloat-equal -fsyntax-only" "$alone"
+have g++ && job "no warning: g++ -Wold-style-cast -Wuseless-cast" quiet g++ c++11 \
+    "$warn -Wfloat-equal -Wold-style-cast -Wuseless-cast -Wzero-as-null-pointer-constant -fsyntax-only -x c++" "$alone"
+for cc in clang-19 clang-22; do
+    have $cc || continue
+    job "no warning: $cc -Wfloat-equal -Wvector-conversion" quiet $cc c99 \
+        "$warn_c -Wfloat-equal -Wvector-conversion -fsyntax-only" "$alone"
+    job "no warning: $cc, C++, -Wold-style-cast" quiet $cc c++11 \
+        "$warn -Wfloat-equal -Wold-style-cast -Wzero-as-null-pointer-constant -fsyntax-only -x c++" "$alone"
 done
 for cross in aarch64-linux-gnu-gcc riscv64-linux-gnu-gcc s390x-linux-gnu-gcc x86_64-w64-mingw32-gcc; do
     have $cross && job "no warning: $cross" quiet $cross c99 "$warn_c -O2" "$alone"
