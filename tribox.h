@@ -4926,27 +4926,27 @@ TBX_FN void tbx_solid_range(const tbx_solid_tri *t, int k, int64_t out_range[2])
     }
 }
 
-/* Corners, finite, and what depends on them alone. */
-TBX_FN void tbx_solid_tri_set(tbx_solid_tri *t, const tbx_solid *s, double v[3][3])
+/* Corners, finite, of a kind, and what depends on them alone. */
+TBX_FN void tbx_solid_tri_set(tbx_solid_tri *t, const tbx_solid *s, double v[3][3], int kind)
 {
-    int i;
     int k;
     t->solid = s;
-    t->fits = s->fits;
+    t->fits = s->fits && kind == TBX_ALL_ORDINARY;
+    TBX_COPY(t->v, v, sizeof t->v);
     for (k = 0; k < 3; k++) {
-        for (i = 0; i < 3; i++) {
-            t->v[i][k] = v[i][k];
-            t->fits &= tbx_solid_in_range(&v[i][k]);
+        const double a = v[0][k];
+        const double b = v[1][k];
+        const double c = v[2][k];
+        if (t->fits) {
+            const double least = a < b ? a : b;
+            const double most = a < b ? b : a;
+            t->least[k] = c < least ? c : least;
+            t->most[k] = c > most ? c : most;
+        } else {
+            t->least[k] = tbx_min(tbx_min(a, b), c);
+            t->most[k] = tbx_max(tbx_max(a, b), c);
         }
-        t->least[k] = tbx_min(tbx_min(v[0][k], v[1][k]), v[2][k]);
-        t->most[k] = tbx_max(tbx_max(v[0][k], v[1][k]), v[2][k]);
     }
-}
-
-/* Large enough to divide by, 2^-400 or more: quotients of values, below 2^460, are finite. */
-TBX_FN int tbx_solid_divides(const double *x)
-{
-    return (tbx_bits64(x) & 0x7fffffffffffffffu) >= (uint64_t)(1023 - 400) << 52;
 }
 
 /* Are two corners one in y and z? Then the triangle is parallel to x. */
@@ -4957,7 +4957,11 @@ TBX_FN int tbx_solid_is_wall(const tbx_solid_tri *t)
     for (i = 0; i < 3; i++) {
         const double *a = t->v[i];
         const double *b = t->v[i < 2 ? i + 1 : 0];
-        wall |= tbx_key64(&a[1]) == tbx_key64(&b[1]) && tbx_key64(&a[2]) == tbx_key64(&b[2]);
+        if (t->fits) {
+            wall |= (t->d[i][1] == 0.0) & (t->d[i][2] == 0.0);
+        } else {
+            wall |= tbx_key64(&a[1]) == tbx_key64(&b[1]) && tbx_key64(&a[2]) == tbx_key64(&b[2]);
+        }
     }
     return wall;
 }
@@ -4969,9 +4973,17 @@ TBX_FN int tbx_solid_tri_edges(tbx_solid_tri *t)
     double m[3];
     double x[3];
     double area = 0.0;
-    int on_lattice = 1;
+    int on_lattice = s->scale[0] > 0.0 && s->scale[1] > 0.0 && s->scale[2] > 0.0;
     int i;
     int k;
+    for (k = 0; k < 3 && t->fits; k++) {
+        for (i = 0; i < 3; i++) {
+            t->d[i][k] = t->v[i < 2 ? i + 1 : 0][k] - t->v[i][k];
+            t->at[i][k] = s->middle[k] - t->v[i][k];
+        }
+    }
+    TBX_KEEP(t->d);
+    TBX_KEEP(t->at);
     if (tbx_solid_is_wall(t)) {
         return 0;
     }
@@ -4983,14 +4995,10 @@ TBX_FN int tbx_solid_tri_edges(tbx_solid_tri *t)
         m[k] = s->reach[k] +
                (tbx_abs(t->least[k]) > tbx_abs(t->most[k]) ? tbx_abs(t->least[k]) : tbx_abs(t->most[k]));
         x[k] = t->most[k] - t->least[k];
-        for (i = 0; i < 3; i++) {
-            t->d[i][k] = t->v[i < 2 ? i + 1 : 0][k] - t->v[i][k];
-            t->at[i][k] = s->middle[k] - t->v[i][k];
-            on_lattice &= tbx_solid_on_lattice(s, k, t->v[i][k]);
+        for (i = 0; i < 3 && on_lattice; i++) {
+            on_lattice = tbx_solid_on_lattice(s, k, t->v[i][k]);
         }
     }
-    TBX_KEEP(t->d);
-    TBX_KEEP(t->at);
     for (k = 0; k < 3; k++) {
         const int b = k < 2 ? k + 1 : 0;
         const int c = k > 0 ? k - 1 : 2;
@@ -5007,9 +5015,8 @@ TBX_FN int tbx_solid_tri_edges(tbx_solid_tri *t)
             t->edge_error[i] =
                 (tbx_abs(t->d[i][1]) * m[2] + tbx_abs(t->d[i][2]) * m[1]) * TBX_SOLID_EDGE_ERROR +
                 TBX_SOLID_TINY;
-            t->fits &= tbx_solid_divides(&t->d[i][2]) || tbx_sign(&t->d[i][2]) == 0;
         }
-        t->fits &= tbx_solid_divides(&t->n[0]);
+        t->fits = tbx_abs(t->n[0]) >= TBX_POW2(-400); /* quotients of values, below 2^460, are finite */
     }
     if (t->n[0] > area) {
         t->sign = 1;
@@ -5086,10 +5093,10 @@ TBX_FN int64_t tbx_solid_voxel(const tbx_solid_tri *t, int64_t y, int64_t z)
 }
 
 /* A triangle, and the rows and layers of its box. Returns 0 where it crosses nothing. */
-TBX_FN int tbx_solid_begin(tbx_solid_tri *t, const tbx_solid *s, double v[3][3], int64_t y_range[2],
+TBX_FN int tbx_solid_begin(tbx_solid_tri *t, const tbx_solid *s, double v[3][3], int kind, int64_t y_range[2],
                            int64_t z_range[2])
 {
-    tbx_solid_tri_set(t, s, v);
+    tbx_solid_tri_set(t, s, v, kind);
     tbx_solid_range(t, 2, z_range);
     if (z_range[0] == z_range[1]) {
         return 0;
@@ -5099,14 +5106,14 @@ TBX_FN int tbx_solid_begin(tbx_solid_tri *t, const tbx_solid *s, double v[3][3],
 }
 
 /* Flips what one triangle crosses. */
-TBX_NOINLINE void tbx_solid_triangle(const tbx_solid *s, double v[3][3])
+TBX_NOINLINE void tbx_solid_triangle(const tbx_solid *s, double v[3][3], int kind)
 {
     tbx_solid_tri t;
     int64_t y_range[2];
     int64_t z_range[2];
     int64_t y;
     int64_t z;
-    if (!tbx_solid_begin(&t, s, v, y_range, z_range)) {
+    if (!tbx_solid_begin(&t, s, v, kind, y_range, z_range)) {
         return;
     }
     for (z = z_range[0]; z < z_range[1]; z++) {
@@ -5140,8 +5147,9 @@ TBX_FN void tbx_solid_fill_mesh(const tribox_grid *grid, const tbx_source *sourc
     t = tbx_solid_quick_fill(&s, source);
 #endif
     for (; t < source->triangles; t++) {
-        if (tbx_source_triangle(source, t, v) != TBX_NO_POINTS) {
-            tbx_solid_triangle(&s, v);
+        const int kind = tbx_source_triangle(source, t, v);
+        if (kind != TBX_NO_POINTS) {
+            tbx_solid_triangle(&s, v, kind);
         }
     }
 }
@@ -14069,19 +14077,26 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
 /* ---- 11.6 Solid
  *
  * Seen along x, most triangles of a fine mesh hold no row's centre: their boxes tell, WIDE at a time. Those of
- * up to SOLID_ROWS rows on each axis wait in groups, and all rows of a group's boxes are decided together, in
- * float; larger ones go line by line, in double. Whoever comes within the bounds goes the scalar way.
+ * up to SOLID_ROWS rows on each axis wait in lists, and all rows of WIDE boxes are decided together, in float;
+ * larger ones go line by line, in double. Whoever comes within the bounds goes the scalar way.
  *
  * Boxes. Row centres are whole numbers Y = (v - origin) inverse + rest, origin being the first centre as a
- * float, rest what that leaves. Y is off by u |Y| for each of the difference, inverse, product and sum, and by
- * u |rest|: 5 u (n + |rest| + 2) between the region's ends; beyond them it does not come back, since each
- * operation is monotone. Corners beyond 2^22 voxels go the scalar way.
+ * float, rest what that leaves; of doubles, v - origin is a float computed in double, and rest a MARGIN. Y is
+ * off by u |Y| for each of the difference, inverse, product and sum, by u |rest|, and by u more for what the
+ * bounds are widened by: 6 u (n + |rest| + 2) between the region's ends; beyond them it does not come back,
+ * since each operation is monotone. Corners beyond 2^22 voxels go the scalar way. The first centre itself is
+ * off by 2 * 2^-52 M (section 8): MIDDLE_ERROR allows for twice that.
+ *
+ * A box of one row is looked at again, before it waits: from that row's centre corners are at most
+ * R = 1.1 voxels off, and are off by e = slack + 2 u R, so E_i is off by less than 16 R e + 64 u R^2, as below;
+ * where one is below -2 of that, the centre is not within.
  *
  * Rows. Lengths are scaled by a power of two that takes a voxel's size to [1, 2). A centre i is high + low,
  * where high = base_high + i * size_high is exact: both are multiples of `spacing`, below 2^24 of it. low is
  * at most rho = spacing * (n + 34). (v - high) - low, v within m of the centre, is off by
- * delta(m) = 4 u (m + rho) + u m < 5 u (m + rho). In boxes of c rows all corners and centres are within
- * R = 2 c + 0.1 of the first centre. With e = delta(R),
+ * delta(m) = 4 u (m + rho) + u m < 5 u (m + rho); of doubles, v - centre is computed in double, and rounded
+ * once to float. In boxes of c rows all corners and centres are within R = 2 c + 0.1 of the first centre.
+ * With e = delta(R),
  *   E_i = v_i x v_{i+1}, about the first centre      off by 4 R e + 4 u R^2,
  *   E_i there + j step_y A + k step_z B              R (2 e + 4 u R) more for each of j and k, and 16 u R^2,
  *   n_x = E_0 + E_1 + E_2, at the first centre       off by 3 of the first line and 16 u R^2:
@@ -14097,17 +14112,27 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
 #define TBX_SOLID_ROWS 4
 #define TBX_SOLID_PARTS 16
 #define TBX_SOLID_MARGIN 16
-#define TBX_SOLID_RAMP 16           /* words */
+#define TBX_SOLID_BLOCK 64
 #define TBX_SOLID_ANYWAY 0x40000000 /* an extent: goes the scalar way */
+#define TBX_SOLID_MIDDLE_ERROR (4.0 * TBX_U64)
+
+/* y or z, for boxes. */
+typedef struct tbx_solid_axis {
+    tbx_fw origin;
+    tbx_fw inverse;
+    tbx_fw rest; /* MARGIN added */
+    tbx_fw slack;
+    tbx_iw last; /* behind it the region ends */
+} TBX_ALIGNED tbx_solid_axis;
 
 typedef struct tbx_solid_quick {
+    tbx_solid_axis axis[2];
+    tbx_fw one_error;
     const tbx_solid *solid;
     const tbx_source *source;
     tribox_mesh mesh;
     float origin[3];
     float inverse[3];
-    float rest[3]; /* MARGIN added */
-    float slack[3];
     int32_t most[3]; /* magnitudes above it, as integers, go the scalar way */
     float scale[3];
     float step[3]; /* size * scale */
@@ -14119,11 +14144,29 @@ typedef struct tbx_solid_quick {
     float rho; /* scaled, the largest */
     int lattice;
     int on; /* 0: this grid's numbers are out of range */
-} tbx_solid_quick;
+} TBX_ALIGNED tbx_solid_quick;
+
+/* What boxes need of axis k, 1 or 2. Returns slack. */
+TBX_FN double tbx_solid_axis_init(tbx_solid_quick *q, int k)
+{
+    const tbx_solid *s = q->solid;
+    const double u = (double)TBX_U32;
+    const double size = s->grid->size[k];
+    const double n = (double)s->n[k];
+    const double left = q->source->is_double ? 0.0 : ((double)q->origin[k] - s->middle[k]) / size;
+    const double slack = 1.01 * (6.0 * u * (n + 2.0 * TBX_SOLID_MARGIN + tbx_abs(left)) +
+                                 TBX_SOLID_MIDDLE_ERROR * s->reach[k] / size);
+    tbx_solid_axis *axis = &q->axis[k - 1];
+    axis->origin = tbx_wide_all(q->source->is_double ? 0.0f : q->origin[k]);
+    axis->inverse = tbx_wide_all(q->inverse[k]);
+    axis->rest = tbx_wide_all((float)(left + (double)TBX_SOLID_MARGIN));
+    axis->slack = tbx_wide_all((float)slack);
+    axis->last = tbx_wide_int(TBX_SOLID_MARGIN + (int32_t)s->n[k] - 2);
+    return slack;
+}
 
 TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const tbx_source *source)
 {
-    const double u = (double)TBX_U32;
     const double parts = (double)TBX_SOLID_PARTS;
     int k;
     q->solid = s;
@@ -14134,7 +14177,7 @@ TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const t
     q->mesh.triangles = source->triangles;
     q->rho = 0.0f;
     q->lattice = 1;
-    q->on = s->fits && !source->is_double;
+    q->on = s->fits;
     for (k = 0; k < 3; k++) {
         q->on &= s->n[k] <= 65536 && tbx_bits64(&s->grid->size[k]) >= (uint64_t)(1023 - 60) << 52 &&
                  tbx_bits64(&s->grid->size[k]) < (uint64_t)(1023 + 60) << 52 &&
@@ -14148,21 +14191,19 @@ TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const t
         const double above = tbx_abs(middle + (n + 17.0) * size);
         const double spacing = tbx_floor_pow2(below > above ? below : above) * (1.0 / 4194304.0); /* 2^-22 */
         const double scale = 1.0 / tbx_floor_pow2(size);
-        const float origin = (float)middle;
-        const double rest = ((double)origin - middle) / size;
-        const double slack = 1.01 * 5.0 * u * (n + 2.0 * TBX_SOLID_MARGIN + tbx_abs(rest)) + 1e-9;
-        const double rho = spacing * (n + 34.0) * scale;
-        const float most = (float)(tbx_abs(middle) + 4194304.0 * size);
+        const double rho =
+            (spacing * (n + 34.0) + TBX_SOLID_MIDDLE_ERROR / (double)TBX_U32 * s->reach[k]) * scale;
+        const double most = tbx_abs(middle) + 4194304.0 * size;
+        const float most_float = (float)most;
         double base_high = tbx_floor_to(middle, spacing);
         double size_high = tbx_floor_to(size, spacing);
         TBX_KEEP(base_high);
         TBX_KEEP(size_high);
-        q->on &= slack < 0.125 && rho < 2048.0 && tbx_abs(middle) * scale < 67108864.0; /* 2^26 */
-        q->origin[k] = origin;
+        q->on &= rho < 2048.0 && tbx_abs(middle) * scale < 67108864.0; /* 2^26 */
+        q->origin[k] = (float)middle;
         q->inverse[k] = (float)(1.0 / size);
-        q->rest[k] = (float)(rest + (double)TBX_SOLID_MARGIN);
-        q->slack[k] = (float)slack;
-        q->most[k] = (int32_t)tbx_bits32(&most);
+        q->most[k] =
+            source->is_double ? (int32_t)(tbx_bits64(&most) >> 32) : (int32_t)tbx_bits32(&most_float);
         q->scale[k] = (float)scale;
         q->step[k] = (float)(size * scale);
         q->over_step[k] = (float)(1.0 / (size * scale));
@@ -14171,64 +14212,104 @@ TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const t
         q->size_high[k] = (float)size_high;
         q->size_low[k] = (float)(size - size_high);
         q->rho = (float)rho > q->rho ? (float)rho : q->rho;
-        q->lattice &= q->base_low[k] + q->size_low[k] == 0.0f && tbx_on_lattice(middle, scale * parts) &&
-                      tbx_on_lattice(size, scale * parts) && s->reach[k] * scale * parts < 8388608.0;
+        q->lattice &= q->base_low[k] + q->size_low[k] == 0.0f &&
+                      tbx_on_lattice(s->grid->origin[k], scale * parts) &&
+                      tbx_on_lattice(middle, scale * parts) && tbx_on_lattice(size, scale * parts) &&
+                      s->reach[k] * scale * parts < 8388608.0;
+    }
+    if (q->on) {
+        const double slack_y = tbx_solid_axis_init(q, 1);
+        const double slack_z = tbx_solid_axis_init(q, 2);
+        const double slack = slack_y > slack_z ? slack_y : slack_z;
+        const double u = (double)TBX_U32;
+        q->one_error = tbx_wide_all((float)(2.02 * (16.0 * 1.1 * (slack + 2.2 * u) + 64.0 * 1.21 * u)));
+        q->on = slack < 0.03;
     }
 }
 
 /* Triangles that wait: their first rows. */
-typedef struct tbx_solid_group {
-    size_t triangle[TBX_WIDE];
-    int32_t y[TBX_WIDE];
-    int32_t z[TBX_WIDE];
+typedef struct tbx_solid_list {
+    size_t triangle[TBX_SOLID_BLOCK + TBX_WIDE];
+    int32_t y[TBX_SOLID_BLOCK + TBX_WIDE];
+    int32_t z[TBX_SOLID_BLOCK + TBX_WIDE];
     int n;
-} tbx_solid_group;
+} tbx_solid_list;
 
 typedef struct tbx_solid_fill {
     tbx_solid_quick quick;
-    tbx_solid_group group[TBX_SOLID_ROWS]; /* of up to 1, 2, ... rows on each axis */
-} tbx_solid_fill;
+    tbx_solid_list list[TBX_SOLID_ROWS]; /* of up to 1, 2, ... rows on each axis */
+    tbx_solid_list large;
+    int32_t y[TBX_SOLID_BLOCK]; /* of a block of triangles */
+    int32_t z[TBX_SOLID_BLOCK];
+    int32_t extent[TBX_SOLID_BLOCK];
+    int32_t live[TBX_SOLID_BLOCK]; /* those that have rows */
+    int lives;
+} TBX_ALIGNED tbx_solid_fill;
+
+/* Differences of the corners of WIDE triangles to the first centre, y and z. */
+TBX_FORCED tbx_iw tbx_solid_wild(tbx_fw x, int32_t most)
+{
+    return ((tbx_iw)x & tbx_wide_int(0x7fffffff)) > tbx_wide_int(most);
+}
 
 /* What is too large to compute with becomes 0; its lanes of `out` are set. */
 TBX_FORCED tbx_fw tbx_solid_tame(tbx_fw x, int32_t most, tbx_iw *out)
 {
-    const tbx_iw wild = ((tbx_iw)x & tbx_wide_int(0x7fffffff)) > tbx_wide_int(most);
+    const tbx_iw wild = tbx_solid_wild(x, most);
     *out |= wild;
     return (tbx_fw)((tbx_iw)x & ~wild);
 }
 
-/* Rows whose centres lie between the corners of WIDE triangles, or are within the bounds of it: the first, and
- * how many. */
-TBX_FORCED tbx_iw tbx_solid_extent(const tbx_solid_quick *q, int k, tbx_fw x0, tbx_fw x1, tbx_fw x2,
-                                   tbx_iw *out_first, tbx_iw *wild)
+/* In rows, counted from MARGIN before the first. */
+TBX_FORCED void tbx_solid_in_rows(const tbx_solid_axis *axis, tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
 {
-    const tbx_fw origin = tbx_wide_all(q->origin[k]);
-    const tbx_fw inverse = tbx_wide_all(q->inverse[k]);
-    const tbx_fw zero = tbx_wide_all(0.0f);
-    tbx_fw low;
-    tbx_fw high;
-    tbx_iw first;
-    tbx_iw end;
-    tbx_iw off;
-    x0 = tbx_solid_tame(x0, q->most[k], wild);
-    x1 = tbx_solid_tame(x1, q->most[k], wild);
-    x2 = tbx_solid_tame(x2, q->most[k], wild);
-    low = tbx_wide_min(tbx_wide_min(x0, x1), x2) - origin;
-    high = tbx_wide_max(tbx_wide_max(x0, x1), x2) - origin;
-    TBX_KEEP_VECTOR(low);
-    TBX_KEEP_VECTOR(high);
-    low = low * inverse + tbx_wide_all(q->rest[k] - q->slack[k]);
-    high = high * inverse + tbx_wide_all(q->rest[k] + q->slack[k]);
-    first = __builtin_convertvector(tbx_wide_max(low, zero), tbx_iw);
-    end = __builtin_convertvector(tbx_wide_max(high, zero), tbx_iw);
-    /* before the region, or behind it */
-    off = (end < tbx_wide_int(TBX_SOLID_MARGIN)) |
-          (first > tbx_wide_int(TBX_SOLID_MARGIN + (int32_t)q->solid->n[k] - 2));
-    *out_first = first - tbx_wide_int(TBX_SOLID_MARGIN - 1);
-    return ~off & ((end - first) | ((first == tbx_wide_int(0)) & tbx_wide_int(TBX_SOLID_ANYWAY)));
+    *x0 -= axis->origin;
+    *x1 -= axis->origin;
+    *x2 -= axis->origin;
+    TBX_KEEP_VECTOR(*x0);
+    TBX_KEEP_VECTOR(*x1);
+    TBX_KEEP_VECTOR(*x2);
+    *x0 = *x0 * axis->inverse + axis->rest;
+    *x1 = *x1 * axis->inverse + axis->rest;
+    *x2 = *x2 * axis->inverse + axis->rest;
 }
 
-/* A group's triangles, in lengths scaled, from their first rows; x from the centre of a voxel near v_0. */
+/* Rows whose centres lie between the corners of WIDE triangles, or are within the bounds of it: how many, and
+ * the row before. */
+TBX_FORCED tbx_iw tbx_solid_extent(const tbx_solid_axis *axis, tbx_fw x0, tbx_fw x1, tbx_fw x2,
+                                   tbx_iw *out_before)
+{
+    const tbx_fw low = tbx_wide_min(tbx_wide_min(x0, x1), x2) - axis->slack;
+    const tbx_fw high = tbx_wide_max(tbx_wide_max(x0, x1), x2) + axis->slack;
+    const tbx_iw before = __builtin_convertvector(low, tbx_iw); /* toward 0: below 1 it may be too large */
+    const tbx_iw end = __builtin_convertvector(high, tbx_iw);
+    const tbx_iw off = (end < tbx_wide_int(TBX_SOLID_MARGIN)) | (before > axis->last);
+    *out_before = before;
+    return ~off & ((end - before) | ((before < tbx_wide_int(1)) & tbx_wide_int(TBX_SOLID_ANYWAY)));
+}
+
+/* Lanes whose triangle does not hold the centre of the row behind `before`. */
+TBX_FORCED tbx_iw tbx_solid_missed(const tbx_solid_quick *q, const tbx_points v[3], tbx_iw y, tbx_iw z)
+{
+    const tbx_fw one = tbx_wide_all(1.0f);
+    const tbx_fw at_y = __builtin_convertvector(y, tbx_fw) + one;
+    const tbx_fw at_z = __builtin_convertvector(z, tbx_fw) + one;
+    const tbx_fw y0 = v[0].y - at_y;
+    const tbx_fw y1 = v[1].y - at_y;
+    const tbx_fw y2 = v[2].y - at_y;
+    const tbx_fw z0 = v[0].z - at_z;
+    const tbx_fw z1 = v[1].z - at_z;
+    const tbx_fw z2 = v[2].z - at_z;
+    const tbx_fw e0 = y0 * z1 - z0 * y1;
+    const tbx_fw e1 = y1 * z2 - z1 * y2;
+    const tbx_fw e2 = y2 * z0 - z2 * y0;
+    const tbx_iw sign = (tbx_iw)(e0 + e1 + e2) & tbx_wide_int(TBX_SIGN_BIT);
+    const tbx_fw least =
+        tbx_wide_min(tbx_wide_min(tbx_wide_flip(e0, sign), tbx_wide_flip(e1, sign)), tbx_wide_flip(e2, sign));
+    return least < -q->one_error;
+}
+
+/* WIDE triangles, in lengths scaled, from their first rows; x from the centre of a voxel near v_0. */
 typedef struct tbx_solid_placed {
     tbx_points v[3];
     tbx_iw x_first;
@@ -14266,7 +14347,9 @@ TBX_FORCED tbx_iw tbx_solid_whole(const tbx_solid_quick *q, int k, tbx_fw x)
     return (parts == whole) & (was | ~zero);
 }
 
-TBX_FORCED void tbx_solid_place_all(tbx_solid_placed *p, const tbx_solid_quick *q, const tbx_solid_group *g)
+/* The triangles listed from i on. */
+TBX_FORCED void tbx_solid_place_floats(tbx_solid_placed *p, const tbx_solid_quick *q,
+                                       const tbx_solid_list *list, int i)
 {
     const int32_t end = (int32_t)q->solid->n[0] + 16;
     tbx_source source;
@@ -14274,12 +14357,10 @@ TBX_FORCED void tbx_solid_place_all(tbx_solid_placed *p, const tbx_solid_quick *
     tbx_iw z;
     tbx_fw x;
     int c;
-    TBX_COPY(&y, g->y, sizeof y);
-    TBX_COPY(&z, g->z, sizeof z);
-    p->unsure = tbx_wide_int(0);
-    p->on_lattice = tbx_wide_int(0);
+    TBX_COPY(&y, list->y + i, sizeof y);
+    TBX_COPY(&z, list->z + i, sizeof z);
     tbx_source_float(&source, &q->mesh);
-    tbx_load_corners(p->v, &source, g->triangle);
+    tbx_load_corners(p->v, &source, list->triangle + i);
     for (c = 0; c < 3; c++) {
         p->v[c].x = tbx_solid_tame(p->v[c].x, q->most[0], &p->unsure);
     }
@@ -14300,6 +14381,87 @@ TBX_FORCED void tbx_solid_place_all(tbx_solid_placed *p, const tbx_solid_quick *
     tbx_solid_place(q, 2, z, &p->v[0].z, &p->v[1].z, &p->v[2].z);
 }
 
+/* The same of doubles, one by one. */
+TBX_FN void tbx_solid_place_double(const tbx_solid_quick *q, size_t triangle, const int32_t first[3],
+                                   double v[3][3], float out[9], int32_t flags[3])
+{
+    const tbx_solid *s = q->solid;
+    const double most = (double)s->n[0] + 16.0;
+    double at[3];
+    double x;
+    int wild = 0;
+    int whole = q->lattice;
+    int c;
+    int k;
+    for (c = 0; c < 3; c++) {
+        TBX_COPY(v[c], tbx_source_at(q->source, triangle, (size_t)c), sizeof v[c]);
+        if ((int64_t)((tbx_bits64(&v[c][0]) & 0x7fffffffffffffffu) >> 32) > (int64_t)q->most[0]) {
+            v[c][0] = 0.0;
+            wild = -1;
+        }
+    }
+    TBX_KEEP(v[0]);
+    TBX_KEEP(v[1]);
+    TBX_KEEP(v[2]);
+    if (whole) {
+        for (c = 0; c < 9; c++) {
+            const double scale = (double)q->scale[c % 3] * (double)TBX_SOLID_PARTS;
+            const double *from = &v[c / 3][c % 3];
+            whole &= (tbx_on_lattice(*from, scale) || (tbx_bits64(from) << 1) == 0) &&
+                     tbx_abs(*from) * scale < 8388608.0;
+        }
+    }
+    x = (v[0][0] - s->middle[0]) / s->grid->size[0];
+    x = x > -16.0 ? x : -16.0;
+    x = x < most ? x : most;
+    TBX_KEEP_SCALAR(x);
+    flags[0] = (int32_t)x;
+    flags[1] = wild;
+    flags[2] = wild == 0 && whole ? -1 : 0;
+    at[0] = s->middle[0] + (double)flags[0] * s->grid->size[0];
+    at[1] = s->middle[1] + (double)first[1] * s->grid->size[1];
+    at[2] = s->middle[2] + (double)first[2] * s->grid->size[2];
+    TBX_KEEP(at);
+    for (c = 0; c < 3; c++) {
+        for (k = 0; k < 3; k++) {
+            out[3 * c + k] = (float)((v[c][k] - at[k]) * (double)q->scale[k]);
+        }
+    }
+}
+
+TBX_NOINLINE void tbx_solid_place_doubles(tbx_solid_placed *p, const tbx_solid_quick *q,
+                                          const tbx_solid_list *list, int i)
+{
+    float x[9][TBX_WIDE];
+    int32_t flags[3][TBX_WIDE];
+    int lane;
+    int c;
+    for (lane = 0; lane < TBX_WIDE; lane++) {
+        double v[3][3];
+        float one[9];
+        int32_t first[3];
+        int32_t of_one[3];
+        first[0] = 0;
+        first[1] = list->y[i + lane];
+        first[2] = list->z[i + lane];
+        tbx_solid_place_double(q, list->triangle[i + lane], first, v, one, of_one);
+        for (c = 0; c < 9; c++) {
+            x[c][lane] = one[c];
+        }
+        for (c = 0; c < 3; c++) {
+            flags[c][lane] = of_one[c];
+        }
+    }
+    for (c = 0; c < 3; c++) {
+        TBX_COPY(&p->v[c].x, x[3 * c], sizeof p->v[c].x);
+        TBX_COPY(&p->v[c].y, x[3 * c + 1], sizeof p->v[c].y);
+        TBX_COPY(&p->v[c].z, x[3 * c + 2], sizeof p->v[c].z);
+    }
+    TBX_COPY(&p->x_first, flags[0], sizeof p->x_first);
+    TBX_COPY(&p->unsure, flags[1], sizeof p->unsure);
+    TBX_COPY(&p->on_lattice, flags[2], sizeof p->on_lattice);
+}
+
 /* Half the least step of an edge function on the lattice, up where a tie counts, else down: a = -d_z and
  * b = d_y after the normal's sign. */
 TBX_FORCED tbx_fw tbx_solid_tie(tbx_fw a, tbx_fw b, tbx_iw on_lattice)
@@ -14310,7 +14472,7 @@ TBX_FORCED tbx_fw tbx_solid_tie(tbx_fw a, tbx_fw b, tbx_iw on_lattice)
     return tbx_wide_where(on_lattice, tbx_wide_choose(counts, half, -half));
 }
 
-/* What the rows of a group have: bit j + n*k of within, the first voxels behind the crossings. */
+/* What the rows of WIDE boxes have: bit j + n*k of within, the first voxels behind the crossings. */
 typedef struct tbx_solid_rows_of {
     tbx_uw within;
     tbx_iw unsure;
@@ -14331,6 +14493,7 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     tbx_fw e2 = p->v[2].y * p->v[0].z - p->v[2].z * p->v[0].y;
     tbx_fw area = e0 + e1 + e2;
     const tbx_iw sign = (tbx_iw)area & tbx_wide_int(TBX_SIGN_BIT);
+    const tbx_fw over_step = tbx_wide_all(q->over_step[0]);
     const tbx_fw step_y = tbx_wide_all(q->step[1]);
     const tbx_fw step_z = tbx_wide_all(q->step[2]);
     const tbx_fw a0 = tbx_wide_flip(p->v[0].z - p->v[1].z, sign);
@@ -14357,7 +14520,7 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     over_area = tbx_wide_inverse(~tiny, area);
     x_error = spread * (tbx_wide_all(2.0f * error_all) * over_area + tbx_wide_all(24.0f * u)) +
               tbx_wide_all(20.0f * u) * (m + tbx_wide_all(q->rho));
-    x_error = x_error * tbx_wide_all(q->over_step[0]);
+    x_error = x_error * over_step;
     out->unsure = p->unsure;
     out->within = (tbx_uw)tbx_wide_int(0);
     if (q->lattice && tbx_wide_any(p->on_lattice)) {
@@ -14379,7 +14542,7 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
             const tbx_fw least = tbx_wide_min(tbx_wide_min(r0, r1), r2);
             const tbx_iw within = least > error;
             const tbx_iw row = within & tbx_wide_int(1 << (j + n * k));
-            tbx_fw x = (p->v[0].x + (dx1 * r2 + dx2 * r0) * over_area) * tbx_wide_all(q->over_step[0]);
+            tbx_fw x = (p->v[0].x + (dx1 * r2 + dx2 * r0) * over_area) * over_step;
             tbx_fw past;
             tbx_iw voxel;
             x = tbx_wide_min(tbx_wide_max(x, tbx_wide_all(-8388608.0f)), tbx_wide_all(8388608.0f));
@@ -14436,258 +14599,336 @@ TBX_FN int64_t tbx_solid_lattice_voxel(const tbx_solid_quick *q, const tbx_point
 TBX_FORCED void tbx_solid_flip_wide(uint64_t *end, size_t row_words, uint64_t padding, size_t x)
 {
     const size_t some = TBX_WIDE / 2;
-    const size_t words = row_words - (x >> 6);
-    uint64_t *row = end - words;
-    size_t i;
-    row[0] ^= ~(uint64_t)0 << (x & 63);
-    for (i = 1; i + some <= words; i += some) {
+    size_t left = row_words - (x >> 6);
+    uint64_t *word = end - left;
+    *word ^= ~(uint64_t)0 << (x & 63);
+    for (; left > some; left -= some) {
         tbx_uw a;
-        TBX_COPY(&a, row + i, sizeof a);
+        TBX_COPY(&a, word + left - some, sizeof a);
         a = ~a;
-        TBX_COPY(row + i, &a, sizeof a);
+        TBX_COPY(word + left - some, &a, sizeof a);
     }
-    for (; i < words; i++) {
-        row[i] = ~row[i];
+    for (; left > 1; left--) {
+        word[left - 1] = ~word[left - 1];
     }
-    row[words - 1] ^= padding; /* which was flipped with the rest */
+    end[-1] ^= padding; /* which was flipped with the rest */
 }
 
 /* Lines. What tbx_solid_least looks for, in row or layer r, is at + slope * r, rounded up, if that is not
  * within `error` of a whole number: the value's own bound over its step, and what the quotient and the sum
  * round off; a division may be off by 4 u. On the lattice half the least step of the value goes on top, and no
- * quotient is whole. Returns the index, in [0, n]; clears *sure. */
+ * quotient is whole. The edges that bound y from below are lower[0] and [1], maybe one twice. */
 #define TBX_SOLID_LINE_ERROR (32.0 * TBX_U64)
 
 typedef struct tbx_solid_line {
     double at;
     double slope;
-    double error;
-    int is_lower;
 } tbx_solid_line;
 
+typedef struct tbx_solid_lines {
+    tbx_solid_line lower[2];
+    tbx_solid_line upper[2];
+    tbx_solid_line plane;
+    double plane_z; /* the plane's slope from layer to layer */
+    double error;
+    double plane_error;
+    int32_t layers[2];
+} tbx_solid_lines;
+
+/* x rounded up to [0, n]; clears *sure. */
 TBX_FORCED int32_t tbx_solid_up(double x, double error, double last, int *sure)
 {
     const double low = x > -0.5 ? x : -0.5;
     const double y = (low < last ? low : last) + 1.0; /* last: n - 1/2 */
     const int32_t i = (int32_t)y;
-    const double past = y - (double)i;
-    *sure &= past > error && past < 1.0 - error;
+    *sure &= tbx_abs(y - (double)i - 0.5) < 0.5 - error;
     return i;
 }
 
-TBX_FN void tbx_solid_line_set(tbx_solid_line *l, double rest, double per_row, double step, double error,
-                               double n)
+/* Sets a line, and *error to what it may be off by, if that is more. */
+TBX_FN void tbx_solid_line_set(tbx_solid_line *l, double rest, double per_row, double step,
+                               double value_error, double n, double *error)
 {
-    l->at = -rest / step;
-    l->slope = -per_row / step;
-    l->error = 1.01 * error / step + TBX_SOLID_LINE_ERROR * (tbx_abs(l->at) + tbx_abs(l->slope) * n + 1.0);
+    const double over_step = -1.0 / step;
+    double off;
+    l->at = rest * over_step;
+    l->slope = per_row * over_step;
+    off = -1.01 * value_error * over_step +
+          TBX_SOLID_LINE_ERROR * (tbx_abs(l->at) + tbx_abs(l->slope) * n + 1.0);
+    *error = off > *error ? off : *error;
 }
 
-/* The lines of edges that are not level; returns how many. */
-TBX_FN int tbx_solid_lines_set(tbx_solid_line line[3], const tbx_solid_tri *t)
+/* The lines of a triangle whose edges are known. */
+TBX_FN void tbx_solid_lines_set(tbx_solid_lines *l, const tbx_solid_tri *t)
 {
     const tbx_solid *s = t->solid;
-    const double half = t->edge_error[0] > 0.0 ? 0.0 : 0.5 / (s->scale[1] * s->scale[2]);
     const double *size = s->grid->size;
-    int found = 0;
+    const double half = t->edge_error[0] > 0.0 ? 0.0 : 0.5 / (s->scale[1] * s->scale[2]);
+    const double half_x = t->plane_error > 0.0 ? 0.0 : 0.5 / (s->scale[0] * s->scale[1] * s->scale[2]);
+    const double step = t->n[0] * size[0];
+    int lower = 0;
+    int upper = 0;
     int i;
+    l->error = l->plane_error = 0.0;
     for (i = 0; i < 3; i++) {
         const double d_z = t->d[i][2];
         const double along = d_z > 0.0 ? -t->d[i][1] : t->d[i][1];
         const double across = tbx_abs(d_z);
         if (across > 0.0) {
-            tbx_solid_line_set(&line[found], along * t->at[i][2] + across * t->at[i][1] + half,
-                               along * size[2], across * size[1], t->edge_error[i], (double)s->n[2]);
-            line[found++].is_lower = (t->sign > 0) == (d_z < 0.0);
+            const int is_lower = (t->sign > 0) == (d_z < 0.0);
+            tbx_solid_line *line = is_lower ? &l->lower[lower] : &l->upper[upper];
+            tbx_solid_line_set(line, along * t->at[i][2] + across * t->at[i][1] + half, along * size[2],
+                               across * size[1], t->edge_error[i], (double)s->n[2], &l->error);
+            lower += is_lower;
+            upper += !is_lower;
         }
     }
-    return found;
+    if (lower == 1) {
+        l->lower[1] = l->lower[0];
+    }
+    if (upper == 1) {
+        l->upper[1] = l->upper[0];
+    }
+    tbx_solid_line_set(&l->plane,
+                       t->n[0] * t->at[0][0] + t->n[1] * t->at[0][1] + t->n[2] * t->at[0][2] + half_x,
+                       t->n[1] * size[1], step, t->plane_error, (double)s->n[1], &l->plane_error);
+    l->plane_z = -t->n[2] * size[2] / step;
+    l->plane_error += TBX_SOLID_LINE_ERROR * tbx_abs(l->plane_z) * (double)s->n[2];
+}
+
+/* The layers whose centres lie between the corners. Returns whether that is sure. */
+TBX_FN int tbx_solid_layers(tbx_solid_lines *l, const tbx_solid_tri *t)
+{
+    const tbx_solid *s = t->solid;
+    const double over_size = 1.0 / s->grid->size[2];
+    const double half = t->edge_error[0] > 0.0 ? 0.0 : 0.5 * over_size / s->scale[2];
+    int sure = 1;
+    int side;
+    for (side = 0; side < 2; side++) {
+        const double face = side == 0 ? t->least[2] : t->most[2];
+        const double x = (face - s->middle[2]) * over_size;
+        double error = TBX_SOLID_LINE_ERROR * (tbx_abs(x) + 1.0);
+        if (t->edge_error[0] > 0.0) {
+            error += 1.01 * TBX_SOLID_ERROR * (s->reach[2] + tbx_abs(face)) * over_size;
+        }
+        l->layers[side] = tbx_solid_up(x - half, error, (double)s->n[2] - 0.5, &sure);
+    }
+    return sure;
+}
+
+/* The rows of layer z; clears *sure. */
+TBX_FORCED void tbx_solid_lines_rows(const tbx_solid_lines *l, double z, double last, int32_t rows[2],
+                                     int *sure)
+{
+    const double a = l->lower[0].at + l->lower[0].slope * z;
+    const double b = l->lower[1].at + l->lower[1].slope * z;
+    const double c = l->upper[0].at + l->upper[0].slope * z;
+    const double d = l->upper[1].at + l->upper[1].slope * z;
+    rows[0] = tbx_solid_up(a > b ? a : b, l->error, last, sure);
+    rows[1] = tbx_solid_up(c < d ? c : d, l->error, last, sure);
+}
+
+/* In steps of 2^-32, which it may be off by. A line in x has values beyond 2^28 only where they do not count:
+ * outside the triangle. */
+TBX_FORCED uint64_t tbx_solid_fixed(double x)
+{
+    x = x > -268435456.0 ? x : -268435456.0;
+    x = x < 268435456.0 ? x : 268435456.0;
+    TBX_KEEP_SCALAR(x);
+    return (uint64_t)(int64_t)(x * 4294967296.0);
 }
 
 /* A triangle of any size. */
 TBX_NOINLINE void tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
 {
     const tbx_solid *s = q->solid;
-    const double *size = s->grid->size;
     const size_t row_words = s->row_words;
     const uint64_t padding = ~s->last_word;
-    const double last_x = (double)s->n[0] - 0.5;
+    const int64_t n_x = s->n[0];
+    const double last_y = (double)s->n[1] - 0.5;
+    uint64_t slope;
+    uint32_t unsure;
     tbx_solid_tri t;
-    tbx_solid_line edge[3];
-    tbx_solid_line plane;
-    double slope_z;
+    tbx_solid_lines l;
     double v[3][3];
-    int64_t y_range[2];
-    int64_t z_range[2];
-    int64_t z;
-    int edges;
-    if (tbx_source_triangle(q->source, triangle, v) == TBX_NO_POINTS) {
+    int32_t z;
+    const int kind = tbx_source_triangle(q->source, triangle, v);
+    if (kind == TBX_NO_POINTS) {
         return;
     }
-    if (!tbx_solid_begin(&t, s, v, y_range, z_range)) {
+    tbx_solid_tri_set(&t, s, v, kind);
+    if (tbx_solid_tri_edges(&t) == 0) {
         return;
     }
-    if (!t.fits) {
-        tbx_solid_triangle(s, v);
+    if (t.fits) {
+        tbx_solid_lines_set(&l, &t);
+    }
+    if (!t.fits || !tbx_solid_layers(&l, &t) || !(l.plane_error < 0.1)) {
+        tbx_solid_triangle(s, v, kind);
         return;
     }
-    edges = tbx_solid_lines_set(edge, &t);
-    {
-        const double half = t.plane_error > 0.0 ? 0.0 : 0.5 / (s->scale[0] * s->scale[1] * s->scale[2]);
-        const double step = t.n[0] * size[0];
-        tbx_solid_line_set(&plane, t.n[0] * t.at[0][0] + t.n[1] * t.at[0][1] + t.n[2] * t.at[0][2] + half,
-                           t.n[1] * size[1], step, t.plane_error, (double)s->n[1]);
-        slope_z = -t.n[2] * size[2] / step;
-        plane.error += TBX_SOLID_LINE_ERROR * tbx_abs(slope_z) * (double)s->n[2];
-    }
-    for (z = z_range[0]; z < z_range[1]; z++) {
-        const double in_layer = plane.at + slope_z * (double)z;
-        int64_t rows[2];
+    slope = tbx_solid_fixed(l.plane.slope);
+    unsure = (uint32_t)(l.plane_error * 4294967296.0) + (uint32_t)s->n[1] + 2;
+    for (z = l.layers[0]; z < l.layers[1]; z++) {
+        int32_t rows[2];
         uint64_t *end;
+        uint64_t at;
         int sure = 1;
-        int i;
-        int64_t y;
-        rows[0] = y_range[0];
-        rows[1] = y_range[1];
-        for (i = 0; i < edges; i++) {
-            const int32_t bound = tbx_solid_up(edge[i].at + edge[i].slope * (double)z, edge[i].error,
-                                               (double)s->n[1] - 0.5, &sure);
-            if (edge[i].is_lower) {
-                rows[0] = bound > rows[0] ? bound : rows[0];
-            } else {
-                rows[1] = bound < rows[1] ? bound : rows[1];
-            }
-        }
+        int32_t y;
+        tbx_solid_lines_rows(&l, (double)z, last_y, rows, &sure);
         if (TBX_RARELY(!sure)) {
-            rows[0] = y_range[0];
-            rows[1] = y_range[1];
-            tbx_solid_rows(&t, z, rows);
+            int64_t exact[2];
+            exact[0] = 0;
+            exact[1] = s->n[1];
+            tbx_solid_rows(&t, z, exact);
+            rows[0] = (int32_t)exact[0];
+            rows[1] = (int32_t)exact[1];
         }
+        if (rows[0] >= rows[1]) {
+            continue;
+        }
+        at = tbx_solid_fixed(l.plane.at + l.plane_z * (double)z + l.plane.slope * (double)rows[0]);
         end = s->bits + ((size_t)z * (size_t)s->n[1] + (size_t)rows[0] + 1) * row_words;
-        for (y = rows[0]; y < rows[1]; y++, end += row_words) {
-            int64_t x = tbx_solid_up(in_layer + plane.slope * (double)y, plane.error, last_x, &sure);
-            if (TBX_RARELY(!sure)) {
+        for (y = rows[0]; y < rows[1]; y++, end += row_words, at += slope) {
+            int64_t x = ((int64_t)at >> 32) + 1;
+            if (TBX_RARELY((uint32_t)at + unsure < 2 * unsure)) {
                 x = tbx_solid_voxel(&t, y, z);
-                sure = 1;
             }
-            if ((double)x < last_x) {
-                tbx_solid_flip_wide(end, row_words, padding, (size_t)x);
+            if (x < n_x) {
+                tbx_solid_flip_wide(end, row_words, padding, x > 0 ? (size_t)x : 0);
             }
         }
     }
 }
 
-TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, tbx_solid_group *g, int n)
+/* `count` triangles of a list, WIDE at most, from i on. */
+TBX_FORCED void tbx_solid_flush(const tbx_solid_quick *q, const tbx_solid_list *list, int i, int count, int n)
 {
-    const tbx_solid_quick *q = &fill->quick;
     const tbx_solid *s = q->solid;
     const uint32_t rows_y = (uint32_t)s->n[1];
     const uint32_t rows_z = (uint32_t)s->n[2];
     const size_t row_words = s->row_words;
     const uint64_t padding = ~s->last_word;
-    const int64_t n_x = s->n[0];
+    const int32_t n_x = (int32_t)s->n[0];
     uint64_t *bits = s->bits;
     tbx_solid_placed p;
     tbx_solid_rows_of rows;
     uint32_t within[TBX_WIDE];
     int32_t unsure[TBX_WIDE];
     int32_t on_lattice[TBX_WIDE];
-    int32_t x_first[TBX_WIDE];
-    int i;
-    if (g->n == 0) {
-        return;
+    int lane;
+    p.unsure = tbx_wide_int(0);
+    p.on_lattice = tbx_wide_int(0);
+    if (q->source->is_double) {
+        tbx_solid_place_doubles(&p, q, list, i);
+    } else {
+        tbx_solid_place_floats(&p, q, list, i);
     }
-    for (i = g->n; i < TBX_WIDE; i++) {
-        g->triangle[i] = g->triangle[0];
-        g->y[i] = g->y[0];
-        g->z[i] = g->z[0];
-    }
-    tbx_solid_place_all(&p, q, g);
     tbx_solid_decide(&rows, q, &p, n);
     TBX_COPY(within, &rows.within, sizeof within);
     TBX_COPY(unsure, &rows.unsure, sizeof unsure);
     TBX_COPY(on_lattice, &p.on_lattice, sizeof on_lattice);
-    TBX_COPY(x_first, &p.x_first, sizeof x_first);
-    for (i = 0; i < g->n; i++) {
-        uint32_t left = within[i];
-        if (TBX_RARELY(unsure[i] != 0)) {
-            tbx_solid_large(q, g->triangle[i]);
+    for (lane = 0; lane < count; lane++) {
+        uint32_t left = within[lane];
+        if (TBX_RARELY(unsure[lane] != 0)) {
+            tbx_solid_large(q, list->triangle[i + lane]);
             continue;
         }
         for (; left != 0; left &= left - 1) {
             const int row = __builtin_ctz(left);
-            const int32_t y = g->y[i] + row % n;
-            const int32_t z = g->z[i] + row / n;
-            int64_t x;
+            const int32_t y = list->y[i + lane] + row % n;
+            const int32_t z = list->z[i + lane] + row / n;
+            int32_t x = rows.voxel[row][lane];
             if ((uint32_t)y >= rows_y || (uint32_t)z >= rows_z) {
                 continue;
             }
-            if (on_lattice[i] != 0) {
-                x = x_first[i] + tbx_solid_lattice_voxel(q, p.v, i, row % n, row / n);
-            } else {
-                x = rows.voxel[row][i];
+            if (on_lattice[lane] != 0) {
+                x = p.x_first[lane] + (int32_t)tbx_solid_lattice_voxel(q, p.v, lane, row % n, row / n);
             }
             if (x < n_x) {
-                tbx_solid_flip_wide(bits + ((size_t)z * rows_y + (size_t)y + 1) * row_words, row_words, padding,
-                                    x > 0 ? (size_t)x : 0);
+                tbx_solid_flip_wide(bits + ((size_t)z * rows_y + (size_t)y + 1) * row_words, row_words,
+                                    padding, x > 0 ? (size_t)x : 0);
             }
         }
     }
-    g->n = 0;
 }
 
-TBX_NOINLINE void tbx_solid_flush1(tbx_solid_fill *fill)
+TBX_NOINLINE void tbx_solid_flush1(const tbx_solid_quick *q, const tbx_solid_list *list, int i, int count)
 {
-    tbx_solid_flush(fill, &fill->group[0], 1);
+    tbx_solid_flush(q, list, i, count, 1);
 }
 
-TBX_NOINLINE void tbx_solid_flush2(tbx_solid_fill *fill)
+TBX_NOINLINE void tbx_solid_flush2(const tbx_solid_quick *q, const tbx_solid_list *list, int i, int count)
 {
-    tbx_solid_flush(fill, &fill->group[1], 2);
+    tbx_solid_flush(q, list, i, count, 2);
 }
 
-TBX_NOINLINE void tbx_solid_flush3(tbx_solid_fill *fill)
+TBX_NOINLINE void tbx_solid_flush3(const tbx_solid_quick *q, const tbx_solid_list *list, int i, int count)
 {
-    tbx_solid_flush(fill, &fill->group[2], 3);
+    tbx_solid_flush(q, list, i, count, 3);
 }
 
-TBX_NOINLINE void tbx_solid_flush4(tbx_solid_fill *fill)
+TBX_NOINLINE void tbx_solid_flush4(const tbx_solid_quick *q, const tbx_solid_list *list, int i, int count)
 {
-    tbx_solid_flush(fill, &fill->group[3], 4);
+    tbx_solid_flush(q, list, i, count, 4);
 }
 
-/* A triangle whose box has rows. */
-TBX_FORCED void tbx_solid_add(tbx_solid_fill *fill, size_t t, int32_t y, int32_t z, int32_t extent)
+/* Works a list off, WIDE at a time from its end; to the last one if `all`. */
+TBX_FORCED void tbx_solid_work(tbx_solid_fill *fill, int extent, int all)
 {
-    tbx_solid_group *g = &fill->group[extent <= TBX_SOLID_ROWS ? extent - 1 : 0];
-    const int n = g->n;
-    if (extent > TBX_SOLID_ROWS) {
-        tbx_solid_large(&fill->quick, t);
-        return;
-    }
-    g->triangle[n] = t;
-    g->y[n] = y;
-    g->z[n] = z;
-    g->n = n + 1;
-    if (n + 1 == TBX_WIDE) {
+    tbx_solid_list *list = &fill->list[extent - 1];
+    while (list->n >= TBX_WIDE || (all && list->n > 0)) {
+        const int count = list->n < TBX_WIDE ? list->n : TBX_WIDE;
+        const int i = list->n - count;
+        int lane;
+        for (lane = count; lane < TBX_WIDE; lane++) {
+            list->triangle[lane] = list->triangle[0];
+            list->y[lane] = list->y[0];
+            list->z[lane] = list->z[0];
+        }
+        list->n = i;
         switch (extent) {
-        case 1: tbx_solid_flush1(fill); break;
-        case 2: tbx_solid_flush2(fill); break;
-        case 3: tbx_solid_flush3(fill); break;
-        default: tbx_solid_flush4(fill); break;
+        case 1: tbx_solid_flush1(&fill->quick, list, i, count); break;
+        case 2: tbx_solid_flush2(&fill->quick, list, i, count); break;
+        case 3: tbx_solid_flush3(&fill->quick, list, i, count); break;
+        default: tbx_solid_flush4(&fill->quick, list, i, count); break;
         }
     }
+}
+
+/* Triangles of a block that have rows go to their lists, and full lists are worked off. */
+TBX_NOINLINE void tbx_solid_sort(tbx_solid_fill *fill, size_t first, int all)
+{
+    int i;
+    for (i = 0; i < fill->lives; i++) {
+        const int of = fill->live[i];
+        const int extent = fill->extent[of];
+        tbx_solid_list *list = extent <= TBX_SOLID_ROWS ? &fill->list[extent - 1] : &fill->large;
+        const int n = list->n;
+        list->triangle[n] = first + (size_t)of;
+        list->y[n] = fill->y[of];
+        list->z[n] = fill->z[of];
+        list->n = n + 1;
+    }
+    for (i = 0; i < fill->large.n; i++) {
+        tbx_solid_large(&fill->quick, fill->large.triangle[i]);
+    }
+    fill->lives = fill->large.n = 0;
+    tbx_solid_work(fill, 1, all);
+    tbx_solid_work(fill, 2, all);
+    tbx_solid_work(fill, 3, all);
+    tbx_solid_work(fill, 4, all);
 }
 
 /* y and z of corner c of WIDE triangles, as tbx_load_corner. */
 TBX_FORCED void tbx_solid_load(tbx_points *out, const tribox_mesh *mesh, int indexed, size_t stride,
-                               const size_t *list, size_t first, size_t c)
+                               size_t first, size_t c)
 {
     const char *positions = (const char *)mesh->positions + sizeof(float);
     tbx_f4 y[TBX_WIDE / 4];
     tbx_f4 z[TBX_WIDE / 4];
     int i;
-#define TBX_AT(i) (3 * (list != NULL ? list[i] : first + (size_t)(i)) + c)
+#define TBX_AT(i) (3 * (first + (size_t)(i)) + c)
 #define TBX_POINT(i) (positions + stride * (indexed ? (size_t)mesh->indices[TBX_AT(i)] : TBX_AT(i)))
     for (i = 0; i < TBX_WIDE / 4; i++) {
         const tbx_f4 ab = tbx_load_xy(TBX_POINT(4 * i), TBX_POINT(4 * i + 1));
@@ -14701,84 +14942,171 @@ TBX_FORCED void tbx_solid_load(tbx_points *out, const tribox_mesh *mesh, int ind
     out->z = tbx_wide_of(z);
 }
 
-/* WIDE triangles: those listed, or from the first on. */
-TBX_FORCED void tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t stride, const size_t *list,
-                                size_t first, int count)
+/* Two doubles as floats, in lanes 0 and 1. */
+TBX_FORCED tbx_f4 tbx_narrow(tbx_d2 x)
 {
-    const tbx_solid_quick *q = &fill->quick;
-    tbx_points v[3];
-    tbx_iw y;
-    tbx_iw z;
-    tbx_iw n_y;
-    tbx_iw n_z;
-    tbx_iw some;
+#if defined(__SSE2__)
+    return (tbx_f4)__builtin_ia32_cvtpd2ps(x);
+#else
+    const tbx_f4 r = { (float)x[0], (float)x[1], 0.0f, 0.0f };
+    return r;
+#endif
+}
+
+/* The same of doubles, less the first centre: what is too large becomes 0, and its lane of `wild` is set. */
+TBX_FORCED void tbx_solid_load_f64(tbx_points *out, const tbx_solid_quick *q, int indexed, size_t first,
+                                   size_t c, tbx_iw *wild)
+{
+    const tbx_source *source = q->source;
+    const char *positions = source->positions + sizeof(double);
+    const tbx_d2 middle = { q->solid->middle[1], q->solid->middle[2] };
+    const tbx_i4 most = { q->most[1], q->most[2], q->most[1], q->most[2] };
+    tbx_f4 y[TBX_WIDE / 4];
+    tbx_f4 z[TBX_WIDE / 4];
+    tbx_f4 odd[TBX_WIDE / 4];
+    int i;
+    int j;
+    for (i = 0; i < TBX_WIDE / 4; i++) {
+        tbx_d2 x[4];
+        tbx_f4 f[4];
+        tbx_i4 above;
+        tbx_i4 below;
+        for (j = 0; j < 4; j++) {
+            const size_t at = 3 * (first + (size_t)(4 * i + j)) + c;
+            TBX_COPY(&x[j], positions + source->stride * (indexed ? (size_t)source->indices[at] : at),
+                     sizeof x[j]);
+        }
+        above = (TBX_LANES((tbx_i4)x[0], (tbx_i4)x[1], 1, 3, 5, 7) & 0x7fffffff) > most;
+        below = (TBX_LANES((tbx_i4)x[2], (tbx_i4)x[3], 1, 3, 5, 7) & 0x7fffffff) > most;
+        odd[i] = (tbx_f4)(TBX_LANES(above, below, 0, 2, 4, 6) | TBX_LANES(above, below, 1, 3, 5, 7));
+        if (TBX_RARELY(tbx_any(above | below))) {
+            x[0] = (tbx_d2)((tbx_i4)x[0] & ~TBX_LANES(above, above, 0, 0, 1, 1));
+            x[1] = (tbx_d2)((tbx_i4)x[1] & ~TBX_LANES(above, above, 2, 2, 3, 3));
+            x[2] = (tbx_d2)((tbx_i4)x[2] & ~TBX_LANES(below, below, 0, 0, 1, 1));
+            x[3] = (tbx_d2)((tbx_i4)x[3] & ~TBX_LANES(below, below, 2, 2, 3, 3));
+        }
+        for (j = 0; j < 4; j++) {
+            tbx_d2 from = x[j] - middle;
+            TBX_KEEP_VECTOR(from);
+            f[j] = tbx_narrow(from);
+        }
+        f[0] = TBX_LANES(f[0], f[1], 0, 1, 4, 5);
+        f[2] = TBX_LANES(f[2], f[3], 0, 1, 4, 5);
+        y[i] = TBX_LANES(f[0], f[2], 0, 2, 4, 6);
+        z[i] = TBX_LANES(f[0], f[2], 1, 3, 5, 7);
+    }
+    out->y = tbx_wide_of(y);
+    out->z = tbx_wide_of(z);
+    *wild |= (tbx_iw)tbx_wide_of(odd);
+}
+
+/* y and z of WIDE triangles from the first on, in rows. Returns the lanes that have one too large. */
+TBX_FORCED tbx_iw tbx_solid_corners(tbx_points v[3], const tbx_solid_quick *q, int indexed, size_t stride,
+                                    size_t first, int is_double)
+{
+    const int32_t y = q->most[1];
+    const int32_t z = q->most[2];
     tbx_iw wild = tbx_wide_int(0);
-    tbx_solid_load(&v[0], &q->mesh, indexed, stride, list, first, 0);
-    tbx_solid_load(&v[1], &q->mesh, indexed, stride, list, first, 1);
-    tbx_solid_load(&v[2], &q->mesh, indexed, stride, list, first, 2);
-    n_y = tbx_solid_extent(q, 1, v[0].y, v[1].y, v[2].y, &y, &wild);
-    n_z = tbx_solid_extent(q, 2, v[0].z, v[1].z, v[2].z, &z, &wild);
-    some = ((n_y > tbx_wide_int(0)) & (n_z > tbx_wide_int(0))) | wild;
-    if (tbx_wide_any(some)) {
-        const tbx_iw larger = n_y > n_z;
-        const tbx_iw extent =
-            some & (tbx_wide_select(larger, n_y, n_z) | (wild & tbx_wide_int(TBX_SOLID_ANYWAY)));
-        int32_t extents[TBX_WIDE];
-        int32_t rows_y[TBX_WIDE];
-        int32_t rows_z[TBX_WIDE];
-        int i;
-        TBX_COPY(extents, &extent, sizeof extents);
-        TBX_COPY(rows_y, &y, sizeof rows_y);
-        TBX_COPY(rows_z, &z, sizeof rows_z);
-        for (i = 0; i < count; i++) {
-            if (extents[i] != 0) {
-                tbx_solid_add(fill, list != NULL ? list[i] : first + (size_t)i, rows_y[i], rows_z[i],
-                              extents[i]);
+    if (is_double) {
+        tbx_solid_load_f64(&v[0], q, indexed, first, 0, &wild);
+        tbx_solid_load_f64(&v[1], q, indexed, first, 1, &wild);
+        tbx_solid_load_f64(&v[2], q, indexed, first, 2, &wild);
+    } else {
+        tbx_solid_load(&v[0], &q->mesh, indexed, stride, first, 0);
+        tbx_solid_load(&v[1], &q->mesh, indexed, stride, first, 1);
+        tbx_solid_load(&v[2], &q->mesh, indexed, stride, first, 2);
+        wild = tbx_solid_wild(v[0].y, y) | tbx_solid_wild(v[1].y, y) | tbx_solid_wild(v[2].y, y) |
+               tbx_solid_wild(v[0].z, z) | tbx_solid_wild(v[1].z, z) | tbx_solid_wild(v[2].z, z);
+        if (TBX_RARELY(tbx_wide_any(wild))) {
+            int c;
+            for (c = 0; c < 3; c++) {
+                v[c].y = tbx_wide_where(~wild, v[c].y);
+                v[c].z = tbx_wide_where(~wild, v[c].z);
             }
         }
     }
+    tbx_solid_in_rows(&q->axis[0], &v[0].y, &v[1].y, &v[2].y);
+    tbx_solid_in_rows(&q->axis[1], &v[0].z, &v[1].z, &v[2].z);
+    return wild;
 }
 
-/* All triangles. Returns how many are done: 0 if the grid's numbers are out of range. */
-TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
+/* A block of `count` triangles, a multiple of WIDE. */
+TBX_FORCED void tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t stride, size_t first, int count,
+                                int is_double)
+{
+    const tbx_solid_quick *q = &fill->quick;
+    const tbx_iw before_first = tbx_wide_int(TBX_SOLID_MARGIN - 1);
+    int lives = 0;
+    int i;
+    for (i = 0; i < count; i += TBX_WIDE) {
+        tbx_points v[3];
+        tbx_iw y;
+        tbx_iw z;
+        const tbx_iw wild = tbx_solid_corners(v, q, indexed, stride, first + (size_t)i, is_double);
+        const tbx_iw n_y = tbx_solid_extent(&q->axis[0], v[0].y, v[1].y, v[2].y, &y);
+        const tbx_iw n_z = tbx_solid_extent(&q->axis[1], v[0].z, v[1].z, v[2].z, &z);
+        tbx_iw some = ((n_y > tbx_wide_int(0)) & (n_z > tbx_wide_int(0))) | wild;
+        if (tbx_wide_any(some)) {
+            tbx_iw extent = tbx_wide_select(n_y > n_z, n_y, n_z);
+            const tbx_iw one = some & (extent == tbx_wide_int(1)) & ~wild;
+            unsigned left;
+            int lane;
+            if (tbx_wide_any(one)) {
+                some &= ~(one & tbx_solid_missed(q, v, y, z));
+            }
+            left = tbx_wide_signs(some);
+            extent |= wild & tbx_wide_int(TBX_SOLID_ANYWAY);
+            y -= before_first;
+            z -= before_first;
+            TBX_COPY(fill->y + i, &y, sizeof y);
+            TBX_COPY(fill->z + i, &z, sizeof z);
+            TBX_COPY(fill->extent + i, &extent, sizeof extent);
+            for (lane = 0; lane < TBX_WIDE; lane++) {
+                fill->live[lives] = i + lane;
+                lives += (int)(left >> lane & 1u);
+            }
+        }
+    }
+    fill->lives = lives;
+}
+
+/* The same, by what kind of mesh it is. */
+TBX_NOINLINE void tbx_solid_block(tbx_solid_fill *fill, size_t first, int count)
 {
     const size_t packed = 3 * sizeof(float);
-    const size_t stride = source->stride;
-    const size_t triangles = source->triangles;
+    const tbx_source *source = fill->quick.source;
+    const int indexed = source->indices != NULL;
+    if (source->is_double) {
+        tbx_solid_boxes(fill, indexed, source->stride, first, count, 1);
+    } else if (!indexed) {
+        tbx_solid_boxes(fill, 0, source->stride, first, count, 0);
+    } else if (source->stride == packed) {
+        tbx_solid_boxes(fill, 1, packed, first, count, 0);
+    } else {
+        tbx_solid_boxes(fill, 1, source->stride, first, count, 0);
+    }
+}
+
+/* All triangles but the last few. Returns how many are done: 0 if the grid's numbers are out of range. */
+TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
+{
+    const size_t triangles = source->triangles - source->triangles % TBX_WIDE;
     tbx_solid_fill fill;
-    size_t list[TBX_WIDE];
-    size_t t = 0;
-    size_t i;
+    size_t t;
+    int i;
     tbx_solid_quick_init(&fill.quick, s, source);
     if (!fill.quick.on) {
         return 0;
     }
     for (i = 0; i < TBX_SOLID_ROWS; i++) {
-        fill.group[i].n = 0;
+        fill.list[i].n = 0;
     }
-    if (source->indices == NULL) {
-        for (; triangles - t >= TBX_WIDE; t += TBX_WIDE) {
-            tbx_solid_boxes(&fill, 0, stride, NULL, t, TBX_WIDE);
-        }
-    } else if (stride == packed) {
-        for (; triangles - t >= TBX_WIDE; t += TBX_WIDE) {
-            tbx_solid_boxes(&fill, 1, packed, NULL, t, TBX_WIDE);
-        }
-    } else {
-        for (; triangles - t >= TBX_WIDE; t += TBX_WIDE) {
-            tbx_solid_boxes(&fill, 1, stride, NULL, t, TBX_WIDE);
-        }
+    fill.large.n = fill.lives = 0;
+    for (t = 0; t < triangles; t += TBX_SOLID_BLOCK) {
+        const size_t left = triangles - t;
+        tbx_solid_block(&fill, t, left < TBX_SOLID_BLOCK ? (int)left : TBX_SOLID_BLOCK);
+        tbx_solid_sort(&fill, t, left <= TBX_SOLID_BLOCK);
     }
-    if (t < triangles) {
-        for (i = 0; i < TBX_WIDE; i++) {
-            list[i] = t + i < triangles ? t + i : t;
-        }
-        tbx_solid_boxes(&fill, source->indices != NULL, stride, list, 0, (int)(triangles - t));
-    }
-    tbx_solid_flush1(&fill);
-    tbx_solid_flush2(&fill);
-    tbx_solid_flush3(&fill);
-    tbx_solid_flush4(&fill);
     return triangles;
 }
 #endif /* TRIBOX_SIMD */
@@ -14865,6 +15193,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_SOLID_MARGIN
 #undef TBX_SOLID_LINE_ERROR
 #undef TBX_SOLID_ANYWAY
+#undef TBX_SOLID_BLOCK
 #undef TBX_SOLID_TINY
 #undef TBX_CROSS_EDGE_ERROR
 #undef TBX_CROSS_PLANE_ERROR
@@ -14897,7 +15226,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_SLAB_ERROR
 #undef TBX_SLAB_ERROR_ULPS
 #undef TBX_SLAB_INVERSE_ERROR
-#undef TBX_SOLID_RAMP
+#undef TBX_SOLID_MIDDLE_ERROR
 #undef TBX_STEPS
 #undef TBX_STORE
 

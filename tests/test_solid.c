@@ -28,7 +28,8 @@ static double solid_centre(const tribox_grid *g, int k, int i)
 }
 
 /* A mesh about a region up to 3 words wide. kind 0: on a lattice of parts of a voxel, 1: anywhere, 2: floats
- * near tenths of a voxel. */
+ * near tenths of a voxel, 3: on a lattice that the grid misses by a hair, 4: voxels some 2^30 from the origin,
+ * where doubles round by parts of a voxel's width. */
 static void solid_make(solid_case *c, int kind)
 {
     static const double sizes[6] = {1, 0.5, 3, 0.75, 0.1, 1.0 / 3};
@@ -39,16 +40,22 @@ static void solid_make(solid_case *c, int kind)
     c->seed = random_state;
     for (a = 0; a < 3; a++) {
         c->n[a] = a == 0 ? 1 + random_below(random_below(3) ? 20 : 160) : 1 + random_below(9);
-        c->grid.size[a] = sizes[kind == 0 ? random_below(4) : random_below(6)];
+        c->grid.size[a] = sizes[kind % 3 == 0 ? random_below(4) : random_below(6)];
         c->grid.origin[a] = kind == 0 ? c->grid.size[a] * 0.25 * random_below(9) : random_signed();
         c->grid.lo[a] = random_below(9) - 5;
+        if (kind == 3) {
+            c->grid.origin[a] *= random_below(2) ? 1e-20 : 1e-9;
+        } else if (kind == 4) {
+            c->grid.lo[a] = (random_below(2) ? 1 : -1) * (1000000000 + random_below(1000000));
+            c->grid.origin[a] -= c->grid.lo[a] * c->grid.size[a];
+        }
         c->grid.hi[a] = c->grid.lo[a] + c->n[a];
     }
     c->grid.flags = (unsigned)random_below(8);
     c->triangles = 1 + random_below(SOLID_TRIANGLES);
     for (i = 0; i < 9 * c->triangles; i++) {
         int    k = i % 3;
-        int    parts = kind == 0 ? 4 : 10;
+        int    parts = kind % 3 == 0 ? 4 : 10;
         int    at = random_below(parts * c->n[k] + 2 * parts) - parts;
         double x = solid_centre(&c->grid, k, c->grid.lo[k]) + c->grid.size[k] * at / parts;
         if (i % 9 >= 3 && random_below(4)) {
@@ -149,8 +156,37 @@ static int solid_same(const solid_case *c, const uint64_t *bits, const char *wha
     return 0;
 }
 
-/* On every kind of mesh each voxel has the parity of its crossings, floats and doubles; bits are flipped, not
- * set, and nothing else is touched: neither the words around nor the padding. */
+/* Each voxel has the parity of its crossings, floats and doubles; bits are flipped, not set, and nothing else is
+ * touched: neither the words around nor the padding. */
+static void solid_check(solid_case *c)
+{
+    static uint64_t bits[SOLID_WORDS + 2 * SOLID_GUARD];
+    static uint64_t before[SOLID_WORDS + 2 * SOLID_GUARD];
+    tribox_mesh     mesh = solid_mesh(c);
+    tribox_mesh_f64 mesh_f64 = solid_mesh_f64(c);
+    int             is_double;
+    size_t          w;
+
+    for (is_double = 0; is_double < 2; is_double++) {
+        for (w = 0; w < SOLID_WORDS + 2 * SOLID_GUARD; w++) {
+            before[w] = bits[w] = random_bits();
+        }
+        if (is_double) {
+            tribox_grid_fill_solid_f64(&c->grid, &mesh_f64, bits + SOLID_GUARD);
+        } else {
+            tribox_grid_fill_solid(&c->grid, &mesh, bits + SOLID_GUARD);
+        }
+        for (w = 0; w < SOLID_WORDS + 2 * SOLID_GUARD; w++) {
+            bits[w] ^= before[w];
+        }
+        solid_expect(c, is_double);
+        CHECK(solid_same(c, bits + SOLID_GUARD, is_double ? "f64" : "float"));
+        CHECK(bits[0] == 0 && bits[1] == 0 && bits[SOLID_GUARD + c->words] == 0 &&
+              bits[SOLID_GUARD + c->words + 1] == 0);
+    }
+}
+
+/* So it is on every kind of mesh. */
 static void fill_flips_the_voxels_whose_centre_is_inside(void)
 {
     int i;
@@ -158,32 +194,22 @@ static void fill_flips_the_voxels_whose_centre_is_inside(void)
     random_seed(1201);
     for (i = 0; i < TEST_LOOPS(45); i++) {
         static solid_case c;
-        static uint64_t   bits[SOLID_WORDS + 2 * SOLID_GUARD];
-        static uint64_t   before[SOLID_WORDS + 2 * SOLID_GUARD];
-        tribox_mesh       mesh;
-        tribox_mesh_f64   mesh_f64;
-        int               is_double;
-        size_t            w;
         solid_make(&c, i % 3);
-        mesh = solid_mesh(&c);
-        mesh_f64 = solid_mesh_f64(&c);
-        for (is_double = 0; is_double < 2; is_double++) {
-            for (w = 0; w < SOLID_WORDS + 2 * SOLID_GUARD; w++) {
-                before[w] = bits[w] = random_bits();
-            }
-            if (is_double) {
-                tribox_grid_fill_solid_f64(&c.grid, &mesh_f64, bits + SOLID_GUARD);
-            } else {
-                tribox_grid_fill_solid(&c.grid, &mesh, bits + SOLID_GUARD);
-            }
-            for (w = 0; w < SOLID_WORDS + 2 * SOLID_GUARD; w++) {
-                bits[w] ^= before[w];
-            }
-            solid_expect(&c, is_double);
-            CHECK(solid_same(&c, bits + SOLID_GUARD, is_double ? "f64" : "float"));
-            CHECK(bits[0] == 0 && bits[1] == 0 && bits[SOLID_GUARD + c.words] == 0 &&
-                  bits[SOLID_GUARD + c.words + 1] == 0);
-        }
+        solid_check(&c);
+    }
+}
+
+/* Where the grid misses a lattice by less than a centre's double can say, and where its origin is so far off
+ * that a centre's double is wrong by parts of a voxel. */
+static void centres_are_no_doubles(void)
+{
+    int i;
+
+    random_seed(1208);
+    for (i = 0; i < TEST_LOOPS(60); i++) {
+        static solid_case c;
+        solid_make(&c, 3 + i % 2);
+        solid_check(&c);
     }
 }
 
@@ -777,6 +803,7 @@ static void indices_reach_to_the_end_and_odd_regions_stay_as_they_are(void)
 int main(void)
 {
     RUN(fill_flips_the_voxels_whose_centre_is_inside);
+    RUN(centres_are_no_doubles);
     RUN(rays_cross_as_exact_numbers_say);
     RUN(parts_of_a_region_have_the_bits_of_the_whole);
     RUN(the_solid_depends_on_the_set_of_triangles_alone);
