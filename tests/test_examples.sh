@@ -283,8 +283,11 @@ if [ -c /dev/full ]; then      # a full disk: exit status 1, the name, the cause
     says '/dev/full: No space left on device'
 fi
 run 2 "$bin/check_voxels" teapot
-says 'a mesh and a binvox file are needed'
+says 'a mesh and a file of voxels are needed'
 run 2 "$bin/check_voxels" teapot "$tmp/plain.obj"
+says 'should end in .binvox, .vox, .npy, .nrrd, .vti or .mha'
+cp "$tmp/plain.obj" "$tmp/mesh.binvox"
+run 2 "$bin/check_voxels" teapot "$tmp/mesh.binvox"
 says "line 1: a binvox file begins with '#binvox 1'"
 run 2 "$bin/slide" teapot 0
 run 0 "$bin/slide" teapot 60
@@ -312,7 +315,7 @@ for rule in --closed --half-open --open --thin; do
 done
 run 1 "$bin/check_voxels" teapot "$tmp/teapot.binvox" --closed     # the last was thin
 says 'extra    0'
-says 'distance 0, touches triangle'
+says 'voxels deep in triangle'
 run 0 "$bin/voxelize" teapot --size 0.1 -o "$tmp/size.binvox"
 run 0 "$bin/check_voxels" teapot "$tmp/size.binvox" --size 0.1
 run 0 "$bin/voxelize" teapot-closed 64 --solid -o "$tmp/solid.binvox"
@@ -322,7 +325,7 @@ says 'closed: every edge'
 run 0 "$bin/check_voxels" teapot-closed "$tmp/solid.binvox" --solid=flood
 run 1 "$bin/check_voxels" teapot-closed "$tmp/solid.binvox" --show 1
 says 'missing  0'
-says ' from triangle '
+says ' voxels from triangle '
 
 # A cube from 0 to 1 in voxels of 1: what touches is decided by the faces alone.
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n' > "$tmp/cube.obj"
@@ -442,6 +445,8 @@ says 'surface   524 voxels'
 od -An -v -tx1 "$tmp/shell.png" | tr -d ' \n' > "$tmp/out"
 says 89504e470d0a1a0a0000000d4948445200000500000003c00802000000
 says 0000000049454e44ae426082
+
+. tests/test_voxels.sh
 
 # ---- Threads and sparse sets agree with one fill ----------------------------------------------------
 
