@@ -14087,9 +14087,9 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
  * since each operation is monotone. Corners beyond 2^22 voxels go the scalar way. The first centre itself is
  * off by 2 * 2^-52 M (section 8): MIDDLE_ERROR allows for twice that.
  *
- * A box of one row is looked at again, before it waits: from that row's centre corners are at most
- * R = 1.1 voxels off, and are off by e = slack + 2 u R, so E_i is off by less than 16 R e + 64 u R^2, as below;
- * where one is below -2 of that, the centre is not within.
+ * A box of one row is looked at again, before it waits: from that row's centre corners lie at most
+ * R = 1.1 voxels, and are off by e = slack + 2 u R, so E_i is off by less than error = 4 R e + 5 u R^2. Where
+ * one, times the sign of their sum, is below -2.1 error, another is above error: the centre is not within.
  *
  * Rows. Lengths are scaled by a power of two that takes a voxel's size to [1, 2). A centre i is high + low,
  * where high = base_high + i * size_high is exact: both are multiples of `spacing`, below 2^24 of it. low is
@@ -14113,6 +14113,7 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
 #define TBX_SOLID_PARTS 16
 #define TBX_SOLID_MARGIN 16
 #define TBX_SOLID_BLOCK 64
+#define TBX_SOLID_CROSSINGS 32
 #define TBX_SOLID_ANYWAY 0x40000000 /* an extent: goes the scalar way */
 #define TBX_SOLID_MIDDLE_ERROR (4.0 * TBX_U64)
 
@@ -14222,7 +14223,7 @@ TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const t
         const double slack_z = tbx_solid_axis_init(q, 2);
         const double slack = slack_y > slack_z ? slack_y : slack_z;
         const double u = (double)TBX_U32;
-        q->one_error = tbx_wide_all((float)(2.02 * (16.0 * 1.1 * (slack + 2.2 * u) + 64.0 * 1.21 * u)));
+        q->one_error = tbx_wide_all((float)(2.2 * (4.0 * 1.1 * (slack + 2.2 * u) + 5.0 * 1.21 * u)));
         q->on = slack < 0.03;
     }
 }
@@ -14235,10 +14236,18 @@ typedef struct tbx_solid_list {
     int n;
 } tbx_solid_list;
 
+/* A row, and the first voxel to flip in it. */
+typedef struct tbx_solid_crossing {
+    uint64_t *row;
+    size_t x;
+} tbx_solid_crossing;
+
 typedef struct tbx_solid_fill {
     tbx_solid_quick quick;
     tbx_solid_list list[TBX_SOLID_ROWS]; /* of up to 1, 2, ... rows on each axis */
     tbx_solid_list large;
+    tbx_solid_crossing crossing[TBX_SOLID_CROSSINGS + TBX_WIDE * TBX_SOLID_ROWS * TBX_SOLID_ROWS];
+    int crossings;              /* that wait: their rows are on the way to the cache */
     int32_t y[TBX_SOLID_BLOCK]; /* of a block of triangles */
     int32_t z[TBX_SOLID_BLOCK];
     int32_t extent[TBX_SOLID_BLOCK];
@@ -14381,75 +14390,68 @@ TBX_FORCED void tbx_solid_place_floats(tbx_solid_placed *p, const tbx_solid_quic
     tbx_solid_place(q, 2, z, &p->v[0].z, &p->v[1].z, &p->v[2].z);
 }
 
-/* The same of doubles, one by one. */
-TBX_FN void tbx_solid_place_double(const tbx_solid_quick *q, size_t triangle, const int32_t first[3],
-                                   double v[3][3], float out[9], int32_t flags[3])
+/* Corners of one triangle, as doubles: are they on the lattice? */
+TBX_FN int tbx_solid_whole_doubles(const tbx_solid_quick *q, double v[3][3])
 {
-    const tbx_solid *s = q->solid;
-    const double most = (double)s->n[0] + 16.0;
-    double at[3];
-    double x;
-    int wild = 0;
-    int whole = q->lattice;
+    int whole = 1;
     int c;
     int k;
     for (c = 0; c < 3; c++) {
-        TBX_COPY(v[c], tbx_source_at(q->source, triangle, (size_t)c), sizeof v[c]);
-        if ((int64_t)((tbx_bits64(&v[c][0]) & 0x7fffffffffffffffu) >> 32) > (int64_t)q->most[0]) {
-            v[c][0] = 0.0;
-            wild = -1;
-        }
-    }
-    TBX_KEEP(v[0]);
-    TBX_KEEP(v[1]);
-    TBX_KEEP(v[2]);
-    if (whole) {
-        for (c = 0; c < 9; c++) {
-            const double scale = (double)q->scale[c % 3] * (double)TBX_SOLID_PARTS;
-            const double *from = &v[c / 3][c % 3];
-            whole &= (tbx_on_lattice(*from, scale) || (tbx_bits64(from) << 1) == 0) &&
-                     tbx_abs(*from) * scale < 8388608.0;
-        }
-    }
-    x = (v[0][0] - s->middle[0]) / s->grid->size[0];
-    x = x > -16.0 ? x : -16.0;
-    x = x < most ? x : most;
-    TBX_KEEP_SCALAR(x);
-    flags[0] = (int32_t)x;
-    flags[1] = wild;
-    flags[2] = wild == 0 && whole ? -1 : 0;
-    at[0] = s->middle[0] + (double)flags[0] * s->grid->size[0];
-    at[1] = s->middle[1] + (double)first[1] * s->grid->size[1];
-    at[2] = s->middle[2] + (double)first[2] * s->grid->size[2];
-    TBX_KEEP(at);
-    for (c = 0; c < 3; c++) {
         for (k = 0; k < 3; k++) {
-            out[3 * c + k] = (float)((v[c][k] - at[k]) * (double)q->scale[k]);
+            const double scale = (double)q->scale[k] * (double)TBX_SOLID_PARTS;
+            whole &= (tbx_on_lattice(v[c][k], scale) || tbx_bits64(&v[c][k]) << 1 == 0) &&
+                     tbx_abs(v[c][k]) * scale < 8388608.0;
         }
     }
+    return whole;
 }
 
+/* The same of doubles, one by one. */
 TBX_NOINLINE void tbx_solid_place_doubles(tbx_solid_placed *p, const tbx_solid_quick *q,
                                           const tbx_solid_list *list, int i)
 {
+    const tbx_solid *s = q->solid;
+    const double *size = s->grid->size;
+    const double over_size = 1.0 / size[0];
+    const double scale[3] = { (double)q->scale[0], (double)q->scale[1], (double)q->scale[2] };
+    const double most = (double)s->n[0] + 16.0;
     float x[9][TBX_WIDE];
     int32_t flags[3][TBX_WIDE];
     int lane;
     int c;
     for (lane = 0; lane < TBX_WIDE; lane++) {
+        const size_t triangle = list->triangle[i + lane];
         double v[3][3];
-        float one[9];
-        int32_t first[3];
-        int32_t of_one[3];
-        first[0] = 0;
-        first[1] = list->y[i + lane];
-        first[2] = list->z[i + lane];
-        tbx_solid_place_double(q, list->triangle[i + lane], first, v, one, of_one);
-        for (c = 0; c < 9; c++) {
-            x[c][lane] = one[c];
-        }
+        double at[3];
+        double first;
+        int wild = 0;
         for (c = 0; c < 3; c++) {
-            flags[c][lane] = of_one[c];
+            TBX_COPY(v[c], tbx_source_at(q->source, triangle, (size_t)c), sizeof v[c]);
+            if (TBX_RARELY((tbx_bits64(&v[c][0]) >> 32 & 0x7fffffffu) > (uint32_t)q->most[0])) {
+                v[c][0] = 0.0;
+                wild = -1;
+            }
+        }
+        TBX_KEEP(v[0][0]);
+        TBX_KEEP(v[1][0]);
+        TBX_KEEP(v[2][0]);
+        first = (v[0][0] - s->middle[0]) * over_size;
+        first = first > -16.0 ? first : -16.0;
+        first = first < most ? first : most;
+        TBX_KEEP_SCALAR(first);
+        flags[0][lane] = (int32_t)first;
+        flags[1][lane] = wild;
+        flags[2][lane] = q->lattice && wild == 0 && tbx_solid_whole_doubles(q, v) ? -1 : 0;
+        at[0] = s->middle[0] + (double)flags[0][lane] * size[0];
+        at[1] = s->middle[1] + (double)list->y[i + lane] * size[1];
+        at[2] = s->middle[2] + (double)list->z[i + lane] * size[2];
+        TBX_KEEP_SCALAR(at[0]);
+        TBX_KEEP_SCALAR(at[1]);
+        TBX_KEEP_SCALAR(at[2]);
+        for (c = 0; c < 3; c++) {
+            x[3 * c][lane] = (float)((v[c][0] - at[0]) * scale[0]);
+            x[3 * c + 1][lane] = (float)((v[c][1] - at[1]) * scale[1]);
+            x[3 * c + 2][lane] = (float)((v[c][2] - at[2]) * scale[2]);
         }
     }
     for (c = 0; c < 3; c++) {
@@ -14595,12 +14597,12 @@ TBX_FN int64_t tbx_solid_lattice_voxel(const tbx_solid_quick *q, const tbx_point
     return voxel + ((double)voxel <= x);
 }
 
-/* tbx_solid_flip, some words at a time: of the row that ends before `end`. */
-TBX_FORCED void tbx_solid_flip_wide(uint64_t *end, size_t row_words, uint64_t padding, size_t x)
+/* tbx_solid_flip, some words at a time. */
+TBX_FORCED void tbx_solid_flip_wide(uint64_t *row, size_t row_words, uint64_t padding, size_t x)
 {
     const size_t some = TBX_WIDE / 2;
+    uint64_t *word = row + (x >> 6);
     size_t left = row_words - (x >> 6);
-    uint64_t *word = end - left;
     *word ^= ~(uint64_t)0 << (x & 63);
     for (; left > some; left -= some) {
         tbx_uw a;
@@ -14611,7 +14613,7 @@ TBX_FORCED void tbx_solid_flip_wide(uint64_t *end, size_t row_words, uint64_t pa
     for (; left > 1; left--) {
         word[left - 1] = ~word[left - 1];
     }
-    end[-1] ^= padding; /* which was flipped with the rest */
+    row[row_words - 1] ^= padding; /* which was flipped with the rest */
 }
 
 /* Lines. What tbx_solid_least looks for, in row or layer r, is at + slope * r, rounded up, if that is not
@@ -14738,13 +14740,40 @@ TBX_FORCED uint64_t tbx_solid_fixed(double x)
     return (uint64_t)(int64_t)(x * 4294967296.0);
 }
 
+/* Rows `first` to `end` of layer z, in which a triangle that is not `unsure` in steps of 2^-32 is crossed before
+ * voxel at / 2^32, at + slope / 2^32, ... `inside`: in the region all along. */
+TBX_FORCED void tbx_solid_layer(const tbx_solid_tri *t, int32_t z, int32_t first, int32_t end, uint64_t at,
+                                uint64_t slope, uint32_t unsure, int inside)
+{
+    const tbx_solid *s = t->solid;
+    const int64_t n_x = s->n[0];
+    const size_t row_words = s->row_words;
+    const uint64_t padding = ~s->last_word;
+    uint64_t *row = s->bits + ((size_t)z * (size_t)s->n[1] + (size_t)first) * row_words;
+    int32_t y;
+    for (y = first; y < end; y++, row += row_words, at += slope) {
+        int64_t x = (int64_t)at >> 32;
+        if (TBX_RARELY((uint32_t)at + unsure < 2 * unsure)) {
+            x = tbx_solid_voxel(t, y, z);
+            if (x >= n_x) {
+                continue;
+            }
+        }
+        if (!inside) {
+            if (x >= n_x) {
+                continue;
+            }
+            x = x > 0 ? x : 0;
+        }
+        tbx_solid_flip_wide(row, row_words, padding, (size_t)x);
+    }
+}
+
 /* A triangle of any size. */
 TBX_NOINLINE void tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
 {
     const tbx_solid *s = q->solid;
-    const size_t row_words = s->row_words;
-    const uint64_t padding = ~s->last_word;
-    const int64_t n_x = s->n[0];
+    const uint64_t n_x = (uint64_t)s->n[0];
     const double last_y = (double)s->n[1] - 0.5;
     uint64_t slope;
     uint32_t unsure;
@@ -14771,10 +14800,7 @@ TBX_NOINLINE void tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
     unsure = (uint32_t)(l.plane_error * 4294967296.0) + (uint32_t)s->n[1] + 2;
     for (z = l.layers[0]; z < l.layers[1]; z++) {
         int32_t rows[2];
-        uint64_t *end;
-        uint64_t at;
         int sure = 1;
-        int32_t y;
         tbx_solid_lines_rows(&l, (double)z, last_y, rows, &sure);
         if (TBX_RARELY(!sure)) {
             int64_t exact[2];
@@ -14784,31 +14810,40 @@ TBX_NOINLINE void tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
             rows[0] = (int32_t)exact[0];
             rows[1] = (int32_t)exact[1];
         }
-        if (rows[0] >= rows[1]) {
-            continue;
-        }
-        at = tbx_solid_fixed(l.plane.at + l.plane_z * (double)z + l.plane.slope * (double)rows[0]);
-        end = s->bits + ((size_t)z * (size_t)s->n[1] + (size_t)rows[0] + 1) * row_words;
-        for (y = rows[0]; y < rows[1]; y++, end += row_words, at += slope) {
-            int64_t x = ((int64_t)at >> 32) + 1;
-            if (TBX_RARELY((uint32_t)at + unsure < 2 * unsure)) {
-                x = tbx_solid_voxel(&t, y, z);
-            }
-            if (x < n_x) {
-                tbx_solid_flip_wide(end, row_words, padding, x > 0 ? (size_t)x : 0);
+        if (rows[0] < rows[1]) {
+            const uint64_t at =
+                tbx_solid_fixed(l.plane.at + l.plane_z * (double)z + l.plane.slope * (double)rows[0] + 1.0);
+            const uint64_t end = at + slope * (uint64_t)(rows[1] - 1 - rows[0]);
+            if (at >> 32 < n_x && end >> 32 < n_x) {
+                tbx_solid_layer(&t, z, rows[0], rows[1], at, slope, unsure, 1);
+            } else {
+                tbx_solid_layer(&t, z, rows[0], rows[1], at, slope, unsure, 0);
             }
         }
     }
 }
 
-/* `count` triangles of a list, WIDE at most, from i on. */
-TBX_FORCED void tbx_solid_flush(const tbx_solid_quick *q, const tbx_solid_list *list, int i, int count, int n)
+/* Flips the rows that wait. */
+TBX_NOINLINE void tbx_solid_flip_all(tbx_solid_fill *fill)
 {
+    const tbx_solid *s = fill->quick.solid;
+    const size_t row_words = s->row_words;
+    const uint64_t padding = ~s->last_word;
+    int i;
+    for (i = 0; i < fill->crossings; i++) {
+        tbx_solid_flip_wide(fill->crossing[i].row, row_words, padding, fill->crossing[i].x);
+    }
+    fill->crossings = 0;
+}
+
+/* `count` triangles of a list, WIDE at most, from i on. */
+TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count, int n)
+{
+    const tbx_solid_quick *q = &fill->quick;
     const tbx_solid *s = q->solid;
     const uint32_t rows_y = (uint32_t)s->n[1];
     const uint32_t rows_z = (uint32_t)s->n[2];
     const size_t row_words = s->row_words;
-    const uint64_t padding = ~s->last_word;
     const int32_t n_x = (int32_t)s->n[0];
     uint64_t *bits = s->bits;
     tbx_solid_placed p;
@@ -14816,6 +14851,7 @@ TBX_FORCED void tbx_solid_flush(const tbx_solid_quick *q, const tbx_solid_list *
     uint32_t within[TBX_WIDE];
     int32_t unsure[TBX_WIDE];
     int32_t on_lattice[TBX_WIDE];
+    int crossings = fill->crossings;
     int lane;
     p.unsure = tbx_wide_int(0);
     p.on_lattice = tbx_wide_int(0);
@@ -14846,31 +14882,34 @@ TBX_FORCED void tbx_solid_flush(const tbx_solid_quick *q, const tbx_solid_list *
                 x = p.x_first[lane] + (int32_t)tbx_solid_lattice_voxel(q, p.v, lane, row % n, row / n);
             }
             if (x < n_x) {
-                tbx_solid_flip_wide(bits + ((size_t)z * rows_y + (size_t)y + 1) * row_words, row_words,
-                                    padding, x > 0 ? (size_t)x : 0);
+                tbx_solid_crossing *c = &fill->crossing[crossings++];
+                c->x = x > 0 ? (size_t)x : 0;
+                c->row = bits + ((size_t)z * rows_y + (size_t)y) * row_words;
+                TBX_PREFETCH(c->row + (c->x >> 6));
             }
         }
     }
+    fill->crossings = crossings;
 }
 
-TBX_NOINLINE void tbx_solid_flush1(const tbx_solid_quick *q, const tbx_solid_list *list, int i, int count)
+TBX_NOINLINE void tbx_solid_flush1(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
 {
-    tbx_solid_flush(q, list, i, count, 1);
+    tbx_solid_flush(fill, list, i, count, 1);
 }
 
-TBX_NOINLINE void tbx_solid_flush2(const tbx_solid_quick *q, const tbx_solid_list *list, int i, int count)
+TBX_NOINLINE void tbx_solid_flush2(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
 {
-    tbx_solid_flush(q, list, i, count, 2);
+    tbx_solid_flush(fill, list, i, count, 2);
 }
 
-TBX_NOINLINE void tbx_solid_flush3(const tbx_solid_quick *q, const tbx_solid_list *list, int i, int count)
+TBX_NOINLINE void tbx_solid_flush3(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
 {
-    tbx_solid_flush(q, list, i, count, 3);
+    tbx_solid_flush(fill, list, i, count, 3);
 }
 
-TBX_NOINLINE void tbx_solid_flush4(const tbx_solid_quick *q, const tbx_solid_list *list, int i, int count)
+TBX_NOINLINE void tbx_solid_flush4(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
 {
-    tbx_solid_flush(q, list, i, count, 4);
+    tbx_solid_flush(fill, list, i, count, 4);
 }
 
 /* Works a list off, WIDE at a time from its end; to the last one if `all`. */
@@ -14888,10 +14927,13 @@ TBX_FORCED void tbx_solid_work(tbx_solid_fill *fill, int extent, int all)
         }
         list->n = i;
         switch (extent) {
-        case 1: tbx_solid_flush1(&fill->quick, list, i, count); break;
-        case 2: tbx_solid_flush2(&fill->quick, list, i, count); break;
-        case 3: tbx_solid_flush3(&fill->quick, list, i, count); break;
-        default: tbx_solid_flush4(&fill->quick, list, i, count); break;
+        case 1: tbx_solid_flush1(fill, list, i, count); break;
+        case 2: tbx_solid_flush2(fill, list, i, count); break;
+        case 3: tbx_solid_flush3(fill, list, i, count); break;
+        default: tbx_solid_flush4(fill, list, i, count); break;
+        }
+        if (fill->crossings > TBX_SOLID_CROSSINGS) {
+            tbx_solid_flip_all(fill);
         }
     }
 }
@@ -14953,48 +14995,61 @@ TBX_FORCED tbx_f4 tbx_narrow(tbx_d2 x)
 #endif
 }
 
+/* Two doubles. */
+TBX_FORCED tbx_d2 tbx_solid_yz(const void *from)
+{
+    tbx_d2 r;
+    TBX_COPY(&r, from, sizeof r);
+    return r;
+}
+
 /* The same of doubles, less the first centre: what is too large becomes 0, and its lane of `wild` is set. */
 TBX_FORCED void tbx_solid_load_f64(tbx_points *out, const tbx_solid_quick *q, int indexed, size_t first,
                                    size_t c, tbx_iw *wild)
 {
-    const tbx_source *source = q->source;
-    const char *positions = source->positions + sizeof(double);
+    const uint32_t *indices = q->source->indices;
+    const char *positions = q->source->positions + sizeof(double);
+    const size_t stride = q->source->stride;
     const tbx_d2 middle = { q->solid->middle[1], q->solid->middle[2] };
     const tbx_i4 most = { q->most[1], q->most[2], q->most[1], q->most[2] };
     tbx_f4 y[TBX_WIDE / 4];
     tbx_f4 z[TBX_WIDE / 4];
     tbx_f4 odd[TBX_WIDE / 4];
     int i;
-    int j;
+#define TBX_AT(i) (3 * (first + (size_t)(i)) + c)
+#define TBX_POINT(i) (positions + stride * (indexed ? (size_t)indices[TBX_AT(i)] : TBX_AT(i)))
     for (i = 0; i < TBX_WIDE / 4; i++) {
-        tbx_d2 x[4];
-        tbx_f4 f[4];
-        tbx_i4 above;
-        tbx_i4 below;
-        for (j = 0; j < 4; j++) {
-            const size_t at = 3 * (first + (size_t)(4 * i + j)) + c;
-            TBX_COPY(&x[j], positions + source->stride * (indexed ? (size_t)source->indices[at] : at),
-                     sizeof x[j]);
-        }
-        above = (TBX_LANES((tbx_i4)x[0], (tbx_i4)x[1], 1, 3, 5, 7) & 0x7fffffff) > most;
-        below = (TBX_LANES((tbx_i4)x[2], (tbx_i4)x[3], 1, 3, 5, 7) & 0x7fffffff) > most;
-        odd[i] = (tbx_f4)(TBX_LANES(above, below, 0, 2, 4, 6) | TBX_LANES(above, below, 1, 3, 5, 7));
+        tbx_d2 x0 = tbx_solid_yz(TBX_POINT(4 * i));
+        tbx_d2 x1 = tbx_solid_yz(TBX_POINT(4 * i + 1));
+        tbx_d2 x2 = tbx_solid_yz(TBX_POINT(4 * i + 2));
+        tbx_d2 x3 = tbx_solid_yz(TBX_POINT(4 * i + 3));
+        const tbx_i4 above = (TBX_LANES((tbx_i4)x0, (tbx_i4)x1, 1, 3, 5, 7) & 0x7fffffff) > most;
+        const tbx_i4 below = (TBX_LANES((tbx_i4)x2, (tbx_i4)x3, 1, 3, 5, 7) & 0x7fffffff) > most;
+        tbx_f4 ab;
+        tbx_f4 cd;
+        odd[i] = tbx_splat(0.0f);
         if (TBX_RARELY(tbx_any(above | below))) {
-            x[0] = (tbx_d2)((tbx_i4)x[0] & ~TBX_LANES(above, above, 0, 0, 1, 1));
-            x[1] = (tbx_d2)((tbx_i4)x[1] & ~TBX_LANES(above, above, 2, 2, 3, 3));
-            x[2] = (tbx_d2)((tbx_i4)x[2] & ~TBX_LANES(below, below, 0, 0, 1, 1));
-            x[3] = (tbx_d2)((tbx_i4)x[3] & ~TBX_LANES(below, below, 2, 2, 3, 3));
+            x0 = (tbx_d2)((tbx_i4)x0 & ~TBX_LANES(above, above, 0, 0, 1, 1));
+            x1 = (tbx_d2)((tbx_i4)x1 & ~TBX_LANES(above, above, 2, 2, 3, 3));
+            x2 = (tbx_d2)((tbx_i4)x2 & ~TBX_LANES(below, below, 0, 0, 1, 1));
+            x3 = (tbx_d2)((tbx_i4)x3 & ~TBX_LANES(below, below, 2, 2, 3, 3));
+            odd[i] = (tbx_f4)(TBX_LANES(above, below, 0, 2, 4, 6) | TBX_LANES(above, below, 1, 3, 5, 7));
         }
-        for (j = 0; j < 4; j++) {
-            tbx_d2 from = x[j] - middle;
-            TBX_KEEP_VECTOR(from);
-            f[j] = tbx_narrow(from);
-        }
-        f[0] = TBX_LANES(f[0], f[1], 0, 1, 4, 5);
-        f[2] = TBX_LANES(f[2], f[3], 0, 1, 4, 5);
-        y[i] = TBX_LANES(f[0], f[2], 0, 2, 4, 6);
-        z[i] = TBX_LANES(f[0], f[2], 1, 3, 5, 7);
+        x0 -= middle;
+        x1 -= middle;
+        x2 -= middle;
+        x3 -= middle;
+        TBX_KEEP_VECTOR(x0);
+        TBX_KEEP_VECTOR(x1);
+        TBX_KEEP_VECTOR(x2);
+        TBX_KEEP_VECTOR(x3);
+        ab = TBX_LANES(tbx_narrow(x0), tbx_narrow(x1), 0, 1, 4, 5);
+        cd = TBX_LANES(tbx_narrow(x2), tbx_narrow(x3), 0, 1, 4, 5);
+        y[i] = TBX_LANES(ab, cd, 0, 2, 4, 6);
+        z[i] = TBX_LANES(ab, cd, 1, 3, 5, 7);
     }
+#undef TBX_POINT
+#undef TBX_AT
     out->y = tbx_wide_of(y);
     out->z = tbx_wide_of(z);
     *wild |= (tbx_iw)tbx_wide_of(odd);
@@ -15077,7 +15132,11 @@ TBX_NOINLINE void tbx_solid_block(tbx_solid_fill *fill, size_t first, int count)
     const tbx_source *source = fill->quick.source;
     const int indexed = source->indices != NULL;
     if (source->is_double) {
-        tbx_solid_boxes(fill, indexed, source->stride, first, count, 1);
+        if (indexed) {
+            tbx_solid_boxes(fill, 1, source->stride, first, count, 1);
+        } else {
+            tbx_solid_boxes(fill, 0, source->stride, first, count, 1);
+        }
     } else if (!indexed) {
         tbx_solid_boxes(fill, 0, source->stride, first, count, 0);
     } else if (source->stride == packed) {
@@ -15101,12 +15160,13 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
     for (i = 0; i < TBX_SOLID_ROWS; i++) {
         fill.list[i].n = 0;
     }
-    fill.large.n = fill.lives = 0;
+    fill.large.n = fill.lives = fill.crossings = 0;
     for (t = 0; t < triangles; t += TBX_SOLID_BLOCK) {
         const size_t left = triangles - t;
         tbx_solid_block(&fill, t, left < TBX_SOLID_BLOCK ? (int)left : TBX_SOLID_BLOCK);
         tbx_solid_sort(&fill, t, left <= TBX_SOLID_BLOCK);
     }
+    tbx_solid_flip_all(&fill);
     return triangles;
 }
 #endif /* TRIBOX_SIMD */
@@ -15194,6 +15254,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_SOLID_LINE_ERROR
 #undef TBX_SOLID_ANYWAY
 #undef TBX_SOLID_BLOCK
+#undef TBX_SOLID_CROSSINGS
 #undef TBX_SOLID_TINY
 #undef TBX_CROSS_EDGE_ERROR
 #undef TBX_CROSS_PLANE_ERROR
