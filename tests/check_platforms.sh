@@ -138,7 +138,7 @@ c "eighth x87-24" clang-22 "-m32 -mno-sse -O2 -ffast-math"
 
 for cc in gcc-12 clang-19 clang-22; do
     for flags in -O0 -O2 "-O3 -ffast-math"; do
-        c "eighth up flush" $cc "$flags $before -DBEFORE_MSVC"
+        c "eighth up flush" $cc "$flags -fno-strict-aliasing $before -DBEFORE_MSVC"
         c "eighth up flush" $cc "$flags $before -DBEFORE_NO_GNU"
     done
     c "eighth up" $cc "-O2 $before -DBEFORE_PACK=1"
@@ -206,7 +206,7 @@ for cc in gcc-12 clang-14 clang-19 clang-22; do
 done
 traps "" gcc-12 -O2 # all questions
 traps "" clang-22 -O2
-traps "eighth" clang-22 "-O2 $before -DBEFORE_MSVC"
+traps "eighth" clang-22 "-O2 -fno-strict-aliasing $before -DBEFORE_MSVC"
 traps "eighth" gcc-12 "-O2 $before -DBEFORE_NO_GNU"
 traps "eighth" clang-22 "-Ofast -march=native"
 traps "eighth" gcc-12 "-Ofast -march=native"

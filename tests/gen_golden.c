@@ -259,12 +259,14 @@ int main(void)
 {
     uint64_t hash = GOLDEN_BASIS;
     uint64_t eighth = GOLDEN_BASIS;
+    uint64_t few = GOLDEN_BASIS;
     uint32_t i;
     exact_init(&judge);
     companion_init(&work);
     for (i = 0; i < GOLDEN_CHUNKS; ++i) {
         hash = golden_mix(hash, golden_chunk(i));
         eighth = i < GOLDEN_EIGHTH ? hash : eighth;
+        few = i < GOLDEN_FEW ? hash : few;
     }
     if (disagreements != 0) {
         fprintf(stderr, "gen_golden: the judges disagree on %d answers\n", disagreements);
@@ -283,6 +285,8 @@ int main(void)
            (unsigned long)(hash & 0xffffffffu));
     printf("#define GOLDEN_HASH_EIGHTH (((uint64_t)0x%08lxu << 32) | 0x%08lxu)\n", (unsigned long)(eighth >> 32),
            (unsigned long)(eighth & 0xffffffffu));
+    printf("#define GOLDEN_HASH_FEW (((uint64_t)0x%08lxu << 32) | 0x%08lxu)\n", (unsigned long)(few >> 32),
+           (unsigned long)(few & 0xffffffffu));
     printf("#define GOLDEN_TABLE %d\n\n", TABLE);
     printf("static const struct {\n    int f64;\n    uint32_t answer;\n    uint64_t bits[18];\n"
            "} golden_table[GOLDEN_TABLE] = {\n");

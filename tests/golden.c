@@ -1,10 +1,10 @@
 /* golden: the header's answers to the golden inputs, as one hash that must be the same everywhere.
  *
- *   golden [eighth] [nearest | up | down | zero | daz | ftz | flush | x87-24 | x87-53]...
+ *   golden [eighth | few] [nearest | up | down | zero | daz | ftz | flush | x87-24 | x87-53]...
  *
  * Each argument asks again under that rounding mode, or with subnormals read as zero, or results flushed to
- * zero, or both, or with x87 computing to so many bits; modes add up. "eighth", as -DGOLDEN_ASK_EIGHTH, asks only
- * the first of the inputs, which have a hash of their own. The expected hash in golden_overlap.h was computed by
+ * zero, or both, or with x87 computing to so many bits; modes add up. "eighth", as -DGOLDEN_ASK_EIGHTH, and "few" (a 64th)
+ * ask only the first of the inputs, which have hashes of their own. The expected hash in golden_overlap.h was computed by
  * exact judges (gen_golden.c), not by this header. Compiled with GOLDEN_PRINT, every answer is printed: gen_golden.c
  * then prints the same lines (tests/golden_diff.sh compares them).
  * Also compiles as C++; with GOLDEN_FREESTANDING it needs no library and exports golden_hash_high() and so on, for
@@ -35,7 +35,9 @@ static uint32_t golden_chunks = GOLDEN_CHUNKS;
 
 static uint64_t golden_expected(void)
 {
-    return golden_chunks == GOLDEN_CHUNKS ? GOLDEN_HASH : GOLDEN_HASH_EIGHTH;
+    return golden_chunks == GOLDEN_CHUNKS   ? GOLDEN_HASH
+           : golden_chunks == GOLDEN_EIGHTH ? GOLDEN_HASH_EIGHTH
+                                            : GOLDEN_HASH_FEW;
 }
 
 static uint64_t golden_all(void)
@@ -226,6 +228,19 @@ static int golden_mode(const char *name)
     return 0;
 }
 
+/* Does the word say that only a part of the inputs is asked? */
+static int golden_part(const char *word)
+{
+    if (strcmp(word, "eighth") == 0) {
+        golden_chunks = GOLDEN_EIGHTH;
+    } else if (strcmp(word, "few") == 0) {
+        golden_chunks = GOLDEN_FEW;
+    } else {
+        return 0;
+    }
+    return 1;
+}
+
 static int golden_report(const char *mode)
 {
     const uint64_t hash = golden_all();
@@ -241,13 +256,10 @@ static int golden_report(const char *mode)
 
 int main(int argc, char **argv)
 {
-    const int eighth = argc > 1 && strcmp(argv[1], "eighth") == 0;
+    const int part = golden_part(argc > 1 ? argv[1] : "");
     int i, ok;
-    if (eighth) {
-        golden_chunks = GOLDEN_EIGHTH;
-    }
     ok = golden_report("default");
-    for (i = 1 + eighth; i < argc; ++i) {
+    for (i = 1 + part; i < argc; ++i) {
         if (!golden_mode(argv[i])) {
             printf("golden %-8s not known here\n", argv[i]);
             continue;

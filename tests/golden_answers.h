@@ -142,6 +142,54 @@ GOLDEN_FN void golden_emit(void *user, int x0, int x1, int y, int z)
     *hash = golden_mix_span(*hash, x0, x1, y, z);
 }
 
+/* Bits of an 8 x 8 x 8 region that begins at voxel lo. */
+typedef struct golden_painted {
+    uint64_t bits[GOLDEN_EDGE * GOLDEN_EDGE];
+    int lo[3];
+} golden_painted;
+
+GOLDEN_FN void golden_paint(void *user, size_t triangle, int x0, int x1, int y, int z)
+{
+    golden_painted *p = (golden_painted *)user;
+    (void)triangle;
+    for (; x0 <= x1; ++x0) {
+        p->bits[(z - p->lo[2]) * GOLDEN_EDGE + (y - p->lo[1])] |= (uint64_t)1 << (x0 - p->lo[0]);
+    }
+}
+
+GOLDEN_FN void golden_paint_one(void *user, int x0, int x1, int y, int z)
+{
+    golden_paint(user, 0, x0, x1, y, z);
+}
+
+/* One triangle of doubles as a mesh: do the fill and the spans of meshes set the voxels of its spans? */
+GOLDEN_FN int golden_fill_is_spans_f64(const tribox_grid *grid, const double v[9])
+{
+    golden_painted by_one;
+    golden_painted by_mesh;
+    uint64_t filled[GOLDEN_EDGE * GOLDEN_EDGE];
+    tribox_mesh_f64 mesh;
+    int same;
+    int i;
+    mesh.positions = v;
+    mesh.stride = 0;
+    mesh.indices = NULL;
+    mesh.triangles = 1;
+    for (i = 0; i < GOLDEN_EDGE * GOLDEN_EDGE; ++i) {
+        filled[i] = by_one.bits[i] = by_mesh.bits[i] = 0;
+    }
+    for (i = 0; i < 3; ++i) {
+        by_one.lo[i] = by_mesh.lo[i] = grid->lo[i];
+    }
+    tribox_grid_fill_f64(grid, &mesh, filled);
+    same = tribox_mesh_spans_f64(grid, &mesh, golden_paint, &by_mesh) ==
+           tribox_grid_spans_f64(grid, v, v + 3, v + 6, golden_paint_one, &by_one);
+    for (i = 0; i < GOLDEN_EDGE * GOLDEN_EDGE; ++i) {
+        same &= filled[i] == by_one.bits[i] && by_mesh.bits[i] == by_one.bits[i];
+    }
+    return same;
+}
+
 GOLDEN_FN uint64_t golden_ask_grid(const golden_grid *g, unsigned flags)
 {
     tribox_grid grid;
@@ -152,6 +200,7 @@ GOLDEN_FN uint64_t golden_ask_grid(const golden_grid *g, unsigned flags)
         double v[9];
         golden_doubles(v, g->v, 9);
         count = tribox_grid_spans_f64(&grid, v, v + 3, v + 6, golden_emit, &hash);
+        hash = golden_fill_is_spans_f64(&grid, v) ? hash : ~hash;
     } else {
         float v[9];
         golden_floats(v, g->v, 9);
@@ -218,21 +267,6 @@ GOLDEN_FN int golden_fill_is_spans(uint64_t seed, unsigned flags)
         same &= filled[i] == spanned[i];
     }
     return same;
-}
-
-/* Bits of an 8 x 8 x 8 region that begins at voxel lo. */
-typedef struct golden_painted {
-    uint64_t bits[GOLDEN_EDGE * GOLDEN_EDGE];
-    int lo[3];
-} golden_painted;
-
-GOLDEN_FN void golden_paint(void *user, size_t triangle, int x0, int x1, int y, int z)
-{
-    golden_painted *p = (golden_painted *)user;
-    (void)triangle;
-    for (; x0 <= x1; ++x0) {
-        p->bits[(z - p->lo[2]) * GOLDEN_EDGE + (y - p->lo[1])] |= (uint64_t)1 << (x0 - p->lo[0]);
-    }
 }
 
 /* The same mesh as doubles, and as spans of both: the same voxels? */
@@ -348,7 +382,25 @@ GOLDEN_FN uint64_t golden_ask_locate(const golden_grid *g)
     return golden_mix_span(GOLDEN_BASIS, at[0], at[1], at[2], 0);
 }
 
-/* Does a framed mesh lie strictly inside the region? Bit 0: it was framed; bit 1: and each corner of a finite
+/* Does each corner of a finite triangle lie in a voxel of the region? */
+GOLDEN_FN int golden_is_inside(const golden_grid *g, const tribox_grid *grid, const double wide[18])
+{
+    int inside = 1;
+    int i, k;
+    for (i = 0; i < 2; ++i) {
+        int finite = 1;
+        for (k = 0; k < 9; ++k) {
+            finite &= (g->v[9 * i + k] >> 23 & 0xff) != 0xff;
+        }
+        for (k = 0; k < 3 && finite; ++k) {
+            int at[3];
+            inside &= tribox_grid_locate(grid, wide + 9 * i + 3 * k, at);
+        }
+    }
+    return inside;
+}
+
+/* Does a mesh framed as floats and as doubles lie strictly inside? Bit 0: it was framed; bit 1: and each corner of a finite
  * triangle lies in a voxel of the region, and not on its lower faces. What the frame is, is not golden. */
 GOLDEN_FN uint64_t golden_ask_fit(const golden_grid *g)
 {
@@ -356,28 +408,28 @@ GOLDEN_FN uint64_t golden_ask_fit(const golden_grid *g)
     tribox_mesh mesh;
     float v[18];
     double wide[18];
-    int inside = 1;
-    int i, k, finite;
+    const int n = 5 + (int)(g->v[0] & 63);
+    tribox_mesh_f64 mesh_f64;
+    int fits, inside;
     golden_floats(v, g->v, 18);
     golden_widened(wide, g->v, 18);
     mesh.positions = v;
     mesh.stride = 0;
     mesh.indices = NULL;
     mesh.triangles = 2;
-    if (!tribox_grid_fit(&grid, &mesh, 5 + (int)(g->v[0] & 63))) {
+    mesh_f64.positions = wide;
+    mesh_f64.stride = 0;
+    mesh_f64.indices = NULL;
+    mesh_f64.triangles = 2;
+    fits = tribox_grid_fit_f64(&grid, &mesh_f64, n);
+    inside = golden_is_inside(g, &grid, wide);
+    if (tribox_grid_fit(&grid, &mesh, n) != fits) {
+        return 8;
+    }
+    if (!fits) {
         return tribox_grid_words(&grid) == 0 ? 0 : 4;
     }
-    for (i = 0; i < 2; ++i) {
-        finite = 1;
-        for (k = 0; k < 9; ++k) {
-            finite &= (g->v[9 * i + k] >> 23 & 0xff) != 0xff;
-        }
-        for (k = 0; k < 3 && finite; ++k) {
-            int at[3];
-            inside &= tribox_grid_locate(&grid, wide + 9 * i + 3 * k, at);
-        }
-    }
-    return 1u | (unsigned)inside << 1;
+    return 1u | (unsigned)(inside & golden_is_inside(g, &grid, wide)) << 1;
 }
 
 GOLDEN_FN void golden_ask_companion(const companion *c, companion_answer *out)

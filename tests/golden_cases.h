@@ -17,7 +17,8 @@
 #include "companions.h"
 
 #define GOLDEN_CHUNKS 2048 /* a chunk is hashed alone, so that chunks may run in any order */
-#define GOLDEN_EIGHTH 256  /* of them, with a hash of their own, where time is short: emulators */
+#define GOLDEN_EIGHTH 256  /* of them, with a hash of their own, where time is short */
+#define GOLDEN_FEW 32      /* and where it is shorter: emulators */
 #define GOLDEN_SINGLES 32  /* triangles and boxes in a chunk; beside them one grid and one point */
 #define GOLDEN_COMPANIONS 30 /* questions to companions in a chunk */
 #define GOLDEN_EDGE 8      /* the region of a golden grid is 8 x 8 x 8 */

@@ -7,6 +7,7 @@
 
 #define GOLDEN_HASH (((uint64_t)0x49b3f9f5u << 32) | 0x4ff6a8d3u)
 #define GOLDEN_HASH_EIGHTH (((uint64_t)0x54430d92u << 32) | 0x03570266u)
+#define GOLDEN_HASH_FEW (((uint64_t)0x4398fe3eu << 32) | 0xab85b958u)
 #define GOLDEN_TABLE 300
 
 static const struct {

@@ -1,7 +1,7 @@
 /* No function raises invalid, divide-by-zero or overflow, whatever it is asked: programs may unmask these, and
  * then each is a crash.
  *
- *   traps [eighth] [mode]...      modes as golden.c's: up down zero daz ftz flush x87-24 x87-53
+ *   traps [eighth | few] [mode]...      modes as golden.c's: up down zero daz ftz flush x87-24 x87-53
  *   traps -KIND INDEX    asks that one question with the exceptions unmasked, for a debugger
  *
  * Asks all golden questions (every function but tribox_sat, on ordinary, touching, extreme, subnormal, NaN and
@@ -264,9 +264,7 @@ int main(int argc, char **argv)
         traps_ask_one(argv[1] + 1, strtoul(argv[2], NULL, 10));
         return 0;
     }
-    if (argc > 1 && strcmp(argv[1], "eighth") == 0) {
-        golden_chunks = GOLDEN_EIGHTH;
-    }
+    golden_part(argc > 1 ? argv[1] : "");
     ok = traps_report("default");
     for (i = 1; i < argc; ++i) {
         if (golden_mode(argv[i])) {

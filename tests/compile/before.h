@@ -42,6 +42,7 @@
 #define __inline inline
 #define __forceinline inline
 #define _ReadWriteBarrier() ((void)0)
+#define __unaligned /* x86 reads anywhere; with -fno-strict-aliasing, as MSVC does not reason about types */
 #endif
 
 /* A compiler that nobody has heard of. */
