@@ -41,12 +41,12 @@ static inline void png_bits(png_stream *s, unsigned value, int count) {
     }
 }
 
-/* Huffman codes enter with their highest bit first. */
+/* Huffman codes, of nine bits at most, enter with their highest bit first: turned round by halves of a byte. */
 static inline void png_code(png_stream *s, unsigned code, int count) {
-    while (count > 0) {
-        count -= 1;
-        png_bits(s, code >> count & 1, 1);
-    }
+    static const unsigned char turned[16] = {0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
+    unsigned wide = code << (12 - count);
+    png_bits(s, (unsigned)turned[wide >> 8 & 15] | (unsigned)turned[wide >> 4 & 15] << 4 | (unsigned)turned[wide & 15] << 8,
+             count);
 }
 
 /* A literal or length symbol in the fixed code of RFC 1951, 3.2.6. */
@@ -165,8 +165,12 @@ static inline void png_deflate(png_stream *s, const unsigned char *data, size_t 
     png_symbol(s, 256);
     png_bits(s, 0, 7);          /* fills the last byte */
     for (i = 0; i < size; i++) {
-        low = (low + data[i]) % 65521;
-        high = (high + low) % 65521;
+        low += data[i];
+        high += low;
+        if (i % 4096 == 4095 || i + 1 == size) {        /* the sums of 4096 bytes fit in 32 bits */
+            low %= 65521;
+            high %= 65521;
+        }
     }
     for (i = 0; i < 4; i++) {
         png_byte(s, (high << 16 | low) >> (24 - 8 * i) & 255);
@@ -182,13 +186,17 @@ static inline void png_put_u32(FILE *file, uint32_t value) {
 }
 
 static inline uint32_t png_crc(uint32_t crc, const unsigned char *bytes, size_t size) {
+    uint32_t of_byte[256];
     size_t i;
     int k;
-    for (i = 0; i < size; i++) {
-        crc ^= bytes[i];
+    for (i = 0; i < 256; i++) {
+        of_byte[i] = (uint32_t)i;
         for (k = 0; k < 8; k++) {
-            crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
+            of_byte[i] = of_byte[i] >> 1 ^ (of_byte[i] & 1 ? 0xedb88320u : 0);
         }
+    }
+    for (i = 0; i < size; i++) {
+        crc = crc >> 8 ^ of_byte[(crc ^ bytes[i]) & 255];
     }
     return crc;
 }

@@ -2,19 +2,20 @@
  *
  * Parallel projection from front right above, four samples a pixel. The exposed faces that look at the camera are
  * drawn into a depth buffer, all of one direction being the same parallelogram; each face that is seen is lit once,
- * by rays. A ray walks bricks of 8x8x8 voxels and goes into a brick only if a voxel in it is set [Amanatides and
- * Woo, A fast voxel traversal algorithm, 1987]. The floor is lit at every eighth pixel. Lengths are in voxels of
- * the largest side ("units").
+ * by rays, or where faces are smaller than a pixel each block of voxels. A ray walks crates of 8x8x8 bricks of 8x8x8
+ * voxels, and goes into one only if a voxel in it is set [Amanatides and Woo, A fast voxel traversal algorithm,
+ * 1987]. The floor is lit at every eighth pixel. Lengths are in voxels of the largest side ("units").
  */
 #ifndef EXAMPLES_RENDER_H
 #define EXAMPLES_RENDER_H
 #include "png.h"
 #include "progress.h"
 
-enum { RENDER_WIDTH = 1280, RENDER_HEIGHT = 960, RENDER_BRICK = 8, RENDER_CACHE = 1 << 18 };
+enum { RENDER_WIDTH = 1280, RENDER_HEIGHT = 960, RENDER_CACHE = 1 << 18 };
 enum { RENDER_FINE = 2 };                               /* samples of a pixel, each way */
 enum { RENDER_COLUMNS = RENDER_FINE * RENDER_WIDTH, RENDER_ROWS = RENDER_FINE * RENDER_HEIGHT };
-enum { RENDER_LIGHTS = 4096 };
+enum { RENDER_LIGHTS = 4096, RENDER_RAYS = 24 };
+enum { RENDER_VOXELS, RENDER_BRICKS, RENDER_CRATES, RENDER_LEVELS };
 enum { RENDER_FLOOR = 8 };                              /* pixels between the points where the floor is lit */
 
 typedef struct vec { double x[3]; } vec;
@@ -65,12 +66,15 @@ typedef struct render_normal {
 typedef struct render_side {
     double to_b[2];         /* b of (column, row) */
     double to_c[2];
+    double lo[2];           /* from the first corner to the least column and row, and to the largest */
+    double hi[2];
 } render_side;
 
 typedef struct render {
     const voxels  *v;
-    unsigned char *brick;               /* 1: a voxel in it is set */
-    size_t         bricks[3];
+    unsigned char *cell[RENDER_LEVELS];         /* bricks and crates; 1: a voxel in it is set */
+    size_t         cells[RENDER_LEVELS][3];     /* how many there are; of voxels, too */
+    double         spiral[RENDER_RAYS][2];      /* cosine and sine of multiples of the golden angle */
     size_t         lo[3];               /* bounding box of the set voxels */
     size_t         hi[3];
     vec            scale;               /* a voxel's sides in units */
@@ -103,7 +107,15 @@ typedef struct render_hit {
 
 /* ---- 1. Rays --------------------------------------------------------------------------------- */
 
-/* A walk of a ray through cells of one size; all in index coordinates. */
+/* A ray in index coordinates, and where it ends. */
+typedef struct render_ray {
+    vec    o;
+    vec    d;
+    vec    inverse;         /* 1 / d; where d is 0, not used */
+    double t1;
+} render_ray;
+
+/* A walk of a ray through cells of one size. */
 typedef struct render_walk {
     long   cell[3];
     int    step[3];
@@ -113,17 +125,19 @@ typedef struct render_walk {
     int    axis;            /* crossed last */
 } render_walk;
 
-static inline void walk_begin(render_walk *w, vec o, vec d, double t, double cell, const long lo[3],
+static inline void walk_begin(render_walk *w, const render_ray *ray, double t, int level, const long lo[3],
                               const long hi[3], int axis) {
+    double side = (double)(1 << 3 * level);
     int a;
     w->t = t;
     w->axis = axis;
     for (a = 0; a < 3; a++) {
-        double at = floor((o.x[a] + t * d.x[a]) / cell);
+        double d = ray->d.x[a];
+        double at = (ray->o.x[a] + t * d) / side;
         w->cell[a] = at < (double)lo[a] ? lo[a] : at >= (double)hi[a] ? hi[a] - 1 : (long)at;
-        w->step[a] = d.x[a] > 0 ? 1 : -1;
-        w->next[a] = d.x[a] == 0 ? HUGE_VAL : (cell * (double)(w->cell[a] + (d.x[a] > 0)) - o.x[a]) / d.x[a];
-        w->delta[a] = d.x[a] == 0 ? 0 : cell / fabs(d.x[a]);
+        w->step[a] = d > 0 ? 1 : -1;
+        w->next[a] = d == 0 ? HUGE_VAL : (side * (double)(w->cell[a] + (d > 0)) - ray->o.x[a]) * ray->inverse.x[a];
+        w->delta[a] = d == 0 ? 0 : side * fabs(ray->inverse.x[a]);
     }
 }
 
@@ -140,44 +154,46 @@ static inline int walk_inside(const render_walk *w, const long lo[3], const long
         && w->cell[2] >= lo[2] && w->cell[2] < hi[2];
 }
 
-/* The part [t0, t1] of the ray in the box of set voxels; 0 if it misses. */
-static inline int render_enter(const render *r, vec o, vec d, double *t0, double *t1, int *axis) {
+/* The part of the ray in the box of set voxels: moves t0 and t1; 0 if it misses. */
+static inline int render_enter(const render *r, render_ray *ray, double *t0, int *axis) {
     int a;
     *axis = 0;
     for (a = 0; a < 3; a++) {
+        double d = ray->d.x[a];
+        double o = ray->o.x[a];
         double near;
         double far;
-        if (d.x[a] == 0) {
-            if (o.x[a] < (double)r->lo[a] || o.x[a] > (double)r->hi[a]) {
+        if (d == 0) {
+            if (o < (double)r->lo[a] || o > (double)r->hi[a]) {
                 return 0;
             }
             continue;
         }
-        near = ((double)(d.x[a] > 0 ? r->lo[a] : r->hi[a]) - o.x[a]) / d.x[a];
-        far = ((double)(d.x[a] > 0 ? r->hi[a] : r->lo[a]) - o.x[a]) / d.x[a];
+        near = ((double)(d > 0 ? r->lo[a] : r->hi[a]) - o) * ray->inverse.x[a];
+        far = ((double)(d > 0 ? r->hi[a] : r->lo[a]) - o) * ray->inverse.x[a];
         if (near > *t0) {
             *t0 = near;
             *axis = a;
         }
-        *t1 = far < *t1 ? far : *t1;
+        ray->t1 = far < ray->t1 ? far : ray->t1;
     }
-    return *t0 <= *t1;
+    return *t0 <= ray->t1;
 }
 
-static inline int render_walk_brick(const render *r, const render_walk *outer, vec o, vec d, double t1,
-                                    render_hit *hit) {
+/* Does the ray meet a set voxel in this brick? */
+static inline int render_walk_brick(const render *r, const render_ray *ray, const render_walk *outer, render_hit *hit) {
     long lo[3];
     long hi[3];
     render_walk w;
     int a;
     for (a = 0; a < 3; a++) {
-        lo[a] = outer->cell[a] * RENDER_BRICK;
-        hi[a] = lo[a] + RENDER_BRICK;
-        hi[a] = hi[a] < (long)r->v->n[a] ? hi[a] : (long)r->v->n[a];
+        lo[a] = outer->cell[a] * 8;
+        hi[a] = lo[a] + 8 < (long)r->v->n[a] ? lo[a] + 8 : (long)r->v->n[a];
     }
-    walk_begin(&w, o, d, outer->t, 1, lo, hi, outer->axis);
-    for (; walk_inside(&w, lo, hi) && w.t <= t1; walk_step(&w)) {
-        if (voxels_get(r->v, (size_t)w.cell[0], (size_t)w.cell[1], (size_t)w.cell[2])) {
+    walk_begin(&w, ray, outer->t, RENDER_VOXELS, lo, hi, outer->axis);
+    for (; walk_inside(&w, lo, hi) && w.t <= ray->t1; walk_step(&w)) {
+        const uint64_t *row = voxels_row(r->v, (size_t)w.cell[1], (size_t)w.cell[2]);
+        if (row[w.cell[0] >> 6] >> (w.cell[0] & 63) & 1) {
             hit->t = w.t;
             hit->axis = w.axis;
             for (a = 0; a < 3; a++) {
@@ -189,28 +205,51 @@ static inline int render_walk_brick(const render *r, const render_walk *outer, v
     return 0;
 }
 
+static inline int render_cell(const render *r, int level, const render_walk *w) {
+    const size_t *n = r->cells[level];
+    return r->cell[level][((size_t)w->cell[2] * n[1] + (size_t)w->cell[1]) * n[0] + (size_t)w->cell[0]];
+}
+
+static inline int render_walk_crate(const render *r, const render_ray *ray, const render_walk *outer, render_hit *hit) {
+    long lo[3];
+    long hi[3];
+    render_walk w;
+    int a;
+    for (a = 0; a < 3; a++) {
+        lo[a] = outer->cell[a] * 8;
+        hi[a] = lo[a] + 8 < (long)r->cells[RENDER_BRICKS][a] ? lo[a] + 8 : (long)r->cells[RENDER_BRICKS][a];
+    }
+    walk_begin(&w, ray, outer->t, RENDER_BRICKS, lo, hi, outer->axis);
+    for (; walk_inside(&w, lo, hi) && w.t <= ray->t1; walk_step(&w)) {
+        if (render_cell(r, RENDER_BRICKS, &w) && render_walk_brick(r, ray, &w, hit)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* The first set voxel on the ray origin + t * direction (in units), 0 <= t <= t1. */
 static inline int render_trace(const render *r, vec origin, vec direction, double t1, render_hit *hit) {
     static const long zero[3] = {0, 0, 0};
     double t0 = 0;
+    render_ray ray;
     render_walk w;
-    vec o;
-    vec d;
-    long bricks[3];
+    long crates[3];
     int axis;
     int a;
     for (a = 0; a < 3; a++) {
-        o.x[a] = origin.x[a] / r->scale.x[a];
-        d.x[a] = direction.x[a] / r->scale.x[a];
-        bricks[a] = (long)r->bricks[a];
+        ray.o.x[a] = origin.x[a] / r->scale.x[a];
+        ray.d.x[a] = direction.x[a] / r->scale.x[a];
+        ray.inverse.x[a] = ray.d.x[a] == 0 ? 0 : 1 / ray.d.x[a];
+        crates[a] = (long)r->cells[RENDER_CRATES][a];
     }
-    if (!render_enter(r, o, d, &t0, &t1, &axis)) {
+    ray.t1 = t1;
+    if (!render_enter(r, &ray, &t0, &axis)) {
         return 0;
     }
-    walk_begin(&w, o, d, t0, RENDER_BRICK, zero, bricks, axis);
-    for (; walk_inside(&w, zero, bricks) && w.t <= t1; walk_step(&w)) {
-        size_t at = ((size_t)w.cell[2] * r->bricks[1] + (size_t)w.cell[1]) * r->bricks[0] + (size_t)w.cell[0];
-        if (r->brick[at] && render_walk_brick(r, &w, o, d, t1, hit)) {
+    walk_begin(&w, &ray, t0, RENDER_CRATES, zero, crates, axis);
+    for (; walk_inside(&w, zero, crates) && w.t <= ray.t1; walk_step(&w)) {
+        if (render_cell(r, RENDER_CRATES, &w) && render_walk_crate(r, &ray, &w, hit)) {
             return 1;
         }
     }
@@ -220,15 +259,14 @@ static inline int render_trace(const render *r, vec origin, vec direction, doubl
 /* ---- 2. Light -------------------------------------------------------------------------------- */
 
 /* A unit vector i of `count`, spread evenly over the half sphere around `normal` and denser towards it (by
-   the cosine). */
-static inline vec render_sky_direction(vec normal, int i, int count, double turn) {
+   the cosine): a spiral by the golden angle. */
+static inline vec render_sky_direction(const render *r, vec normal, int i, int count) {
     double height = sqrt((i + 0.5) / count);
-    double angle = 2.399963229728653 * i + turn;      /* the golden angle */
     double radius = sqrt(1 - height * height);
     vec a = vec_unit(vec_cross(normal, fabs(normal.x[0]) < 0.7 ? vec_make(1, 0, 0) : vec_make(0, 1, 0)));
     vec b = vec_cross(normal, a);
     return vec_add(vec_add(vec_make(height * normal.x[0], height * normal.x[1], height * normal.x[2]),
-                           radius * cos(angle), a), radius * sin(angle), b);
+                           radius * r->spiral[i][0], a), radius * r->spiral[i][1], b);
 }
 
 static inline double render_reach(const render *r) {
@@ -239,13 +277,13 @@ static inline double render_reach(const render *r) {
 }
 
 /* How much of the sky a point sees, far things counting less. */
-static inline double render_open_sky(const render *r, vec point, vec normal, int count, double turn) {
+static inline double render_open_sky(const render *r, vec point, vec normal, int count) {
     double reach = render_reach(r);
     double open = 0;
     int i;
     for (i = 0; i < count; i++) {
         render_hit hit;
-        vec d = render_sky_direction(normal, i, count, turn);
+        vec d = render_sky_direction(r, normal, i, count);
         open += render_trace(r, point, d, reach, &hit) ? hit.t / reach : 1;
     }
     return open / count;
@@ -306,10 +344,13 @@ static inline vec render_smooth_normal(const render *r, const size_t voxel[3]) {
     return vec_unit(vec_make(sum[0], sum[1], sum[2]));
 }
 
-static inline const vec *render_visit_normal(const render *r, uint64_t voxel_number, const size_t voxel[3]) {
-    render_normal *n = &r->normals[(voxel_number + 1) * 0x9e3779b97f4a7c15u >> 46];
-    if (n->key != voxel_number + 1) {
-        n->key = voxel_number + 1;
+/* Kept for the samples that follow; where voxels are much smaller than a pixel, a cube of them has one normal. */
+static inline const vec *render_visit_normal(const render *r, const size_t voxel[3]) {
+    int few = r->block;
+    uint64_t key = ((voxel[2] >> few) * (uint64_t)r->v->n[1] + (voxel[1] >> few)) * r->v->n[0] + (voxel[0] >> few) + 1;
+    render_normal *n = &r->normals[key * 0x9e3779b97f4a7c15u >> 46];
+    if (n->key != key) {
+        n->key = key;
         n->normal = render_smooth_normal(r, voxel);
     }
     return &n->normal;
@@ -318,9 +359,8 @@ static inline const vec *render_visit_normal(const render *r, uint64_t voxel_num
 /* 1 if the sun is seen. The rays ask parts of its disc, so that shadows have soft borders. */
 static inline double render_sun_seen(const render *r, vec point, int sample, int samples) {
     double radius = 0.045 * sqrt((sample + 0.5) / samples);
-    double angle = 2.399963229728653 * sample;
     render_hit hit;
-    vec d = vec_add(vec_add(r->sun, radius * cos(angle), r->sun_side[0]), radius * sin(angle),
+    vec d = vec_add(vec_add(r->sun, radius * r->spiral[sample][0], r->sun_side[0]), radius * r->spiral[sample][1],
                     r->sun_side[1]);
     return render_trace(r, point, d, HUGE_VAL, &hit) ? 0 : 1;
 }
@@ -343,26 +383,16 @@ static inline double render_face_sun(const render *r, vec normal, const size_t v
     return seen / samples;
 }
 
-/* The light on a face, kept for the samples that follow. Large faces are lit with more rays, and the sun at their
-   corners. */
-static inline const render_light *render_visit_light(const render *r, const size_t voxel[3], int axis, vec outward,
-                                                     vec normal) {
-    uint64_t x = voxel[0] >> r->block;
-    uint64_t y = voxel[1] >> r->block;
-    uint64_t z = voxel[2] >> r->block;
-    uint64_t key = 4 * ((z * r->v->n[1] + y) * r->v->n[0] + x) + (uint64_t)axis + 1;
-    render_light *light = &r->lights[key * 0x9e3779b97f4a7c15u >> 46];
+/* The light on a face: large faces are lit with more rays, and the sun at their corners. */
+static inline void render_light_face(const render *r, render_light *light, const size_t voxel[3], int axis, vec outward,
+                                     vec normal) {
     double pixels = 1 / r->units;
     vec middle;
     int i;
-    if (light->key == key) {
-        return light;
-    }
     for (i = 0; i < 3; i++) {
         middle.x[i] = ((double)voxel[i] + 0.5 + 0.51 * outward.x[i]) * r->scale.x[i];
     }
-    light->key = key;
-    light->open_sky = render_open_sky(r, middle, outward, pixels > 4 ? 24 : pixels > 1.5 ? 12 : 6, 0);
+    light->open_sky = render_open_sky(r, middle, outward, pixels > 4 ? RENDER_RAYS : pixels > 1.5 ? 12 : 6);
     if (vec_dot(outward, r->sun) < -0.5 && vec_dot(normal, r->sun) < 0) {
         memset(light->sun, 0, sizeof light->sun);
     } else if (pixels > 4) {
@@ -373,6 +403,87 @@ static inline const render_light *render_visit_light(const render *r, const size
         light->sun[0] = render_face_sun(r, normal, voxel, axis, outward, 0.5, 0.5, pixels > 1.5 ? 6 : 3);
         light->sun[1] = light->sun[2] = light->sun[3] = light->sun[0];
     }
+}
+
+/* Where the light of a block of voxels, 2^log2 each way, is kept; `kind` 0 to 2: of faces across that axis. */
+static inline render_light *render_slot(const render *r, const size_t voxel[3], int log2, unsigned kind, uint64_t *key) {
+    uint64_t x = voxel[0] >> log2;
+    uint64_t y = voxel[1] >> log2;
+    uint64_t z = voxel[2] >> log2;
+    *key = 8 * ((z * r->v->n[1] + y) * r->v->n[0] + x) + kind + 1;
+    return &r->lights[*key * 0x9e3779b97f4a7c15u >> 46];
+}
+
+enum { RENDER_SUN = 3, RENDER_SKY = 4 };
+
+/* A point a little above a voxel, on the side of the face that is seen and of the normal. */
+static inline vec render_above(const render *r, const size_t voxel[3], vec outward, vec normal) {
+    vec point;
+    int i;
+    for (i = 0; i < 3; i++) {
+        point.x[i] = ((double)voxel[i] + 0.5) * r->scale.x[i];
+    }
+    return vec_add(vec_add(point, 0.55, outward), 1.2, normal);
+}
+
+/* The sky that a block of voxels sees which are smaller than a pixel: it changes slowly, and larger blocks do. Where
+   a thin shell is seen from its edge the normal may point into it; then more is seen across the face itself, which
+   sun[0] tells. */
+static inline const render_light *render_visit_sky(const render *r, const size_t voxel[3], vec outward, vec normal) {
+    enum { RAYS = 8 };
+    uint64_t key;
+    render_light *light = render_slot(r, voxel, r->block + 1, RENDER_SKY, &key);
+    if (light->key != key) {
+        double across;
+        light->key = key;
+        light->open_sky = render_open_sky(r, render_above(r, voxel, outward, normal), normal, RAYS);
+        across = light->open_sky < 0.2 ? render_open_sky(r, render_above(r, voxel, outward, outward), outward, RAYS) : 0;
+        light->sun[0] = across > light->open_sky ? 1 : 0;
+        light->open_sky = across > light->open_sky ? across : light->open_sky;
+    }
+    return light;
+}
+
+/* The light on such a block: that on a plane across the normal. Two ends of the sun are asked first. */
+static inline void render_light_block(const render *r, render_light *light, const size_t voxel[3], vec outward,
+                                      vec normal) {
+    enum { RAYS = 6 };
+    const render_light *sky;
+    double open;
+    double sun = 0;
+    vec point;
+    int i;
+    normal = vec_unit(vec_add(normal, 0.4, outward));
+    sky = render_visit_sky(r, voxel, outward, normal);
+    open = sky->open_sky;
+    normal = sky->sun[0] > 0 ? outward : normal;
+    point = render_above(r, voxel, outward, normal);
+    for (i = RAYS - 1; i >= 0 && vec_dot(normal, r->sun) > -0.1; i--) {
+        sun += render_sun_seen(r, point, i, RAYS);
+        if (i == RAYS - 2 && (sun < 0.5 || sun > 1.5)) {
+            sun *= RAYS / 2.0;
+            break;
+        }
+    }
+    light->open_sky = open;
+    light->sun[0] = light->sun[1] = light->sun[2] = light->sun[3] = sun / RAYS;
+}
+
+/* The light there, kept for the samples that follow. */
+static inline const render_light *render_visit_light(const render *r, const size_t voxel[3], int axis, vec outward,
+                                                     vec normal) {
+    int by_block = r->block > 0 && vec_dot(normal, normal) > 0;
+    uint64_t key;
+    render_light *light = render_slot(r, voxel, r->block, by_block ? RENDER_SUN : (unsigned)axis, &key);
+    if (light->key == key) {
+        return light;
+    }
+    if (by_block) {
+        render_light_block(r, light, voxel, outward, normal);
+    } else {
+        render_light_face(r, light, voxel, axis, outward, normal);
+    }
+    light->key = key;
     return light;
 }
 
@@ -420,7 +531,7 @@ static inline vec render_shade_floor(const render *r, double x, double y) {
     for (a = 0; a < 12; a++) {
         light += render_sun_seen(r, point, a, 12) / 12;
     }
-    light = 0.55 * light + 0.45 * render_open_sky(r, point, r->up, 12, 0);
+    light = 0.55 * light + 0.45 * render_open_sky(r, point, r->up, 12);
     for (a = 0; a < 3; a++) {
         backdrop.x[a] *= 1 - fade * (1 - light) * 0.85;
     }
@@ -429,9 +540,34 @@ static inline vec render_shade_floor(const render *r, double x, double y) {
 
 /* ---- 3. The picture -------------------------------------------------------------------------- */
 
-/* Marks bricks with set voxels and measures their bounding box. Returns 0 if no voxel is set. */
-static inline int render_mark_bricks(render *r) {
-    size_t x;
+/* Marks one word of voxels, of which one is set: its bricks, their crate, the box. */
+static inline void render_mark_word(render *r, uint64_t bits, size_t word, size_t y, size_t z) {
+    const size_t *bricks = r->cells[RENDER_BRICKS];
+    const size_t *crates = r->cells[RENDER_CRATES];
+    size_t base = (z / 8 * bricks[1] + y / 8) * bricks[0] + 8 * word;
+    size_t first = 64 * word + voxels_lowest(bits);
+    size_t last = 64 * word + 63;
+    size_t i;
+    for (i = 0; i < 8; i++) {
+        if (bits >> (8 * i) & 255) {
+            r->cell[RENDER_BRICKS][base + i] = 1;
+        }
+    }
+    r->cell[RENDER_CRATES][(z / 64 * crates[1] + y / 64) * crates[0] + word] = 1;
+    for (; !(bits >> 63); last--) {
+        bits <<= 1;
+    }
+    r->lo[0] = first < r->lo[0] ? first : r->lo[0];
+    r->hi[0] = last + 1 > r->hi[0] ? last + 1 : r->hi[0];
+    r->lo[1] = y < r->lo[1] ? y : r->lo[1];
+    r->hi[1] = y + 1 > r->hi[1] ? y + 1 : r->hi[1];
+    r->lo[2] = z < r->lo[2] ? z : r->lo[2];
+    r->hi[2] = z + 1;
+}
+
+/* Marks bricks and crates with set voxels and measures their bounding box. Returns 0 if no voxel is set. */
+static inline int render_mark_cells(render *r) {
+    size_t word;
     size_t y;
     size_t z;
     int a;
@@ -442,25 +578,10 @@ static inline int render_mark_bricks(render *r) {
     for (z = 0; z < r->v->n[2]; z++) {
         for (y = 0; y < r->v->n[1]; y++) {
             const uint64_t *row = voxels_row(r->v, y, z);
-            size_t base = (z / RENDER_BRICK * r->bricks[1] + y / RENDER_BRICK) * r->bricks[0];
-            for (x = 0; x < r->bricks[0]; x++) {
-                unsigned part = (unsigned)(row[x / 8] >> (8 * (x % 8)) & 255);
-                size_t first;
-                size_t last;
-                if (!part) {
-                    continue;
+            for (word = 0; word < r->v->row_words; word++) {
+                if (row[word]) {
+                    render_mark_word(r, row[word], word, y, z);
                 }
-                r->brick[base + x] = 1;
-                first = 8 * x + voxels_lowest(part);
-                for (last = 8 * x + 7; !(part & 0x80); last--) {
-                    part <<= 1;
-                }
-                r->lo[0] = first < r->lo[0] ? first : r->lo[0];
-                r->hi[0] = last + 1 > r->hi[0] ? last + 1 : r->hi[0];
-                r->lo[1] = y < r->lo[1] ? y : r->lo[1];
-                r->hi[1] = y + 1 > r->hi[1] ? y + 1 : r->hi[1];
-                r->lo[2] = z < r->lo[2] ? z : r->lo[2];
-                r->hi[2] = z + 1;
             }
         }
     }
@@ -528,6 +649,7 @@ static inline void render_project(render *r) {
     vec zero = vec_add(vec_make(0, 0, 0), -1, r->centre);
     double fine = RENDER_FINE / r->units;
     int a;
+    int k;
     for (r->block = 0; r->units > 0.7 * (1 << r->block); r->block++) {
     }
     r->start[0] = fine * vec_dot(zero, r->right) + RENDER_COLUMNS / 2.0 - 0.5;
@@ -546,6 +668,10 @@ static inline void render_project(render *r) {
         r->side[a].to_b[1] = -c[0] / area;
         r->side[a].to_c[0] = -b[1] / area;
         r->side[a].to_c[1] = b[0] / area;
+        for (k = 0; k < 2; k++) {
+            r->side[a].lo[k] = fmin(b[k], 0) + fmin(c[k], 0);
+            r->side[a].hi[k] = fmax(b[k], 0) + fmax(c[k], 0);
+        }
     }
 }
 
@@ -566,34 +692,34 @@ static inline void render_draw(render *r, const size_t voxel[3], int a) {
     const double slack = 1e-6;
     size_t at[3];
     double p[3];
-    double column_lo;
-    double column_hi;
-    double row_lo;
-    double row_hi;
-    uint64_t key = ((uint64_t)voxel[2] * r->v->n[1] + voxel[1]) * r->v->n[0] + voxel[0];
+    uint64_t key = 4 * (((uint64_t)voxel[2] * r->v->n[1] + voxel[1]) * r->v->n[0] + voxel[0]) + (uint64_t)a + 1;
     int row;
     int column;
+    int row_hi;
+    int column_lo;
+    int column_hi;
     memcpy(at, voxel, sizeof at);
     at[a] += r->forward.x[a] > 0 ? 0 : 1;
     render_place(r, at, p);
-    key = 4 * key + (uint64_t)a + 1;
-    column_lo = p[0] + fmin(b[0], 0) + fmin(c[0], 0);
-    column_hi = p[0] + fmax(b[0], 0) + fmax(c[0], 0);
-    row_lo = p[1] + fmin(b[1], 0) + fmin(c[1], 0);
-    row_hi = p[1] + fmax(b[1], 0) + fmax(c[1], 0);
-    for (row = (int)ceil(row_lo - slack); row <= row_hi + slack; row++) {
-        for (column = (int)ceil(column_lo - slack); column <= column_hi + slack; column++) {
-            double x = column - p[0];
-            double y = row - p[1];
-            double u = side->to_b[0] * x + side->to_b[1] * y;
-            double v = side->to_c[0] * x + side->to_c[1] * y;
-            size_t i = (size_t)row * RENDER_COLUMNS + (size_t)column;
-            float depth = (float)(p[2] + u * b[2] + v * c[2]);
-            if (u >= -slack && u <= 1 + slack && v >= -slack && v <= 1 + slack
-                && (r->seen[i] == 0 || depth < r->depth[i])) {
-                r->seen[i] = key;
-                r->depth[i] = depth;
+    column_lo = (int)(p[0] + side->lo[0] - slack) + 1;      /* all lie well within the picture, so are above 0 */
+    column_hi = (int)(p[0] + side->hi[0] + slack);
+    row_hi = (int)(p[1] + side->hi[1] + slack);
+    for (row = (int)(p[1] + side->lo[1] - slack) + 1; row <= row_hi; row++) {
+        double x = column_lo - p[0];
+        double y = row - p[1];
+        double u = side->to_b[0] * x + side->to_b[1] * y;
+        double v = side->to_c[0] * x + side->to_c[1] * y;
+        size_t i = (size_t)row * RENDER_COLUMNS + (size_t)column_lo;
+        for (column = column_lo; column <= column_hi; column++, i++) {
+            if (u >= -slack && u <= 1 + slack && v >= -slack && v <= 1 + slack) {
+                float depth = (float)(p[2] + u * b[2] + v * c[2]);
+                if (r->seen[i] == 0 || depth < r->depth[i]) {
+                    r->seen[i] = key;
+                    r->depth[i] = depth;
+                }
             }
+            u += side->to_b[0];
+            v += side->to_c[0];
         }
     }
 }
@@ -645,28 +771,26 @@ static inline void render_draw_all(render *r) {
 
 enum { RENDER_FLOOR_COLUMNS = RENDER_WIDTH / RENDER_FLOOR + 1, RENDER_FLOOR_ROWS = RENDER_HEIGHT / RENDER_FLOOR + 1 };
 
-static inline void render_light_floor(render *r) {
-    int x;
-    int y;
-    for (y = 0; y < RENDER_FLOOR_ROWS; y++) {
-        for (x = 0; x < RENDER_FLOOR_COLUMNS; x++) {
-            r->floor[y * RENDER_FLOOR_COLUMNS + x] = render_shade_floor(r, x * RENDER_FLOOR, y * RENDER_FLOOR);
-        }
+/* The floor at a point where it is lit, kept; its light is never 0. */
+static inline const vec *render_visit_floor(const render *r, int column, int row) {
+    vec *at = &r->floor[row * RENDER_FLOOR_COLUMNS + column];
+    if (at->x[0] == 0) {
+        *at = render_shade_floor(r, column * RENDER_FLOOR, row * RENDER_FLOOR);
     }
+    return at;
 }
 
-/* The floor between the points where it is lit. */
+/* The floor between these points. */
 static inline vec render_floor_at(const render *r, double x, double y) {
     int i = (int)(x / RENDER_FLOOR);
     int j = (int)(y / RENDER_FLOOR);
     double u = x / RENDER_FLOOR - i;
     double v = y / RENDER_FLOOR - j;
-    const vec *p = &r->floor[j * RENDER_FLOOR_COLUMNS + i];
     vec sum = vec_make(0, 0, 0);
-    sum = vec_add(sum, (1 - u) * (1 - v), p[0]);
-    sum = vec_add(sum, u * (1 - v), p[1]);
-    sum = vec_add(sum, (1 - u) * v, p[RENDER_FLOOR_COLUMNS]);
-    return vec_add(sum, u * v, p[RENDER_FLOOR_COLUMNS + 1]);
+    sum = vec_add(sum, (1 - u) * (1 - v), *render_visit_floor(r, i, j));
+    sum = vec_add(sum, u * (1 - v), *render_visit_floor(r, i + 1, j));
+    sum = vec_add(sum, (1 - u) * v, *render_visit_floor(r, i, j + 1));
+    return vec_add(sum, u * v, *render_visit_floor(r, i + 1, j + 1));
 }
 
 /* A place on a face. */
@@ -701,8 +825,8 @@ static inline void render_spot_set(render_spot *s, const render *r, uint64_t key
     }
 }
 
-static inline vec render_spot_shade(const render_spot *s, const render *r, uint64_t key) {
-    const vec *smooth = render_visit_normal(r, (key - 1) / 4, s->voxel);
+static inline vec render_spot_shade(const render_spot *s, const render *r) {
+    const vec *smooth = render_visit_normal(r, s->voxel);
     const render_light *light = render_visit_light(r, s->voxel, s->axis, s->outward, *smooth);
     return render_shade_face(r, light, *smooth, s->outward, s->b, s->c, s->point);
 }
@@ -733,7 +857,7 @@ static inline vec render_pixel(const render *r, int x, int y) {
             line += weight * render_line(r, s.axis, s.b + r->side[s.axis].to_b[0] * dx + r->side[s.axis].to_b[1] * dy,
                                          s.c + r->side[s.axis].to_c[0] * dx + r->side[s.axis].to_c[1] * dy);
         }
-        return vec_add(sum, line, render_spot_shade(&s, r, seen[0]));
+        return vec_add(sum, line, render_spot_shade(&s, r));
     }
     for (i = 0; i < RENDER_FINE * RENDER_FINE; i++) {
         int column = RENDER_FINE * x + i % RENDER_FINE;
@@ -743,7 +867,7 @@ static inline vec render_pixel(const render *r, int x, int y) {
             sum = vec_add(sum, weight, render_floor_at(r, x + 0.5, y + 0.5));
         } else {
             render_spot_set(&s, r, key, column, row);
-            sum = vec_add(sum, weight * render_line(r, s.axis, s.b, s.c), render_spot_shade(&s, r, key));
+            sum = vec_add(sum, weight * render_line(r, s.axis, s.b, s.c), render_spot_shade(&s, r));
         }
     }
     return sum;
@@ -768,13 +892,21 @@ static inline void render_pixels(const render *r, unsigned char *pixels) {
 
 static inline int render_memory(render *r) {
     const size_t samples = (size_t)RENDER_COLUMNS * RENDER_ROWS;
-    r->brick = (unsigned char *)calloc(r->bricks[0] * r->bricks[1] * r->bricks[2], 1);
+    int k;
+    int a;
+    for (k = 0; k < RENDER_LEVELS; k++) {
+        for (a = 0; a < 3; a++) {
+            size_t n = k == 0 ? r->v->n[a] : (r->cells[k - 1][a] + 7) / 8;
+            r->cells[k][a] = k == RENDER_BRICKS && a == 0 ? 8 * r->v->row_words : n;        /* whole words */
+        }
+        r->cell[k] = k == 0 ? NULL : (unsigned char *)calloc(r->cells[k][0] * r->cells[k][1] * r->cells[k][2], 1);
+    }
     r->lights = (render_light *)calloc(RENDER_CACHE, sizeof *r->lights);
     r->normals = (render_normal *)calloc(RENDER_CACHE, sizeof *r->normals);
     r->seen = (uint64_t *)calloc(samples, sizeof *r->seen);
     r->depth = (float *)malloc(samples * sizeof *r->depth);
-    r->floor = (vec *)malloc(sizeof(vec) * RENDER_FLOOR_COLUMNS * RENDER_FLOOR_ROWS);
-    return r->brick && r->lights && r->normals && r->seen && r->depth && r->floor;
+    r->floor = (vec *)calloc((size_t)RENDER_FLOOR_COLUMNS * RENDER_FLOOR_ROWS, sizeof(vec));
+    return r->cell[RENDER_BRICKS] && r->cell[RENDER_CRATES] && r->lights && r->normals && r->seen && r->depth && r->floor;
 }
 
 /* Writes a picture of the voxels, with the mesh axis `up` ('x', 'y' or 'z') upwards. */
@@ -782,27 +914,28 @@ static inline int render_write(const char *path, const voxels *v, char up, char 
     unsigned char *pixels = (unsigned char *)malloc(3 * (size_t)RENDER_WIDTH * RENDER_HEIGHT);
     render r;
     int ok;
-    int a;
+    int i;
     memset(&r, 0, sizeof r);
     r.v = v;
-    for (a = 0; a < 3; a++) {
-        r.bricks[a] = (v->n[a] + RENDER_BRICK - 1) / RENDER_BRICK;
+    for (i = 0; i < RENDER_RAYS; i++) {
+        r.spiral[i][0] = cos(2.399963229728653 * i);
+        r.spiral[i][1] = sin(2.399963229728653 * i);
     }
     if (!render_memory(&r) || !pixels) {
         ok = voxels_fail(path, "out of memory", error);
-    } else if (!render_mark_bricks(&r)) {
+    } else if (!render_mark_cells(&r)) {
         ok = voxels_fail(path, "no voxel is set, so there is nothing to draw", error);
     } else {
         render_aim(&r, up);
         render_bytes_make(&r);
         render_project(&r);
         render_draw_all(&r);
-        render_light_floor(&r);
         render_pixels(&r, pixels);
         ok = png_write(path, pixels, RENDER_WIDTH, RENDER_HEIGHT, error);
     }
     free(pixels);
-    free(r.brick);
+    free(r.cell[RENDER_BRICKS]);
+    free(r.cell[RENDER_CRATES]);
     free(r.lights);
     free(r.normals);
     free(r.seen);
