@@ -2583,7 +2583,7 @@ TBX_FN int tbx_setup_start(tbx_setup *s, tribox_tri *tri)
     }
     for (k = 0; k < 3 && in_range; k++) {
         const int has_ref = tbx_in_range(&tri->v[0][k], -100, 41); /* else a float subnormal might come out */
-        tri->ref[k] = has_ref ? (float)tri->v[0][k] : 0.0f;
+        tri->ref[k] = (float)(has_ref ? tri->v[0][k] : 0.0);
         s->size[k] = tri->size[k];
         s->offset[k] = tri->v[0][k] - (double)tri->ref[k];
         s->extent[k] = tri->t_max[k] - tri->t_min[k];
