@@ -254,7 +254,7 @@ static void fit_returns_for_corners_that_are_no_numbers(void)
         double          d[18];
         tribox_grid     grid;
         tribox_mesh     mesh;
-        tribox_mesh_f64 wide;
+        tribox_mesh_f64 mesh_f64;
         int             k;
         for (k = 0; k < 18; k++) {
             d[k] = (double)p[k];
@@ -262,15 +262,15 @@ static void fit_returns_for_corners_that_are_no_numbers(void)
         memcpy(&p[i % 9], &bad[i / 9], sizeof p[0]);
         memcpy(&d[i % 9], &bad_f64[i / 9], sizeof d[0]);
         mesh.positions = p;
-        wide.positions = d;
-        mesh.stride = wide.stride = 0;
-        mesh.indices = wide.indices = 0;
-        mesh.triangles = wide.triangles = 1;
+        mesh_f64.positions = d;
+        mesh.stride = mesh_f64.stride = 0;
+        mesh.indices = mesh_f64.indices = 0;
+        mesh.triangles = mesh_f64.triangles = 1;
         CHECK(tribox_grid_fit(&grid, &mesh, 8) == 0 && tribox_grid_words(&grid) == 0);
-        CHECK(tribox_grid_fit_f64(&grid, &wide, 8) == 0 && tribox_grid_words(&grid) == 0);
-        mesh.triangles = wide.triangles = 2;
+        CHECK(tribox_grid_fit_f64(&grid, &mesh_f64, 8) == 0 && tribox_grid_words(&grid) == 0);
+        mesh.triangles = mesh_f64.triangles = 2;
         CHECK(tribox_grid_fit(&grid, &mesh, 8) == 1 && frame_is_right(&grid, p + 9, 3, 8));
-        CHECK(tribox_grid_fit_f64(&grid, &wide, 8) == 1 && frame_is_right(&grid, p + 9, 3, 8));
+        CHECK(tribox_grid_fit_f64(&grid, &mesh_f64, 8) == 1 && frame_is_right(&grid, p + 9, 3, 8));
     }
 }
 

@@ -702,7 +702,7 @@ static void spans_of_a_mesh_paint_its_fill(void)
         static uint64_t bits[4][N * N * 2];
         tribox_grid     grid = {{0, 0, 0}, {0.1, 0.1, 0.1}, {0, 0, 0}, {N, N, N}, 0};
         tribox_mesh     mesh;
-        tribox_mesh_f64 wide;
+        tribox_mesh_f64 mesh_f64;
         painted         to;
         int             t;
         int             k;
@@ -724,18 +724,18 @@ static void spans_of_a_mesh_paint_its_fill(void)
             }
         }
         mesh.positions = f;
-        wide.positions = d;
-        mesh.stride = wide.stride = 0;
-        mesh.indices = wide.indices = 0;
-        mesh.triangles = wide.triangles = TRIANGLES;
+        mesh_f64.positions = d;
+        mesh.stride = mesh_f64.stride = 0;
+        mesh.indices = mesh_f64.indices = 0;
+        mesh.triangles = mesh_f64.triangles = TRIANGLES;
         memset(bits, 0, sizeof bits);
         to.grid = &grid;
         to.bits = bits[0];
-        CHECK(tribox_mesh_spans(&grid, &mesh, paint, &to) == tribox_mesh_spans_f64(&grid, &wide, 0, 0));
+        CHECK(tribox_mesh_spans(&grid, &mesh, paint, &to) == tribox_mesh_spans_f64(&grid, &mesh_f64, 0, 0));
         to.bits = bits[1];
-        tribox_mesh_spans_f64(&grid, &wide, paint, &to);
+        tribox_mesh_spans_f64(&grid, &mesh_f64, paint, &to);
         tribox_grid_fill(&grid, &mesh, bits[2]);
-        tribox_grid_fill_f64(&grid, &wide, bits[3]);
+        tribox_grid_fill_f64(&grid, &mesh_f64, bits[3]);
         CHECK(memcmp(bits[0], bits[1], sizeof bits[0]) == 0);
         CHECK(memcmp(bits[0], bits[2], sizeof bits[0]) == 0);
         CHECK(memcmp(bits[0], bits[3], sizeof bits[0]) == 0);
@@ -814,18 +814,18 @@ static void spans_of_nothing_are_none(void)
     const float     f[9] = {1, 1, 1, 2, 1, 1, 1, 2, 1};
     const double    d[9] = {1, 1, 1, 2, 1, 1, 1, 2, 1};
     tribox_mesh     mesh = {0, 0, 0, 0};
-    tribox_mesh_f64 wide = {0, 0, 0, 0};
+    tribox_mesh_f64 mesh_f64 = {0, 0, 0, 0};
 
-    CHECK(tribox_mesh_spans(&grid, &mesh, 0, 0) == 0 && tribox_mesh_spans_f64(&grid, &wide, 0, 0) == 0);
+    CHECK(tribox_mesh_spans(&grid, &mesh, 0, 0) == 0 && tribox_mesh_spans_f64(&grid, &mesh_f64, 0, 0) == 0);
     mesh.positions = f;
-    wide.positions = d;
-    mesh.triangles = wide.triangles = 1;
-    CHECK(tribox_mesh_spans(&grid, &mesh, 0, 0) > 0 && tribox_mesh_spans_f64(&grid, &wide, 0, 0) > 0);
+    mesh_f64.positions = d;
+    mesh.triangles = mesh_f64.triangles = 1;
+    CHECK(tribox_mesh_spans(&grid, &mesh, 0, 0) > 0 && tribox_mesh_spans_f64(&grid, &mesh_f64, 0, 0) > 0);
     grid.size[1] = 0;
-    CHECK(tribox_mesh_spans(&grid, &mesh, 0, 0) == 0 && tribox_mesh_spans_f64(&grid, &wide, 0, 0) == 0);
+    CHECK(tribox_mesh_spans(&grid, &mesh, 0, 0) == 0 && tribox_mesh_spans_f64(&grid, &mesh_f64, 0, 0) == 0);
     grid.size[1] = 1;
     grid.hi[2] = 0;
-    CHECK(tribox_mesh_spans(&grid, &mesh, 0, 0) == 0 && tribox_mesh_spans_f64(&grid, &wide, 0, 0) == 0);
+    CHECK(tribox_mesh_spans(&grid, &mesh, 0, 0) == 0 && tribox_mesh_spans_f64(&grid, &mesh_f64, 0, 0) == 0);
 }
 
 int main(void)
