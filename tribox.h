@@ -5281,6 +5281,7 @@ TBX_FN int tbx_fit(tribox_grid *grid, const tbx_source *source, int n)
     double margin;
     double bump = 0.0; /* doubles, for a mesh that is small beside its coordinates */
     int varies = 0;
+    int fits = 0;
     int tries;
     int k;
     grid->flags = 0;
@@ -5311,17 +5312,14 @@ TBX_FN int tbx_fit(tribox_grid *grid, const tbx_source *source, int n)
     TBX_KEEP_SCALAR(margin);
     size *= margin;
     size = size > least ? size : least;
-    for (tries = 0; tries < 4096;
-         tries++) { /* each doubles the bump: in the end it is larger than any error */
+    for (tries = 0; !fits && tries < 4096; tries++) { /* each doubles the bump: in the end above any error */
         const double q = tbx_floor_pow2(size) * (1.0 / 8388608.0); /* 2^-23: 24 bits of size */
         size = tbx_floor_to(size + bump, q) + q;
         bump = 2.0 * bump + q;
-        if (tbx_fit_try(grid, t_min, t_max, longest, size, n)) {
-            return 1;
-        }
+        fits = tbx_fit_try(grid, t_min, t_max, longest, size, n);
     }
-    grid->hi[0] = 0;
-    return 0;
+    grid->hi[0] = fits ? grid->hi[0] : 0;
+    return fits;
 }
 
 TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
@@ -14112,7 +14110,7 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
 #define TBX_SOLID_ROWS 4
 #define TBX_SOLID_PARTS 16
 #define TBX_SOLID_MARGIN 16
-#define TBX_SOLID_BLOCK 64
+#define TBX_SOLID_BLOCK 32
 #define TBX_SOLID_CROSSINGS 32
 #define TBX_SOLID_ANYWAY 0x40000000 /* an extent: goes the scalar way */
 #define TBX_SOLID_MIDDLE_ERROR (4.0 * TBX_U64)
@@ -14244,9 +14242,10 @@ typedef struct tbx_solid_crossing {
 
 typedef struct tbx_solid_fill {
     tbx_solid_quick quick;
-    tbx_solid_list list[TBX_SOLID_ROWS]; /* of up to 1, 2, ... rows on each axis */
-    tbx_solid_list large;
-    tbx_solid_crossing crossing[TBX_SOLID_CROSSINGS + TBX_WIDE * TBX_SOLID_ROWS * TBX_SOLID_ROWS];
+    tbx_solid_list list[TBX_SOLID_ROWS];      /* of up to 1, 2, ... rows on each axis */
+    size_t large[TBX_SOLID_BLOCK + TBX_WIDE]; /* that go one by one */
+    int larges;
+    tbx_solid_crossing crossing[TBX_SOLID_CROSSINGS + TBX_SOLID_ROWS * TBX_SOLID_ROWS];
     int crossings;              /* that wait: their rows are on the way to the cache */
     int32_t y[TBX_SOLID_BLOCK]; /* of a block of triangles */
     int32_t z[TBX_SOLID_BLOCK];
@@ -14769,8 +14768,8 @@ TBX_FORCED void tbx_solid_layer(const tbx_solid_tri *t, int32_t z, int32_t first
     }
 }
 
-/* A triangle of any size. */
-TBX_NOINLINE void tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
+/* A triangle of any size. Returns 0 if it has to go the scalar way. */
+TBX_NOINLINE int tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
 {
     const tbx_solid *s = q->solid;
     const uint64_t n_x = (uint64_t)s->n[0];
@@ -14783,18 +14782,17 @@ TBX_NOINLINE void tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
     int32_t z;
     const int kind = tbx_source_triangle(q->source, triangle, v);
     if (kind == TBX_NO_POINTS) {
-        return;
+        return 1;
     }
     tbx_solid_tri_set(&t, s, v, kind);
     if (tbx_solid_tri_edges(&t) == 0) {
-        return;
+        return 1;
     }
     if (t.fits) {
         tbx_solid_lines_set(&l, &t);
     }
     if (!t.fits || !tbx_solid_layers(&l, &t) || !(l.plane_error < 0.1)) {
-        tbx_solid_triangle(s, v, kind);
-        return;
+        return 0;
     }
     slope = tbx_solid_fixed(l.plane.slope);
     unsure = (uint32_t)(l.plane_error * 4294967296.0) + (uint32_t)s->n[1] + 2;
@@ -14821,6 +14819,15 @@ TBX_NOINLINE void tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
             }
         }
     }
+    return 1;
+}
+
+/* The scalar way. */
+TBX_NOINLINE void tbx_solid_careful(const tbx_solid_quick *q, size_t triangle)
+{
+    double v[3][3];
+    const int kind = tbx_source_triangle(q->source, triangle, v);
+    tbx_solid_triangle(q->solid, v, kind);
 }
 
 /* Flips the rows that wait. */
@@ -14867,8 +14874,13 @@ TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list
     for (lane = 0; lane < count; lane++) {
         uint32_t left = within[lane];
         if (TBX_RARELY(unsure[lane] != 0)) {
-            tbx_solid_large(q, list->triangle[i + lane]);
+            fill->large[fill->larges++] = list->triangle[i + lane];
             continue;
+        }
+        if (crossings > TBX_SOLID_CROSSINGS) {
+            fill->crossings = crossings;
+            tbx_solid_flip_all(fill);
+            crossings = 0;
         }
         for (; left != 0; left &= left - 1) {
             const int row = __builtin_ctz(left);
@@ -14912,6 +14924,18 @@ TBX_NOINLINE void tbx_solid_flush4(tbx_solid_fill *fill, const tbx_solid_list *l
     tbx_solid_flush(fill, list, i, count, 4);
 }
 
+/* One by one, each way outside of the way before: their stacks do not add up. */
+TBX_FORCED void tbx_solid_work_large(tbx_solid_fill *fill)
+{
+    int i;
+    for (i = 0; i < fill->larges; i++) {
+        if (!tbx_solid_large(&fill->quick, fill->large[i])) {
+            tbx_solid_careful(&fill->quick, fill->large[i]);
+        }
+    }
+    fill->larges = 0;
+}
+
 /* Works a list off, WIDE at a time from its end; to the last one if `all`. */
 TBX_FORCED void tbx_solid_work(tbx_solid_fill *fill, int extent, int all)
 {
@@ -14932,9 +14956,7 @@ TBX_FORCED void tbx_solid_work(tbx_solid_fill *fill, int extent, int all)
         case 3: tbx_solid_flush3(fill, list, i, count); break;
         default: tbx_solid_flush4(fill, list, i, count); break;
         }
-        if (fill->crossings > TBX_SOLID_CROSSINGS) {
-            tbx_solid_flip_all(fill);
-        }
+        tbx_solid_work_large(fill);
     }
 }
 
@@ -14944,18 +14966,21 @@ TBX_NOINLINE void tbx_solid_sort(tbx_solid_fill *fill, size_t first, int all)
     int i;
     for (i = 0; i < fill->lives; i++) {
         const int of = fill->live[i];
+        const size_t triangle = first + (size_t)of;
         const int extent = fill->extent[of];
-        tbx_solid_list *list = extent <= TBX_SOLID_ROWS ? &fill->list[extent - 1] : &fill->large;
-        const int n = list->n;
-        list->triangle[n] = first + (size_t)of;
-        list->y[n] = fill->y[of];
-        list->z[n] = fill->z[of];
-        list->n = n + 1;
+        if (TBX_RARELY(extent > TBX_SOLID_ROWS)) {
+            fill->large[fill->larges++] = triangle;
+        } else {
+            tbx_solid_list *list = &fill->list[extent - 1];
+            const int n = list->n;
+            list->triangle[n] = triangle;
+            list->y[n] = fill->y[of];
+            list->z[n] = fill->z[of];
+            list->n = n + 1;
+        }
     }
-    for (i = 0; i < fill->large.n; i++) {
-        tbx_solid_large(&fill->quick, fill->large.triangle[i]);
-    }
-    fill->lives = fill->large.n = 0;
+    fill->lives = 0;
+    tbx_solid_work_large(fill);
     tbx_solid_work(fill, 1, all);
     tbx_solid_work(fill, 2, all);
     tbx_solid_work(fill, 3, all);
@@ -15160,7 +15185,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
     for (i = 0; i < TBX_SOLID_ROWS; i++) {
         fill.list[i].n = 0;
     }
-    fill.large.n = fill.lives = fill.crossings = 0;
+    fill.larges = fill.lives = fill.crossings = 0;
     for (t = 0; t < triangles; t += TBX_SOLID_BLOCK) {
         const size_t left = triangles - t;
         tbx_solid_block(&fill, t, left < TBX_SOLID_BLOCK ? (int)left : TBX_SOLID_BLOCK);
