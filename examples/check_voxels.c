@@ -556,6 +556,7 @@ static convention wanted(options *o, const volume *v) {
     if (v->placed == VOLUME_SAMPLE && (!o->like || strncmp(c.name, "ours", 4) == 0)) {
         c.shift = -1;       /* a sample is the middle of its voxel */
     }
+    o->level = o->has_level ? o->level : c.level;
     if (c.below && !o->has_level) {
         volume_range(v, &least, &greatest);
         o->side = least < 0 ? VOLUME_BELOW : VOLUME_ABOVE;

@@ -24,24 +24,25 @@ typedef struct convention {
     int         mirrored;   /* the boxes are (min, max] instead of [min, max) */
     int         face[3];    /* of CONVENTION_SAMPLES */
     int         below;      /* set is what is below 0: a distance with a sign */
+    double      level;      /* set is what is above it */
 } convention;
 
 #define FACES(x, y, z) {FACE_##x, FACE_##y, FACE_##z}
 
 /* Measured: tests/peers/README.md has versions and meshes. */
 static const convention conventions[] = {
-    {"ours", "tribox.h's voxelize", 0, CONVENTION_TOUCHED, 0, 0, FACES(LOWER, LOWER, LOWER), 0},
-    {"ours-solid", "tribox.h's voxelize --solid", 0, CONVENTION_SAMPLES, 0, 0, FACES(LOWER, LOWER, LOWER), 0},
-    {"open3d-0.16", "Open3D 0.16 VoxelGrid of a mesh", -1, CONVENTION_TOUCHED, 0, 0, FACES(LOWER, LOWER, LOWER), 0},
-    {"vtk-modeller", "VTK 9.1 vtkVoxelModeller", -1, CONVENTION_NEAREST, 0, 0, FACES(LOWER, LOWER, LOWER), 0},
-    {"vtk-stencil", "VTK 9.1 vtkPolyDataToImageStencil", -1, CONVENTION_SAMPLES, 0, 0, FACES(BOTH, BOTH, LOWER), 0},
-    {"vtk-stencil-0", "the same with tolerance 0", -1, CONVENTION_SAMPLES, 0, 0, FACES(UPPER, UPPER, LOWER), 0},
-    {"itk", "ITK 5.2 TriangleMeshToBinaryImageFilter", -1, CONVENTION_SAMPLES, 0, 0, FACES(BOTH, LOWER, LOWER), 0},
-    {"openvdb", "OpenVDB 10.0 meshToLevelSet", -1, CONVENTION_SAMPLES, 0, 0, FACES(BOTH, BOTH, BOTH), 1},
-    {"mrtrix", "MRtrix 3.0 mesh2voxel", -1, CONVENTION_TOUCHED, TRIBOX_OPEN, 0, FACES(LOWER, LOWER, LOWER), 0},
-    {"binvox", "a binvox file of surface voxels", 0, CONVENTION_TOUCHED, 0, 0, FACES(LOWER, LOWER, LOWER), 0},
+    {"ours", "tribox.h's voxelize", 0, CONVENTION_TOUCHED, 0, 0, FACES(LOWER, LOWER, LOWER), 0, 0},
+    {"ours-solid", "tribox.h's voxelize --solid", 0, CONVENTION_SAMPLES, 0, 0, FACES(LOWER, LOWER, LOWER), 0, 0},
+    {"open3d-0.16", "Open3D 0.16 VoxelGrid of a mesh", -1, CONVENTION_TOUCHED, 0, 0, FACES(LOWER, LOWER, LOWER), 0, 0},
+    {"vtk-modeller", "VTK 9.1 vtkVoxelModeller", -1, CONVENTION_NEAREST, 0, 0, FACES(LOWER, LOWER, LOWER), 0, 0},
+    {"vtk-stencil", "VTK 9.1 vtkPolyDataToImageStencil", -1, CONVENTION_SAMPLES, 0, 0, FACES(BOTH, BOTH, LOWER), 0, 0},
+    {"vtk-stencil-0", "the same with tolerance 0", -1, CONVENTION_SAMPLES, 0, 0, FACES(UPPER, UPPER, LOWER), 0, 0},
+    {"itk", "ITK 5.2 TriangleMeshToBinaryImageFilter", -1, CONVENTION_SAMPLES, 0, 0, FACES(BOTH, LOWER, LOWER), 0, 0},
+    {"openvdb", "OpenVDB 10.0 meshToLevelSet", -1, CONVENTION_SAMPLES, 0, 0, FACES(BOTH, BOTH, BOTH), 1, 0},
+    {"mrtrix", "MRtrix 3.0 mesh2voxel, shares of volume above 1/2", -1, CONVENTION_SAMPLES, 0, 0, FACES(NONE, NONE, NONE), 0, 0.5},
+    {"binvox", "a binvox file of surface voxels", 0, CONVENTION_TOUCHED, 0, 0, FACES(LOWER, LOWER, LOWER), 0, 0},
     {"pcl", "PCL's and OctoMap's voxels of points", 0, CONVENTION_VERTICES, TRIBOX_HALF_OPEN, 0,
-     FACES(LOWER, LOWER, LOWER), 0},
+     FACES(LOWER, LOWER, LOWER), 0, 0},
 };
 
 enum { CONVENTION_COUNT = (int)(sizeof conventions / sizeof *conventions) };

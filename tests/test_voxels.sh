@@ -173,3 +173,11 @@ if command -v "${CC:-cc}" > /dev/null; then
     run 0 "${CC:-cc}" -std=c99 -O0 -I. "$tmp/pasted.c" -o "$tmp/pasted" -lm
     run 0 "$tmp/pasted"
 fi
+
+# ---- voxel_test.h, to include in somebody's tests --------------------------------------------------------
+
+if command -v "${CC:-cc}" > /dev/null; then
+    run 0 "${CC:-cc}" -std=c99 -O1 -I. -Wall -Wextra -Wconversion tests/voxel_test.c -o "$tmp/voxel_test" -lm
+    run 0 "$tmp/voxel_test"
+    says 'missing voxel 0,0,0: triangle 0 touches it'
+fi
