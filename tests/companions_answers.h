@@ -120,6 +120,84 @@ COMPANION_FN void companion_query_f64(const double x[COMPANION_NUMBERS], compani
     out->value += 256 * (int)tribox_mesh_query_f64(&mesh, x + COMPANION_LO, x + COMPANION_HI, NULL, 0);
 }
 
+/* receives a voxel; `user` holds the hash and counts */
+typedef struct companion_voxels {
+    uint64_t hash;
+    int count;
+} companion_voxels;
+
+COMPANION_FN int companion_see_voxel(void *user, int x, int y, int z)
+{
+    companion_voxels *v = (companion_voxels *)user;
+    v->hash = companion_mix(v->hash, x, y, z);
+    v->count++;
+    return 0;
+}
+
+COMPANION_FN void companion_segment(const companion *c, companion_answer *out)
+{
+    double x[COMPANION_NUMBERS];
+    companion_voxels seen;
+    tribox_grid grid;
+    int k;
+    companion_copy(x, c->x, sizeof x);
+    companion_copy(grid.origin, x, sizeof grid.origin);
+    companion_copy(grid.size, x + 3, sizeof grid.size);
+    companion_region(c, grid.lo);
+    for (k = 0; k < 3; ++k) {
+        grid.hi[k] = grid.lo[k] + COMPANION_REGION;
+    }
+    grid.flags = c->flags;
+    seen.hash = companion_mix_start();
+    seen.count = 0;
+    out->value = (int)tribox_grid_segment(&grid, x + COMPANION_W, x + COMPANION_O, companion_see_voxel, &seen);
+    out->n = 2;
+    out->word[0] = (uint64_t)seen.count;
+    out->word[1] = seen.hash;
+}
+
+/* The sign of s, twice if it is infinite. */
+COMPANION_FN void companion_gap(const float x[COMPANION_NUMBERS], companion_answer *out)
+{
+    const uint64_t infinity = (uint64_t)0x7ff << 52;
+    float axis[3];
+    double s;
+    int size;
+    companion_copy(axis, out->axis, sizeof axis);
+    s = tribox_gap(x, x + 3, x + 6, x + COMPANION_LO, x + COMPANION_HI, axis);
+    companion_copy(&out->s, &s, sizeof s);
+    companion_copy(out->axis, axis, sizeof axis);
+    size = out->s << 1 == 0 ? 0 : out->s << 1 == infinity << 1 ? 2 : out->s << 1 > infinity << 1 ? 3 : 1;
+    out->value = out->s >> 63 != 0 ? -size : size;
+    out->s = size > 1 ? 0 : out->s;
+}
+
+/* Spheres. */
+COMPANION_FN int companion_ball(int which, const float x[COMPANION_NUMBERS], companion_answer *out)
+{
+    const float *c = x + COMPANION_O;
+    const float *w = x + COMPANION_W;
+    const float *lo = x + COMPANION_LO;
+    const float *hi = x + COMPANION_HI;
+    float t[2];
+    switch (which) {
+    case COMPANION_SPHERE_SPHERE:
+        return tribox_sphere_sphere(w, x[COMPANION_T1], c, x[COMPANION_T0]);
+    case COMPANION_PLANE_SPHERE:
+        return tribox_plane_sphere(w, x[COMPANION_T1], c, x[COMPANION_T0]);
+    case COMPANION_SPHERE_BOX:
+        return tribox_sphere_box(c, x[COMPANION_T0], lo, hi);
+    case COMPANION_SPHERE_TRIANGLE:
+        return tribox_sphere_triangle(c, x[COMPANION_T0], x, x + 3, x + 6);
+    default:
+        if (!tribox_ray_sphere(w, lo, hi[0], x[COMPANION_T1], c, x[COMPANION_T0], &t[0], &t[1])) {
+            return 0;
+        }
+        companion_wrote(out, t, 2);
+        return 1;
+    }
+}
+
 COMPANION_FN void companion_ask_f64(const companion *c, companion_answer *out)
 {
     double x[COMPANION_NUMBERS];
@@ -161,6 +239,9 @@ COMPANION_FN void companion_ask_f64(const companion *c, companion_answer *out)
     case COMPANION_OCTANTS:
         out->value = companion_octants(c);
         break;
+    case COMPANION_GRID_SEGMENT:
+        companion_segment(c, out);
+        break;
     default:
         companion_query_f64(x, out);
         break;
@@ -187,6 +268,7 @@ COMPANION_FN void companion_ask(const companion *c, companion_answer *out)
     for (i = 0; i < 3; ++i) {
         out->axis[i] = 0;
     }
+    out->s = 0;
     if (c->f64) {
         companion_ask_f64(c, out);
         return;
@@ -211,7 +293,12 @@ COMPANION_FN void companion_ask(const companion *c, companion_answer *out)
         companion_wrote(out, t, out->value ? 1 : 0);
         break;
     case COMPANION_SWEEP:
-        out->value = tribox_sweep(v, v + 3, v + 6, lo, hi, w, &t[0], &t[1], three);
+    case COMPANION_SWEEP_RULE:
+    case COMPANION_SWEEP_BOX:
+        out->value = c->which == COMPANION_SWEEP ? tribox_sweep(v, v + 3, v + 6, lo, hi, w, &t[0], &t[1], three)
+                     : c->which == COMPANION_SWEEP_RULE
+                         ? tribox_sweep_rule(v, v + 3, v + 6, lo, hi, w, c->flags, &t[0], &t[1], three)
+                         : tribox_sweep_box(lo, hi, v, v + 3, w, c->flags, &t[0], &t[1], three);
         companion_wrote(out, t, out->value ? 2 : 0);
         if (out->value) {
             companion_copy(out->axis, three, sizeof three);
@@ -230,8 +317,14 @@ COMPANION_FN void companion_ask(const companion *c, companion_answer *out)
     case COMPANION_OCTANTS:
         out->value = companion_octants(c);
         break;
-    default:
+    case COMPANION_QUERY:
         companion_query(x, out);
+        break;
+    case COMPANION_GAP:
+        companion_gap(x, out);
+        break;
+    default:
+        out->value = companion_ball(c->which, x, out);
         break;
     }
 }

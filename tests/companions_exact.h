@@ -1,6 +1,6 @@
 /* Exact answers to the questions of companions.h with GMP, for verify, the golden answers and the fuzzers.
  * Like verify_exact.h this uses no floating-point arithmetic and has no code or trick in common with
- * tribox.h. Each answer has a second method that must agree:
+ * tribox.h. Each answer has a second method that must agree (contact_exact.h has those of contact):
  *
  *   function             companion_judge                      companion_confirm
  *   box_box              intervals in rationals               a corner between corners, per axis
@@ -50,6 +50,10 @@ enum {
     WRONG_OCTANT_ORDER,   /* octants z + 2y + 4x */
     WRONG_OCTANT_ROUNDED, /* p + size rounded */
     WRONG_QUERY_LAST,     /* the last triangle is left out */
+    WRONG_RULE,           /* open as closed */
+    WRONG_GAP_SIDE,       /* of two directions that tie the other one */
+    WRONG_SEGMENT_ORDER,  /* x before z */
+    WRONG_OPEN_BALL,      /* a sphere that touches misses */
     COMPANION_MUTANTS
 };
 
@@ -91,15 +95,26 @@ static const char *const companion_mutant_names[COMPANION_MUTANTS] = {
     "octants z y x",
     "octants rounded",
     "query ends early",
+    "open as closed",
+    "gap's other side",
+    "x before z",
+    "sphere open",
 };
 
 static const char *const companion_names[COMPANIONS] = {
     "box_box", "plane_box", "segment_box", "ray_box", "ray_triangle",
-    "sweep",   "clip",      "closest",     "octants", "mesh_query"};
+    "sweep",   "clip",      "closest",     "octants", "mesh_query",
+    "sweep_rule", "sweep_box", "gap", "grid_segment", "sphere_sphere",
+    "plane_sphere", "sphere_box", "sphere_triangle", "ray_sphere"};
+
+static inline int contact_mutant_applies(int which, int mutant);
 
 /* Can it matter to this function? */
 static inline int companion_mutant_applies(int which, int mutant)
 {
+    if (which > COMPANION_QUERY) {
+        return contact_mutant_applies(which, mutant);
+    }
     switch (which) {
     case COMPANION_SEGMENT_BOX:
         return mutant <= WRONG_AXIS_LAST && mutant != WRONG_AXIS_FIRST + 3;
@@ -1397,6 +1412,8 @@ static inline void query_judge(companion_work *c, int wrong, int clip, companion
     out->value += 256 * query_touches(c, c->x + COMPANION_HI, c->x + COMPANION_W, c->x + COMPANION_O, clip);
 }
 
+#include "contact_exact.h"
+
 /* ---- the whole -------------------------------------------------------------------------------- */
 
 /* Sets up the motion of a question; 0 if it holds no points. T for a ray is its origin, for a segment the
@@ -1450,6 +1467,10 @@ static inline void companion_judge(companion_work *c, const companion *ask, int 
 {
     memset(out, 0, sizeof *out);
     companion_read(c, ask);
+    if (contact_owns(ask->which)) {
+        contact_judge(c, ask, wrong, out);
+        return;
+    }
     if (companion_moves(ask->which)) {
         out->value = companion_motion(c, ask) && motion_judge(c, wrong);
         if (out->value && ask->which != COMPANION_SEGMENT_BOX) {
@@ -1460,6 +1481,9 @@ static inline void companion_judge(companion_work *c, const companion *ask, int 
                 out->word[1] =
                     companion_round(c, c->last, wrong == WRONG_END_NEAREST ? ROUND_NEAREST : ROUND_UP);
             }
+        }
+        if (out->value && ask->which == COMPANION_SWEEP) {
+            contact_unit(c, out->axis);
         }
         return;
     }
@@ -1490,6 +1514,9 @@ static inline int companion_confirm(companion_work *c, const companion *ask, con
 {
     companion_answer other;
     memset(&other, 0, sizeof other);
+    if (contact_owns(ask->which)) {
+        return contact_confirm(c, ask, answer);
+    }
     if (companion_moves(ask->which)) {
         return companion_motion(c, ask) ? motion_confirm(c, answer->value) : !answer->value;
     }
@@ -1514,6 +1541,19 @@ static inline int companion_confirm(companion_work *c, const companion *ask, con
 static inline int companion_same(const companion_answer *a, const companion_answer *b)
 {
     return a->value == b->value && a->n == b->n && memcmp(a->word, b->word, sizeof a->word) == 0;
+}
+
+/* Is what is written but for its last bits near enough to the exact answer, which was judged just before? */
+static inline int companion_is_near(companion_work *c, int which, const companion_answer *got,
+                                    const companion_answer *want)
+{
+    if (which == COMPANION_GAP) {
+        return gap_is_right(c, got, want);
+    }
+    if ((which == COMPANION_SWEEP || which == COMPANION_SWEEP_RULE || which == COMPANION_SWEEP_BOX) && want->value) {
+        return motion_axis_is(c, got->axis);
+    }
+    return 1;
 }
 
 #endif

@@ -238,9 +238,29 @@ static uint64_t golden_ask_fit(const golden_grid *g)
     return 0;
 }
 
+static int unsafe;
+
+/* Would all answers within their bounds be as rough as this one? 2^-22 of an axis, 2^-40 of a gap, both with more. */
+static void rough_is_safe(const companion_answer *a)
+{
+    companion_answer less = *a;
+    companion_answer more = *a;
+    int k, safe = 1;
+    for (k = 0; k < 3; ++k) {
+        const int fixed = golden_fixed(a->axis[k]);
+        safe &= golden_step(fixed - 3) == golden_step(fixed + 3);
+        less.axis[k] = more.axis[k] = 0;
+    }
+    less.s -= 16384;
+    more.s += 16384;
+    safe &= a->s << 1 == 0 || golden_rough(&less, 1) == golden_rough(&more, 1);
+    unsafe += !safe;
+}
+
 static void golden_ask_companion(const companion *c, companion_answer *out)
 {
     companion_judge(&work, c, WRONG_NOTHING, out);
+    rough_is_safe(out);
     if (!companion_confirm(&work, c, out)) {
         ++disagreements;
     }
@@ -267,6 +287,10 @@ int main(void)
         hash = golden_mix(hash, golden_chunk(i));
         eighth = i < GOLDEN_EIGHTH ? hash : eighth;
         few = i < GOLDEN_FEW ? hash : few;
+    }
+    if (unsafe != 0) {
+        fprintf(stderr, "gen_golden: %d axes or gaps are too near the border of two steps\n", unsafe);
+        return 1;
     }
     if (disagreements != 0) {
         fprintf(stderr, "gen_golden: the judges disagree on %d answers\n", disagreements);

@@ -20,7 +20,7 @@
 #define GOLDEN_EIGHTH 256  /* of them, with a hash of their own, where time is short */
 #define GOLDEN_FEW 32      /* and where it is shorter: emulators */
 #define GOLDEN_SINGLES 32  /* triangles and boxes in a chunk; beside them one grid and one point */
-#define GOLDEN_COMPANIONS 30 /* questions to companions in a chunk */
+#define GOLDEN_COMPANIONS 38 /* questions to companions in a chunk */
 #define GOLDEN_EDGE 8      /* the region of a golden grid is 8 x 8 x 8 */
 #define GOLDEN_HARD 16     /* of either in a chunk: with the numbers that compilers and modes mistake */
 
@@ -429,6 +429,103 @@ GOLDEN_FN void golden_box_point(uint64_t *state, const int64_t lo[3], const int6
     }
 }
 
+/* an integer vector whose length, which is returned, is an integer, too */
+GOLDEN_FN int golden_triple(uint64_t *state, int64_t w[3])
+{
+    const int which = golden_between(state, 0, 5);
+    const int turn = golden_between(state, 0, 2);
+    int k;
+    int t[4];
+    t[0] = which == 0 ? 1 : which == 1 ? 3 : which == 2 ? 1 : which == 3 ? 2 : which == 4 ? 4 : 5;
+    t[1] = which == 0 ? 0 : which == 1 ? 4 : which == 2 ? 2 : which == 3 ? 3 : which == 4 ? 4 : 12;
+    t[2] = which < 2 || which == 5 ? 0 : which == 2 ? 2 : which == 3 ? 6 : 7;
+    t[3] = which == 0 ? 1 : which == 1 ? 5 : which == 2 ? 3 : which == 3 ? 7 : which == 4 ? 9 : 13;
+    for (k = 0; k < 3; ++k) {
+        w[k] = golden_between(state, 0, 1) ? t[(k + turn) % 3] : -t[(k + turn) % 3];
+    }
+    return t[3];
+}
+
+/* Questions of contact: spheres that touch what they are asked about, or nearly. */
+GOLDEN_FN void golden_add_contact(uint64_t *state, int which, int reach, int at, int64_t x[23])
+{
+    int64_t *w = x + COMPANION_W;
+    int64_t *o = x + COMPANION_O;
+    int64_t out[3];
+    int64_t point[3];
+    const int size = golden_between(state, 0, 4 * reach);
+    const int length = golden_triple(state, out);
+    const int more = golden_between(state, -1, 6);
+    int k;
+    for (k = 0; k < 3; ++k) {
+        const int side = golden_between(state, 0, 2);
+        const int across = golden_between(state, 0, 8 * reach);
+        if (which == COMPANION_SWEEP_BOX) { /* box b beside, or across, or on a face */
+            x[k] = side == 0 ? x[COMPANION_HI + k] : side == 1 ? x[COMPANION_LO + k] - across : x[COMPANION_LO + k];
+            x[3 + k] = x[k] + across;
+        }
+        if (which <= COMPANION_GAP) {
+            x[COMPANION_LO + k] -= at * w[k];
+            x[COMPANION_HI + k] -= at * w[k];
+        }
+    }
+    if (which == COMPANION_GAP && more > 4) { /* about a corner: directions tie */
+        for (k = 0; k < 3; ++k) {
+            const int half = 8 * golden_between(state, 0, reach);
+            x[COMPANION_LO + k] = x[k] - half;
+            x[COMPANION_HI + k] = x[k] + half;
+        }
+    }
+    if (which <= COMPANION_GAP) {
+        return;
+    }
+    golden_point(state, x, point);
+    if (which == COMPANION_SPHERE_BOX) {
+        golden_box_point(state, x + COMPANION_LO, x + COMPANION_HI, point);
+    }
+    for (k = 0; k < 3; ++k) {
+        o[k] = point[k] + out[k] * size;
+    }
+    x[COMPANION_T0] = (int64_t)length * size + (more < 0 ? more : 0);
+    x[COMPANION_T1] = 8 * at + (more > 2 ? 8 * more : more);
+    if (which == COMPANION_SPHERE_SPHERE) {
+        for (k = 0; k < 3; ++k) {
+            w[k] = point[k];
+        }
+        x[COMPANION_T1] = golden_between(state, 0, 1) ? x[COMPANION_T0] / 3 : 0;
+        x[COMPANION_T0] -= x[COMPANION_T1];
+    } else if (which == COMPANION_PLANE_SPHERE) {
+        x[COMPANION_T0] = size;
+        x[COMPANION_T1] = (more & 1) != 0 ? (int64_t)length * size : -(int64_t)length * size;
+        for (k = 0; k < 3; ++k) {
+            w[k] = out[k];
+            x[COMPANION_T1] -= out[k] * o[k];
+        }
+    } else if (which == COMPANION_RAY_SPHERE) {
+        golden_direction(state, reach, x + COMPANION_LO);
+        for (k = 0; k < 3; ++k) { /* through that point of the sphere, or along the sphere there */
+            if (more == 6) {
+                x[COMPANION_LO + k] = k == 0 ? 0 : k == 1 ? 8 * out[2] : -8 * out[1];
+            }
+            w[k] = point[k] - at * x[COMPANION_LO + k];
+        }
+        x[COMPANION_HI] = golden_between(state, 0, 2) ? 0 : 8 * at - golden_between(state, 0, 8);
+    }
+}
+
+/* Is the number a time, in eighths, or of a plane's normal, in units? All others are lengths. */
+GOLDEN_FN int golden_is_time(int which, int i)
+{
+    return which > COMPANION_QUERY ? which == COMPANION_RAY_SPHERE && (i == COMPANION_HI || i == COMPANION_T1)
+                                   : i >= COMPANION_T0 && which != COMPANION_PLANE_BOX;
+}
+
+GOLDEN_FN int golden_is_normal(int which, int i)
+{
+    return (which == COMPANION_PLANE_BOX || which == COMPANION_PLANE_SPHERE) && i >= COMPANION_W &&
+           (which == COMPANION_PLANE_BOX ? i < COMPANION_T0 : i < COMPANION_O);
+}
+
 /* What the function adds to triangle and box: x[15..20] at the scale of the others; t in eighths. */
 GOLDEN_FN void golden_add_numbers(uint64_t *state, int which, int reach, int64_t x[23])
 {
@@ -472,20 +569,54 @@ GOLDEN_FN void golden_add_numbers(uint64_t *state, int which, int reach, int64_t
     if (which == COMPANION_PLANE_BOX) {
         x[COMPANION_T0] = sum;
     }
+    if (which > COMPANION_QUERY) {
+        golden_add_contact(state, which, reach, at, x);
+    }
+}
+
+GOLDEN_FN void golden_make_hard_grid(uint64_t index, golden_grid *g);
+
+/* A segment through a golden grid, hard or not: from v0 to v1 there. */
+GOLDEN_FN void golden_make_segment(uint64_t index, int hard, companion *c)
+{
+    golden_grid g;
+    int k;
+    if (hard) {
+        golden_make_hard_grid(index | 1, &g);
+    } else {
+        golden_make_grid(index | 1, &g);
+    }
+    for (k = 0; k < COMPANION_NUMBERS; ++k) {
+        c->x[k] = 0;
+    }
+    for (k = 0; k < 3; ++k) {
+        c->x[k] = g.origin[k];
+        c->x[3 + k] = g.size[k];
+        c->x[6 + k] = (uint64_t)(uint32_t)(g.lo[k] + 0x800000);
+        c->x[COMPANION_W + k] = g.v[k];
+        c->x[COMPANION_O + k] = g.v[3 + (index >> 8 & 1) * 3 + k];
+    }
+    if ((index >> 9 & 3) == 0) { /* along a plane, perhaps */
+        k = (int)(index >> 11 & 0xffff) % 3;
+        c->x[COMPANION_O + k] = c->x[COMPANION_W + k];
+    }
 }
 
 GOLDEN_FN void golden_make_companion(uint64_t index, companion *c)
 {
     uint64_t state = index * 1013 + 3;
     int64_t x[COMPANION_NUMBERS];
-    int i, e = 0, decimal, reach, plane;
+    int i, e = 0, decimal, reach;
     int kind = golden_between(&state, 0, 15);
     int nudges = golden_between(&state, -3, 3);
     int endless = golden_between(&state, 0, 7);
     c->which = (int)(index % COMPANIONS);
-    c->f64 = companion_has_f64(c->which) && index / COMPANIONS % 3 == 2;
+    c->f64 = !companion_has_float(c->which) || (companion_has_f64(c->which) && index / COMPANIONS % 3 == 2);
     c->flags = (1u << golden_between(&state, 0, 3)) >> 1;
-    plane = c->which == COMPANION_PLANE_BOX;
+    if (c->which == COMPANION_GRID_SEGMENT) {
+        golden_make_segment(index, 0, c);
+        return;
+    }
     if (kind < 2) {
         for (i = 0; i < COMPANION_NUMBERS; ++i) {
             c->x[i] = golden_loose(&state, kind, c->f64);
@@ -504,8 +635,8 @@ GOLDEN_FN void golden_make_companion(uint64_t index, companion *c)
     golden_add_numbers(&state, c->which, reach, x);
     decimal = kind == 2 || kind == 3;
     if (decimal) { /* multiples of the number nearest to 0.1, rounded */
-        for (i = 0; i < COMPANION_T0; ++i) {
-            if (!plane || i < COMPANION_W) {
+        for (i = 0; i < COMPANION_NUMBERS; ++i) {
+            if (!golden_is_time(c->which, i) && !golden_is_normal(c->which, i)) {
                 x[i] = x[i] / 8 * (c->f64 ? (int64_t)7205759403792794 : 13421773);
             }
         }
@@ -518,13 +649,13 @@ GOLDEN_FN void golden_make_companion(uint64_t index, companion *c)
         e = golden_between(&state, -40, 20);
     }
     for (i = 0; i < COMPANION_NUMBERS; ++i) {
-        int scale = i >= COMPANION_T0 ? (plane ? e : -3) : plane && i >= COMPANION_W ? 0 : e;
+        int scale = golden_is_time(c->which, i) ? -3 : golden_is_normal(c->which, i) ? 0 : e;
         c->x[i] = golden_encode(x[i], scale, c->f64);
     }
-    if (endless < 2 && !plane) { /* rays and lines */
+    if (endless < 2 && golden_is_time(c->which, COMPANION_T1)) { /* rays and lines */
         c->x[COMPANION_T1] = c->f64 ? (uint64_t)0x7ff << 52 : (uint64_t)0xff << 23;
         if (endless == 0) {
-            c->x[COMPANION_T0] = c->f64 ? (uint64_t)0xfff << 52 : (uint64_t)0x1ff << 23;
+            c->x[c->which == COMPANION_RAY_SPHERE ? COMPANION_HI : COMPANION_T0] = c->f64 ? (uint64_t)0xfff << 52 : (uint64_t)0x1ff << 23;
         }
     }
     for (; nudges > 0; --nudges) {
@@ -629,7 +760,11 @@ GOLDEN_FN void golden_make_hard_companion(uint64_t index, companion *c)
     int base[3];
     golden_make_companion(index, c);
     golden_tenths_base(&state, base);
-    if (tenths && c->which != COMPANION_PLANE_BOX) {
+    if (c->which == COMPANION_GRID_SEGMENT) {
+        golden_make_segment(index, 1, c);
+        return;
+    }
+    if (tenths && c->which != COMPANION_PLANE_BOX && c->which != COMPANION_PLANE_SPHERE) {
         golden_on_tenths(&state, c->x, COMPANION_W, base, reach, c->f64);
         if (c->which == COMPANION_OCTANTS) { /* sizes: a twentieth, a tenth and the like, or nearly */
             golden_on_tenths(&state, c->x + COMPANION_HI, 3, none, 1, c->f64);
@@ -637,6 +772,12 @@ GOLDEN_FN void golden_make_hard_companion(uint64_t index, companion *c)
             c->x[COMPANION_HI] -= c->x[COMPANION_HI] != 0 ? (uint64_t)1 << (c->f64 ? 52 : 23) : 0;
         } else {
             golden_on_tenths(&state, c->x + COMPANION_W, 6, base, reach, c->f64);
+        }
+        if (c->which >= COMPANION_SPHERE_SPHERE) { /* radii, too; a direction */
+            golden_on_tenths(&state, c->x + COMPANION_T0, 1, none, 3, c->f64);
+        }
+        if (c->which == COMPANION_RAY_SPHERE) {
+            golden_on_tenths(&state, c->x + COMPANION_LO, 3, none, 3, c->f64);
         }
         return;
     }
@@ -687,6 +828,35 @@ GOLDEN_FN void golden_make_hard_grid(uint64_t index, golden_grid *g)
 
 /* ---- the hash --------------------------------------------------------------------------------- */
 
+/* A component of an axis, in [-1, 1], in units of 2^-20, cut. */
+GOLDEN_FN int golden_fixed(uint32_t bits)
+{
+    const int exponent = (int)(bits >> 23 & 255u);
+    const int mantissa = (int)((bits & 0x7fffffu) | 0x800000u);
+    const int fixed = 130 - exponent > 24 ? 0 : exponent > 127 ? 0x400000 : mantissa >> (130 - exponent);
+    return bits >> 31 != 0 ? -fixed : fixed;
+}
+
+/* ... in sixteen steps, none of which begins near a number that axes like to be. */
+GOLDEN_FN int golden_step(int fixed)
+{
+    return (fixed + 0x405a5a3) >> 16;
+}
+
+/* An axis and a gap as roughly as they are the same everywhere. Of the sweep's axis only the magnitudes: at rest it may
+ * point either way. gen_golden.c shows that none of them is near the border of two steps. */
+GOLDEN_FN uint64_t golden_rough(const companion_answer *a, int is_gap)
+{
+    const uint64_t size = a->s << 1 >> 1;
+    uint64_t rough = is_gap && size != 0 ? (size + (((uint64_t)0x9u << 32) | 0xe3779b97u)) >> 36 : 0;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        const int fixed = golden_fixed(is_gap ? a->axis[k] : a->axis[k] & 0x7fffffffu);
+        rough = rough << 12 | (uint64_t)(golden_step(fixed) & 0xfff);
+    }
+    return rough;
+}
+
 GOLDEN_FN uint64_t golden_mix_companion(uint64_t hash, uint64_t index, int hard)
 {
     companion c;
@@ -700,6 +870,11 @@ GOLDEN_FN uint64_t golden_mix_companion(uint64_t hash, uint64_t index, int hard)
     golden_ask_companion(&c, &answer);
     GOLDEN_SAY(hard ? "hard companion" : "companion", index, ((uint64_t)(uint32_t)answer.value << 8) | (uint32_t)answer.n);
     hash = golden_mix(hash, ((uint64_t)(uint32_t)answer.value << 32) | (uint32_t)answer.n);
+    if (c.which == COMPANION_SWEEP || (c.which >= COMPANION_SWEEP_RULE && c.which <= COMPANION_GAP)) {
+        const uint64_t rough = golden_rough(&answer, c.which == COMPANION_GAP);
+        hash = golden_mix(hash, rough);
+        GOLDEN_SAY(hard ? "    axis, hard" : "    axis", index, rough);
+    }
     for (i = 0; i < answer.n; ++i) {
         hash = golden_mix(hash, answer.word[i]);
         GOLDEN_SAY(hard ? "    wrote, hard" : "    wrote", index, answer.word[i]);

@@ -1007,9 +1007,8 @@ static void companion_question(run *r, const companion *ask)
     companion_ask(ask, &got);
     companion_judge(&r->work, ask, WRONG_NOTHING, &want);
     right = companion_same(&got, &want);
-    if (ask->which == COMPANION_SWEEP && want.value) {
-        ++r->count->answers[r->row];
-        right = right && motion_axis_is(&r->work, got.axis);
+    if (!companion_is_near(&r->work, ask->which, &got, &want)) {
+        right = 0;
     }
     if (companion_moves(ask->which) && want.value) {
         r->count->touching[r->row] += mpq_equal(r->work.first, r->work.last) ? 1 : 0;
@@ -1033,7 +1032,7 @@ static void companion_question(run *r, const companion *ask)
         companion_judge(&r->work, ask, mutant, &wrong);
         ++r->count->companion_mutant_tried[mutant];
         if (!companion_same(&wrong, &want) ||
-            (ask->which == COMPANION_SWEEP && want.value && right && !motion_axis_is(&r->work, got.axis))) {
+            (right && !companion_is_near(&r->work, ask->which, &got, &wrong))) {
             ++r->count->companion_mutant_caught[mutant];
         }
     }
@@ -1095,13 +1094,15 @@ static void companions(run *r, int n)
 {
     while (n-- > 0) {
         companion ask;
-        int which = dice_below(&r->d, COMPANIONS + 2);
+        int which = dice_below(&r->d, COMPANIONS + 3);
         int class = dice_below(&r->d, CASES);
-        which = which < COMPANIONS ? which : COMPANION_SWEEP; /* more of these: they have 13 axes */
+        which = which < COMPANIONS        ? which
+                : which == COMPANIONS + 2 ? COMPANION_GAP
+                                          : COMPANION_SWEEP; /* more of these: they have 13 axes */
         r->row = ROW_COMPANION + which;
         companion_make(&r->d, which, class, &ask);
         if (class != CASE_SPECIAL && class != CASE_BITS && which != COMPANION_CLOSEST &&
-            dice_once_in(&r->d, 16)) {
+            which != COMPANION_GRID_SEGMENT && dice_once_in(&r->d, 16)) {
             companion_flip(r, &ask);
         } else {
             companion_question(r, &ask);

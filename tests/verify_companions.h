@@ -187,6 +187,182 @@ static inline void companion_octant(dice *d, companion *c, double x[COMPANION_NU
     c->flags = dice_once_in(d, 8) ? (unsigned)dice_below(d, 16) : 1u << dice_below(d, 4) >> 1;
 }
 
+/* ---- contact ---------------------------------------------------------------------------------- */
+
+/* an integer vector whose length is one, too, in any order and direction */
+static inline double contact_triple(dice *d, double out[3])
+{
+    static const signed char triples[8][4] = {{1, 0, 0, 1}, {3, 4, 0, 5}, {1, 2, 2, 3},   {2, 3, 6, 7},
+                                              {4, 4, 7, 9}, {1, 4, 8, 9}, {5, 12, 0, 13}, {2, 6, 9, 11}};
+    const signed char *t = triples[dice_below(d, 8)];
+    const int turn = dice_below(d, 3);
+    int k;
+    for (k = 0; k < 3; ++k) {
+        out[k] = (double)t[(k + turn) % 3] * (dice_once_in(d, 2) ? 1.0 : -1.0);
+    }
+    return (double)t[3];
+}
+
+/* a sphere about o that touches the point at a length that is an integer, or nearly, or not */
+static inline void contact_ball(dice *d, const double point[3], double x[COMPANION_NUMBERS])
+{
+    double w[3];
+    double length = contact_triple(d, w);
+    double size = dice_once_in(d, 2) ? 1.0 : dice_once_in(d, 2) ? dice_unit(d) : power_of_two(dice_between(d, -9, 3));
+    int k;
+    if (dice_once_in(d, 4)) { /* along the triangle's normal */
+        shape_normal(x, w);
+        length = dice_unit(d) * 3.0;
+    }
+    for (k = 0; k < 3; ++k) {
+        x[COMPANION_O + k] = point[k] + w[k] * size;
+    }
+    x[COMPANION_T0] = length * size;
+    if (dice_once_in(d, 6)) {
+        x[COMPANION_T0] = dice_once_in(d, 4) ? 0.0 : 2.0 * dice_unit(d);
+    }
+}
+
+/* a line through or past the sphere: from w along box_min, t from box_max[0] to t_max */
+static inline void contact_line(dice *d, double x[COMPANION_NUMBERS])
+{
+    double point[3], w[3], length = contact_triple(d, w);
+    double at = companion_moment(d);
+    const double radius = x[COMPANION_T0];
+    int k;
+    for (k = 0; k < 3; ++k) { /* a point of the sphere, if 1/length is exact, or near it */
+        point[k] = x[COMPANION_O + k] + w[k] * (radius / length);
+    }
+    companion_direction(d, x, x + COMPANION_LO);
+    if (dice_once_in(d, 3)) { /* across the way to the centre: the line grazes */
+        double v[3];
+        const int a = dice_below(d, 3);
+        v[a] = 0.0;
+        v[(a + 1) % 3] = w[(a + 2) % 3];
+        v[(a + 2) % 3] = -w[(a + 1) % 3];
+        memcpy(x + COMPANION_LO, v, sizeof v);
+    }
+    for (k = 0; k < 3; ++k) {
+        x[COMPANION_LO + k] = number_fit(x[COMPANION_LO + k], 0);
+        x[COMPANION_W + k] = point[k] - at * x[COMPANION_LO + k];
+    }
+    companion_ends(d, at, x + COMPANION_HI, x + COMPANION_T1);
+}
+
+/* where the region begins: such that the segment is in it, or nearly */
+static inline void contact_place_region(dice *d, companion *c)
+{
+    double at[3];
+    int k;
+    for (k = 0; k < 3; ++k) {
+        const double p = companion_number(c->x[(dice_once_in(d, 2) ? COMPANION_W : COMPANION_O) + k], 1);
+        const double origin = companion_number(c->x[k], 1);
+        const double size = companion_number(c->x[3 + k], 1);
+        double i = 0.0;
+        if (is_finite(p) && is_finite(origin) && is_finite(size) && sign_of_double(size) > 0) {
+            i = (p / 2.0 - origin / 2.0) / size * 2.0;
+        }
+        at[k] = i > -8000000.0 && i < 8000000.0 ? i : 0.0;
+        c->x[6 + k] = (uint64_t)(0x800000 + (int)at[k] - dice_between(d, 0, 4));
+    }
+}
+
+static inline void contact_segment(dice *d, companion *c, double x[COMPANION_NUMBERS])
+{
+    const int how = dice_below(d, 4); /* whole steps; tenths; anything; along a plane */
+    double step[3];
+    int k;
+    for (k = 0; k < 3; ++k) {
+        int i = dice_between(d, -3, 4);
+        int j = dice_between(d, -3, 4);
+        step[k] = how == 1 ? 0.1 : how == 2 ? dice_unit(d) + 0.01 : power_of_two(dice_between(d, -2, 2));
+        x[k] = how == 2 ? dice_signed(d) : step[k] * (double)dice_between(d, -50, 50);
+        x[3 + k] = step[k];
+        x[COMPANION_W + k] = x[k] + step[k] * (double)i;
+        x[COMPANION_O + k] = x[k] + step[k] * (double)j;
+        if (!dice_once_in(d, 2)) {
+            x[COMPANION_W + k] += step[k] * (double)dice_below(d, 8) / 8.0;
+            x[COMPANION_O + k] += step[k] * (how == 2 ? dice_unit(d) : (double)dice_below(d, 8) / 8.0);
+        }
+        if (dice_once_in(d, how == 3 ? 2 : 6)) {
+            x[COMPANION_O + k] = x[COMPANION_W + k];
+        }
+    }
+    c->flags = dice_once_in(d, 8) ? (unsigned)dice_below(d, 16) : 1u << dice_below(d, 4) >> 1;
+}
+
+static inline void contact_make(dice *d, companion *c, double x[COMPANION_NUMBERS])
+{
+    double point[3], w[3], at;
+    int k;
+    c->flags = dice_once_in(d, 4) ? (unsigned)dice_below(d, 16) : dice_once_in(d, 4) ? 0u : 2u;
+    shape_point(d, x, dice_between(d, 1, 3), point);
+    switch (c->which) {
+    case COMPANION_SWEEP_RULE:
+    case COMPANION_SWEEP_BOX:
+    case COMPANION_GAP:
+        at = dice_once_in(d, 4) ? 0.0 : companion_moment(d);
+        companion_direction(d, x, x + COMPANION_W);
+        for (k = 0; k < 3; ++k) {
+            if (c->which == COMPANION_SWEEP_BOX) { /* box b: beside box a, or across it */
+                const double size = dice_once_in(d, 8) ? 0.0 : dice_unit(d);
+                x[k] = dice_once_in(d, 3)   ? x[COMPANION_HI + k]
+                       : dice_once_in(d, 2) ? x[COMPANION_LO + k]
+                                            : x[COMPANION_LO + k] - size;
+                x[3 + k] = x[k] + size;
+            }
+            x[COMPANION_LO + k] -= at * x[COMPANION_W + k];
+            x[COMPANION_HI + k] -= at * x[COMPANION_W + k];
+        }
+        if (c->which == COMPANION_GAP && dice_once_in(d, 4)) { /* about a corner, T perhaps level: directions tie */
+            const int level = dice_below(d, 6);
+            for (k = 0; k < 3; ++k) {
+                const double half = (double)dice_between(d, 0, 8) / 8.0;
+                x[k] = number_fit(x[k], 0);
+                x[COMPANION_LO + k] = x[k] - half;
+                x[COMPANION_HI + k] = x[k] + half;
+                if (k == level) {
+                    x[3 + k] = x[6 + k] = x[k];
+                }
+            }
+        }
+        break;
+    case COMPANION_GRID_SEGMENT:
+        contact_segment(d, c, x);
+        break;
+    case COMPANION_SPHERE_SPHERE:
+    case COMPANION_PLANE_SPHERE:
+        contact_ball(d, point, x);
+        at = contact_triple(d, w);
+        for (k = 0; k < 3; ++k) {
+            x[COMPANION_W + k] = point[k];
+        }
+        x[COMPANION_T1] = 0.0;
+        if (c->which == COMPANION_PLANE_SPHERE) { /* n.c + d = radius |n| */
+            x[COMPANION_T1] = x[COMPANION_T0] * at * (dice_once_in(d, 2) ? 1.0 : -1.0);
+            for (k = 0; k < 3; ++k) {
+                x[COMPANION_W + k] = w[k];
+                x[COMPANION_T1] -= w[k] * x[COMPANION_O + k];
+            }
+        } else if (dice_once_in(d, 2)) { /* both have a part of it */
+            x[COMPANION_T1] = x[COMPANION_T0] * 0.25;
+            x[COMPANION_T0] *= 0.75;
+        }
+        break;
+    case COMPANION_SPHERE_BOX:
+        companion_box_point(d, x + COMPANION_LO, point);
+        contact_ball(d, point, x);
+        break;
+    case COMPANION_SPHERE_TRIANGLE:
+        contact_ball(d, point, x);
+        break;
+    default:
+        contact_ball(d, point, x);
+        contact_line(d, x);
+        break;
+    }
+}
+
 /* one question to the function, with the triangle and box of the class (verify_cases.h) */
 static inline void companion_make(dice *d, int which, int class, companion *c)
 {
@@ -195,7 +371,7 @@ static inline void companion_make(dice *d, int which, int class, companion *c)
     int i, k;
     memset(c, 0, sizeof *c);
     c->which = which;
-    c->f64 = companion_has_f64(which) && dice_once_in(d, 2);
+    c->f64 = !companion_has_float(which) || (companion_has_f64(which) && dice_once_in(d, 2));
     case_make(d, class, c->f64, x);
     for (i = COMPANION_W; i < COMPANION_NUMBERS; ++i) {
         x[i] = lattice ? (double)dice_between(d, -8, 8) : 2.0 * dice_signed(d);
@@ -243,6 +419,9 @@ static inline void companion_make(dice *d, int which, int class, companion *c)
         companion_octant(d, c, x);
         break;
     default:
+        if (which > COMPANION_QUERY) {
+            contact_make(d, c, x);
+        }
         break;
     }
     for (i = 0; i < COMPANION_NUMBERS; ++i) { /* neighbours of what was meant */
@@ -252,7 +431,7 @@ static inline void companion_make(dice *d, int which, int class, companion *c)
     }
     if (class == CASE_EXTREME && dice_once_in(d, 2)) { /* what was added of the same size as the rest */
         double size = power_of_two(c->f64 ? dice_between(d, -1060, 1000) : dice_between(d, -140, 120));
-        for (i = COMPANION_W; i < COMPANION_T0; ++i) {
+        for (i = COMPANION_W; i < COMPANION_T0 + (which >= COMPANION_SPHERE_SPHERE); ++i) {
             x[i] *= size;
         }
     } else if (class == CASE_BITS) {
@@ -263,6 +442,9 @@ static inline void companion_make(dice *d, int which, int class, companion *c)
         x[dice_between(d, COMPANION_W, COMPANION_T1)] = special_number(d, c->f64);
     }
     companion_write(c, x);
+    if (which == COMPANION_GRID_SEGMENT) {
+        contact_place_region(d, c);
+    }
 }
 
 #endif
