@@ -4379,9 +4379,7 @@ TBX_FN size_t tbx_mesh_spans(const tribox_grid *grid, const tbx_source *source, 
         return 0;
     }
 #if TRIBOX_SIMD
-    if (!source->is_double) {
-        t = tbx_mesh_spans_quick(&f, source, on_span, user, &count);
-    }
+    t = tbx_mesh_spans_quick(&f, source, on_span, user, &count);
 #endif
     for (; t < source->triangles; t++) {
         int n = tbx_walked_begin(&w, &f, source, t);
@@ -4540,9 +4538,7 @@ TBX_FN void tbx_fill_mesh(const tribox_grid *grid, const tbx_source *source, uin
     target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
     tbx_part_all(&all, grid);
 #if TRIBOX_SIMD
-    if (!source->is_double) {
-        t = tbx_fill_quick(&f, source, &target);
-    }
+    t = tbx_fill_quick(&f, source, &target);
 #endif
     for (; t < source->triangles; t++) {
         tbx_fill_triangle(&f, source, t, &all, &target);
@@ -10829,20 +10825,23 @@ typedef struct tbx_quick {
     double units[3];  /* 1 / size */
     double delta;     /* of a coordinate in voxels, in double */
     int n[3];
-    float centre[4]; /* fixed point; the fourth lanes are 0 */
+    float centre[4];     /* fixed point; x, y, z in lanes 1, 2, 3, as wherever there are four */
+    float subtrahend[4]; /* that, or 0 where it is taken off already */
     float steps[4];
-    int32_t far_bits[4]; /* of the greatest magnitude it is used for */
-    int32_t bias[4];     /* of index 0, less the slack */
-    int32_t limit[4];    /* what is above in either half is unsure, or outside */
-    float inverse[3];
+    int32_t near_bits[4]; /* of the greatest magnitude that converts without care, */
+    int32_t near_byte[4]; /* and of what is negative the upper byte */
+    int32_t far_bits[4];  /* of the greatest magnitude it is used for */
+    int32_t bias[4];      /* of index 0, less the slack */
+    int32_t limit[4];     /* what is above in either half is unsure, or outside */
+    float inverse[4];
     float shift_down[3]; /* MARGIN - origin, less and plus the bound */
     float shift_up[3];
-    float base_high[3]; /* of the first inner plane of the box at index 0 */
-    float base_low[3];
-    float size_high[3];
-    float size_low[3];
-    float step[3];  /* of the lattice; 0: there is none on this axis */
-    int32_t end[3]; /* the region's last voxel, MARGIN added */
+    float base_high[4]; /* of the first inner plane of the box at index 0 */
+    float base_low[4];
+    float size_high[4];
+    float size_low[4];
+    float step[3];          /* of the lattice; 0: there is none on this axis */
+    int32_t end[3];         /* the region's last voxel, MARGIN added */
     double whole_origin[3]; /* of the grid, as such and PIECES times, in two parts; so is the size */
     double origin_high[3];
     double origin_low[3];
@@ -10857,12 +10856,15 @@ typedef struct tbx_quick {
     int lattice;    /* some step is not 0 */
     int upper_open; /* touching a voxel's upper faces does not count */
     int lower_open;
-    int fetch;                  /* the bits exceed the caches */
-    unsigned char class_of[64]; /* by extents of up to 4 voxels */
+    int fetch;   /* the bits exceed the caches */
+    int is_wide; /* an index may need more than 15 bits */
+    unsigned char
+        class_of[256];      /* by extents of up to 4 voxels, 64: others; 128 more: the predecessor's box */
+    uint64_t voxels_of[64]; /* of 4^3 those of a box */
 } tbx_quick;
 
 #define TBX_PIECES 40.0f /* of a voxel: eighths, tenths, twentieths, fortieths */
-#define TBX_MARGIN 16 /* voxels beyond the region in which X is still used */
+#define TBX_MARGIN 16    /* voxels beyond the region in which X is still used */
 #define TBX_PARTS_LOG2 4
 #define TBX_PARTS (1 << TBX_PARTS_LOG2) /* of a voxel, in the lattice */
 
@@ -10881,20 +10883,23 @@ TBX_FN float tbx_lattice_step(const tribox_grid *grid, int k, double spacing)
     return exact ? (float)step : 0.0f;
 }
 
-/* Classes of boxes; those listed first need no test, the last ones take a way of their own. */
+/* Classes of boxes. */
 enum {
     TBX_CLASS_SHORT, /* one voxel or two */
-    TBX_CLASS_FLAT,  /* 2x2x1 voxels, one thick on x, */
-    TBX_CLASS_FLAT_Y,
-    TBX_CLASS_FLAT_Z,
-    TBX_CLASS_2, /* up to 2^3, 3^3, 4^3 */
+    TBX_CLASS_FLAT,  /* 2x2x1 voxels */
+    TBX_CLASS_2,     /* 2^3, up to 3^3, 4^3 */
     TBX_CLASS_3,
     TBX_CLASS_4,
+    TBX_CLASS_ON_2, /* the same with some axis on the lattice */
+    TBX_CLASS_ON_3,
+    TBX_CLASS_ON_4,
     TBX_CLASS_LARGE,
-    TBX_CLASS_SPECIAL
+    TBX_CLASS_OTHER, /* not known yet */
+    TBX_CLASS_SKIP,  /* the same one voxel or two as the predecessor */
+    TBX_CLASSES
 };
 
-TBX_FN void tbx_classes_init(tbx_quick *q)
+TBX_FN void tbx_classes_init(tbx_quick *q, int skips)
 {
     int i;
     for (i = 0; i < 64; i++) {
@@ -10903,16 +10908,25 @@ TBX_FN void tbx_classes_init(tbx_quick *q)
         const int z = i >> 4;
         const int most = x > y ? x > z ? x : z : y > z ? y : z;
         const int longer = (x > 0) + (y > 0) + (z > 0);
-        const int flat = x == 0 ? 0 : y == 0 ? 1 : 2;
+        const uint64_t layers = (uint64_t)0x00010001u << 32 | 0x00010001u;
+        const uint64_t row = ((uint64_t)2 << x) - 1;
         int c = TBX_CLASS_SHORT;
         if (q->thin) {
-            c = TBX_CLASS_LARGE;
+            c = TBX_CLASS_OTHER;
         } else if (most > 1 || longer > 2) {
             c = TBX_CLASS_2 + most - 1;
         } else if (longer == 2) {
-            c = TBX_CLASS_FLAT + flat;
+            c = TBX_CLASS_FLAT;
         }
         q->class_of[i] = (unsigned char)c;
+        q->class_of[i + 128] = (unsigned char)(c == TBX_CLASS_SHORT && skips ? (int)TBX_CLASS_SKIP : c);
+        q->voxels_of[i] = row * (0x1111u >> (12 - 4 * y)) * (layers >> (48 - 16 * z));
+    }
+    for (i = 64; i < 256; i += 128) {
+        int j;
+        for (j = i; j < i + 64; j++) {
+            q->class_of[j] = TBX_CLASS_OTHER;
+        }
     }
 }
 
@@ -10923,7 +10937,7 @@ TBX_FN double tbx_high_half(double x)
 }
 
 /* Fixed point on axis k. Returns 0 if its slack is too large. */
-TBX_FN int tbx_fixed_init(tbx_quick *q, int k)
+TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
 {
     const double n = (double)q->n[k];
     const double steps = TBX_STEPS * q->units[k];
@@ -10932,21 +10946,33 @@ TBX_FN int tbx_fixed_init(tbx_quick *q, int k)
     const double error = 3.0 * (double)TBX_U32 * (0.5 * n + 2.0) + 2.0 * q->delta;
     double slack = error < 0.125 ? 1.01 * TBX_STEPS * error + 4.0 : 0.0;
     double bias;
+    double near_by;
+    float near_float;
     TBX_KEEP_SCALAR(slack);
-    q->centre[k] = (float)(q->origin[k] + 0.5 * n / q->units[k]);
-    TBX_KEEP(q->centre[k]);
-    q->steps[k] = (float)steps;
-    q->far_bits[k] = (int32_t)tbx_bits32(&far_off);
-    bias = ((double)q->centre[k] - q->origin[k]) * steps - slack;
+    q->centre[k + 1] = (float)(q->origin[k] + 0.5 * n / q->units[k]);
+    TBX_KEEP(q->centre[k + 1]);
+    q->subtrahend[k + 1] = is_double ? 0.0f : q->centre[k + 1];
+    q->steps[k + 1] = (float)steps;
+    q->far_bits[k + 1] = (int32_t)tbx_bits32(&far_off);
+    bias = ((double)q->centre[k + 1] - q->origin[k]) * steps - slack;
     bias = bias < 4294967295.0 ? bias : 4294967295.0;
     bias = bias > -4294967295.0 ? bias : -4294967295.0;
     TBX_KEEP_SCALAR(bias);
-    q->bias[k] = (int32_t)(uint32_t)(uint64_t)(int64_t)bias;
-    q->limit[k] = (int32_t)(((uint32_t)q->n[k] - 1u) << 16 | (65535u - 2u * (uint32_t)slack));
+    q->bias[k + 1] = (int32_t)(uint32_t)(uint64_t)(int64_t)bias;
+    near_by = 2113929216.0 / steps - tbx_abs((double)q->subtrahend[k + 1]); /* 2^31 less a 64th */
+    near_by = near_by < most ? near_by : most;
+    near_by = near_by > 0.0 ? near_by : 0.0;
+    TBX_KEEP_SCALAR(near_by);
+    near_float = (float)(near_by * 0.999);
+    q->near_bits[k + 1] = (int32_t)(tbx_bits32(&near_float) & 0xffff0000u) - 65536;
+    q->near_byte[k + 1] = 127 + (int32_t)(tbx_bits32(&near_float) >> 24);
+    q->limit[k + 1] = (int32_t)(((uint32_t)q->n[k] - 1u) << 16 | (65535u - 2u * (uint32_t)slack));
     return error < 0.125;
 }
 
-TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_target *t)
+/* For a source of doubles or floats; skips: a box of one or two voxels that equals its predecessor's is left out. */
+TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_target *t, int is_double,
+                           int skips)
 {
     const double u = (double)TBX_U32;
     const double margin = (double)TBX_MARGIN;
@@ -10958,11 +10984,15 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
     q->layer_words = t->ny * t->row_words;
     q->delta = 0.0;
     q->delta_low = 0.0f;
-    q->centre[3] = q->steps[3] = 0.0f;
-    q->far_bits[3] = 0x7fffffff;
-    q->bias[3] = 0;
-    q->limit[3] = -1;
-    tbx_classes_init(q);
+    q->centre[0] = q->subtrahend[0] = q->steps[0] = q->inverse[0] = 0.0f;
+    q->base_high[0] = q->base_low[0] = q->size_high[0] = q->size_low[0] = 0.0f;
+    q->near_bits[0] = 0x7f7fffff;
+    q->near_byte[0] = 0xfe;
+    q->far_bits[0] = 0x7fffffff;
+    q->bias[0] = 0;
+    q->limit[0] = -1;
+    q->is_wide = 0;
+    tbx_classes_init(q, skips);
     for (k = 0; k < 3; k++) {
         const double n = (double)grid->hi[k] - (double)grid->lo[k];
         if (!(tbx_is_ordinary(&grid->origin[k], 100) & tbx_is_ordinary(&grid->size[k], 60)) || n > 65536.0) {
@@ -10976,6 +11006,7 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
             q->units[k] = 1.0 / size;
             q->origin[k] = grid->origin[k] + offset;
             q->n[k] = (int)n;
+            q->is_wide |= n > 32700.0;
             delta = (tbx_abs(grid->origin[k]) + tbx_abs(offset)) * q->units[k] + n + 64.0;
             delta *= 8.0 * TBX_U64;
             q->delta = delta > q->delta ? delta : q->delta;
@@ -10999,25 +11030,25 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
         double base_high;
         double size_high;
         double delta_low;
-        q->on = (slack < 0.125) & tbx_fixed_init(q, k);
+        q->on = (slack < 0.125) & tbx_fixed_init(q, k, is_double);
         spacing = tbx_floor_pow2(most) * (1.0 / 4194304.0); /* 2^-22 */
         base_high = tbx_floor_to(base, spacing);
         size_high = tbx_floor_to(size, spacing);
         TBX_KEEP(base_high);
         TBX_KEEP(size_high);
         delta_low = 4.1 * u * spacing * (n + 34.0) * units + 2.0 * q->delta + 1e-12;
-        q->inverse[k] = (float)units;
+        q->inverse[k + 1] = (float)units;
         q->shift_down[k] = (float)(margin - origin * units - slack);
         q->shift_up[k] = (float)(margin - origin * units + slack);
-        q->base_high[k] = (float)base_high;
-        q->base_low[k] = (float)(base - base_high);
-        q->size_high[k] = (float)size_high;
-        q->size_low[k] = (float)(size - size_high);
+        q->base_high[k + 1] = (float)base_high;
+        q->base_low[k + 1] = (float)(base - base_high);
+        q->size_high[k + 1] = (float)size_high;
+        q->size_low[k + 1] = (float)(size - size_high);
         q->step[k] = tbx_lattice_step(grid, k, spacing);
         q->delta_low = (float)delta_low > q->delta_low ? (float)delta_low : q->delta_low;
         q->end[k] = TBX_MARGIN + q->n[k] - 1;
     }
-    q->precise = q->on;
+    q->precise = q->on && !is_double; /* the precise way and the lattice take corners for floats */
     for (k = 0; k < 3; k++) {
         const double origin = tbx_high_half(grid->origin[k]);
         q->whole_origin[k] = grid->origin[k];
@@ -11028,7 +11059,7 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
         q->lo[k] = grid->lo[k];
         q->precise &= grid->lo[k] > -1000000 && grid->hi[k] < 1000000;
     }
-    q->lattice = q->on && q->step[0] + q->step[1] + q->step[2] > 0.0f;
+    q->lattice = q->on && !is_double && q->step[0] + q->step[1] + q->step[2] > 0.0f;
 }
 
 /* Index boxes as the ways of a fill take them: x, y, z of the first voxel, from the region's first; in the
@@ -11069,7 +11100,7 @@ TBX_FN void tbx_group_pad(tbx_group *g)
     }
 }
 
-#define TBX_BLOCK 128
+#define TBX_BLOCK 96 /* the stack stays below 16 KiB */
 
 /* What a triangle leaves for the row walk: how many triangles before the next block's first it is, and its
  * rows and layers. */
@@ -11088,6 +11119,7 @@ typedef struct tbx_fill {
     tbx_group rows[2]; /* boxes of up to FEW^3, ROWS^3 */
     tbx_group again;   /* of up to 4^3, unsure in floats */
     size_t next;       /* the first triangle of the next block */
+    int on_planes;     /* the last block's boxes were mostly beside grid planes */
     int doubts;        /* a block's, and of what waited in groups, at most */
     tbx_doubt doubt[TBX_BLOCK + 3 * TBX_WIDE];
 } tbx_fill;
@@ -11103,122 +11135,354 @@ TBX_FN tbx_doubt *tbx_fill_later(tbx_fill *fill, size_t triangle)
     return d;
 }
 
-/* A block of triangles: their boxes, and lists of them by class. */
+/* ---- Blocks of triangles: their boxes, and lists of them by class
+ *
+ * A box is a key: its first voxel's x, y, z, from the region's first, in 16 bits each from bit 16 on, below them,
+ * where it is of up to 4^3 voxels, two bits for each extent, the voxels less 1. Of a box that is cut x, y and z are
+ * signed. Corners are rows of four floats: x, y, z in lanes 1 to 3, and anything finite in lane 0, so that a row of a
+ * mesh is one load. */
 typedef struct tbx_block {
-    int32_t box[TBX_BLOCK][4];
-    unsigned char list[TBX_CLASS_SPECIAL + 1][TBX_BLOCK];
-    int count[TBX_CLASS_SPECIAL + 1];
-    uint64_t skips; /* 1: a box of one or two voxels that equals its predecessor's is left out */
+    uint64_t key[TBX_BLOCK];
+    int32_t more[TBX_BLOCK]; /* of LARGE boxes: as in the last lane of boxes above */
+    unsigned char list[TBX_CLASSES][TBX_BLOCK];
+    int count[TBX_CLASSES];
     size_t first; /* triangle */
 } tbx_block;
 
-/* The class of a box of so many voxels more than one: a byte for each axis. */
-TBX_FORCED unsigned tbx_class_of(const tbx_quick *q, uint32_t more)
-{
-    const unsigned few = q->class_of[(uint32_t)((more & 0x030303u) * 0x04104000u) >> 26];
-    return (more & 0xfefcfcfcu) != 0 ? (unsigned)TBX_CLASS_LARGE : few;
-}
+typedef struct tbx_corners {
+    tbx_f4 row[TBX_BLOCK][3];
+} TBX_ALIGNED tbx_corners;
 
-/* Bytes 0..2: lanes 0..2, 255 where they are more. */
-TBX_FORCED uint32_t tbx_to_bytes(tbx_i4 a)
+typedef uint16_t tbx_h8 __attribute__((vector_size(16)));
+typedef int16_t tbx_s8 __attribute__((vector_size(16)));
+typedef unsigned char tbx_b16 __attribute__((vector_size(16)));
+
+/* The greater of each signed word, and of each byte. */
+TBX_FORCED tbx_i4 tbx_most_words(tbx_i4 a, tbx_i4 b)
 {
-#if defined(__SSE2__)
-    typedef short tbx_s8 __attribute__((vector_size(16)));
-    const tbx_s8 words = __builtin_ia32_packssdw128(a, a);
-    return (uint32_t)((tbx_i4)__builtin_ia32_packuswb128(words, words))[0];
+#if defined(__SSE2__) && !defined(__clang__) /* which finds these instructions itself */
+    return (tbx_i4)__builtin_ia32_pmaxsw128((tbx_s8)a, (tbx_s8)b);
 #else
-    const tbx_i4 most = tbx_splat_int(255);
-    const tbx_i4 over = a > most;
-    a = (a & ~over) | (most & over);
-    return (uint32_t)(a[0] | a[1] << 8 | a[2] << 16);
+    const tbx_i4 more = (tbx_i4)((tbx_s8)a > (tbx_s8)b);
+    return (a & more) | (b & ~more);
 #endif
 }
 
-/* Corner c of the source's triangle t, as integers in the lanes of tbx_load3. */
-TBX_FORCED tbx_i4 tbx_block_corner(const tbx_source *source, int indexed, size_t at)
+TBX_FORCED tbx_i4 tbx_most_bytes(tbx_i4 a, tbx_i4 b)
 {
-    tbx_i4 r =
-        (tbx_i4)tbx_load3(source->positions + source->stride * (indexed ? (size_t)source->indices[at] : at));
+#if defined(__SSE2__) && !defined(__clang__)
+    typedef char tbx_c16 __attribute__((vector_size(16)));
+    return (tbx_i4)__builtin_ia32_pmaxub128((tbx_c16)a, (tbx_c16)b);
+#else
+    const tbx_i4 more = (tbx_i4)((tbx_b16)a > (tbx_b16)b);
+    return (a & more) | (b & ~more);
+#endif
+}
+
+/* How far each word of a is above that of b, 0 where it is not. */
+TBX_FORCED tbx_i4 tbx_words_above(tbx_u4 a, tbx_u4 b)
+{
+#if defined(__SSE2__) && !defined(__clang__)
+    return (tbx_i4)__builtin_ia32_psubusw128((tbx_s8)a, (tbx_s8)b);
+#else
+    const tbx_h8 above = (tbx_h8)((tbx_h8)a > (tbx_h8)b);
+    return (tbx_i4)(((tbx_h8)a - (tbx_h8)b) & above);
+#endif
+}
+
+/* Lanes 1, 2, 3 of a as 16 bits each of out[0], from bit 16 on; of b in out[1]. Lanes are from -2^15 to 2^15 - 1, or
+ * they are above. */
+TBX_FORCED void tbx_keys_of(uint64_t out[2], tbx_i4 a, tbx_i4 b)
+{
+#if defined(__SSE2__)
+    const tbx_l2 words = (tbx_l2)__builtin_ia32_packssdw128(a, b);
+    out[0] = (uint64_t)words[0];
+    out[1] = (uint64_t)words[1];
+#else
+    out[0] = (uint64_t)(uint16_t)a[1] << 16 | (uint64_t)(uint16_t)a[2] << 32 | (uint64_t)(uint16_t)a[3] << 48;
+    out[1] = (uint64_t)(uint16_t)b[1] << 16 | (uint64_t)(uint16_t)b[2] << 32 | (uint64_t)(uint16_t)b[3] << 48;
+#endif
+}
+
+/* 0 only where lanes 1, 2, 3 are all 0. */
+TBX_FORCED uint64_t tbx_key_any(tbx_i4 a)
+{
+#if defined(__SSE2__)
+    return (uint64_t)((tbx_l2)__builtin_ia32_packssdw128(a, a))[0];
+#else
+    return (uint64_t)(uint32_t)(a[1] | a[2] | a[3]);
+#endif
+}
+
+TBX_FORCED uint32_t tbx_key_axis(uint64_t key, int k)
+{
+    return (uint32_t)(key >> (16 + 16 * k)) & 65535u;
+}
+
+/* A row at `from`: lane 0 holds the four bytes before it, or 0. */
+TBX_FORCED tbx_i4 tbx_corner_at(const char *from, int packed)
+{
+    tbx_i4 r = tbx_splat_int(0);
+    if (packed) {
+        TBX_COPY(&r, from - sizeof(float), sizeof r);
+    } else {
+        const tbx_i4 v = tbx_load3i(from);
+        r = TBX_LANES(v, v, 3, 0, 1, 2);
+    }
     TBX_KEEP_VECTOR(r);
     return r;
 }
 
-/* Boxes of a block. */
-TBX_FORCED void tbx_block_boxes(tbx_block *b, const tbx_quick *q, const tbx_source *from, int indexed,
-                                int count)
+/* A row of doubles, less the region's centre, in floats. That rounds once, as the difference of floats does. Numbers
+ * that no float would hold are infinite. */
+TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_quick *q)
 {
-    typedef uint16_t tbx_h8 __attribute__((vector_size(16)));
+    const uint64_t magnitude = ~(uint64_t)0 >> 1;
+    const uint64_t most = (uint64_t)(1023 + 100) << 52;
+    tbx_f4 r = { 0.0f, 0.0f, 0.0f, 0.0f };
+    tbx_i4 bits = tbx_splat_int(0x7f800000);
+    double x[3];
+    TBX_COPY(x, from, sizeof x);
+    if (!TBX_RARELY(((tbx_bits64(&x[0]) & magnitude) > most) | ((tbx_bits64(&x[1]) & magnitude) > most) |
+                    ((tbx_bits64(&x[2]) & magnitude) > most))) {
+        r[1] = (float)(x[0] - (double)q->centre[1]);
+        r[2] = (float)(x[1] - (double)q->centre[2]);
+        r[3] = (float)(x[2] - (double)q->centre[3]);
+        bits = (tbx_i4)r;
+    }
+    TBX_KEEP_VECTOR(bits);
+    return bits;
+}
+
+/* Corner k, vertex number `at` of the mesh. */
+TBX_FORCED tbx_i4 tbx_block_corner(const tbx_source *source, const tbx_quick *q, int indexed, int packed,
+                                   int is_double, size_t at)
+{
+    const size_t vertex = indexed ? (size_t)source->indices[at] : at;
+    const char *p = source->positions + vertex * (packed ? 3 * sizeof(float) : source->stride);
+    return is_double ? tbx_corner_at_f64(p, q) : tbx_corner_at(p, packed);
+}
+
+/* The corners of so many triangles. Returns 1 if they are all near enough, and finite, for boxes without care: of what
+ * is positive the greatest upper half tells, of what is negative the greatest byte. */
+TBX_FORCED int tbx_block_corners(tbx_corners *out, const tbx_quick *q, const tbx_source *from, int indexed,
+                                 int packed, int is_double, size_t first, int count)
+{
     const tbx_source source = *from; /* what is stored does not change it */
-    const tbx_f4 centre = tbx_load4(q->centre);
-    const tbx_f4 steps = tbx_load4(q->steps);
-    const tbx_i4 far_bits = tbx_load4i(q->far_bits);
-    const tbx_u4 bias = (tbx_u4)tbx_load4i(q->bias);
-    const tbx_h8 limit = (tbx_h8)tbx_load4i(q->limit);
-    const tbx_i4 magnitude = tbx_splat_int(0x7fffffff);
-    const tbx_f4 most = tbx_splat(2147483392.0f); /* 2^31 - 2^8 */
-    const tbx_f4 least = -most;
-    const tbx_u4 half = (tbx_u4)tbx_splat_int(16);
-    const tbx_i4 all = tbx_splat_int(-1);
-    size_t at = 3 * b->first;
+    tbx_i4 words = tbx_splat_int(TBX_SIGN_BIT);
+    tbx_i4 bytes = tbx_splat_int(0);
+    size_t at = 3 * first;
     int i;
     for (i = 0; i < count; i++, at += 3) {
-        const tbx_i4 v0 = tbx_block_corner(&source, indexed, at);
-        const tbx_i4 v1 = tbx_block_corner(&source, indexed, at + 1);
-        const tbx_i4 v2 = tbx_block_corner(&source, indexed, at + 2);
-        const tbx_i4 out = ((v0 & magnitude) > far_bits) | ((v1 & magnitude) > far_bits) |
-                           ((v2 & magnitude) > far_bits);
-        if (!TBX_RARELY(tbx_any(out))) {
-            tbx_f4 low = tbx_min4(tbx_min4((tbx_f4)v0, (tbx_f4)v1), (tbx_f4)v2) - centre;
-            tbx_f4 high = tbx_max4(tbx_max4((tbx_f4)v0, (tbx_f4)v1), (tbx_f4)v2) - centre;
-            tbx_f4 y0;
-            tbx_f4 y1;
-            tbx_u4 q0;
-            tbx_u4 q1;
-            tbx_i4 sure;
-            tbx_i4 first;
-            tbx_i4 extents;
-            TBX_KEEP_VECTOR(low);
-            TBX_KEEP_VECTOR(high);
-            y0 = tbx_min4(tbx_max4(low * steps, least), most);
-            y1 = tbx_min4(tbx_max4(high * steps, least), most);
-            q0 = (tbx_u4)__builtin_convertvector(y0, tbx_i4) + bias;
-            q1 = (tbx_u4)__builtin_convertvector(y1, tbx_i4) + bias;
-            sure = (tbx_i4)(((tbx_h8)q0 <= limit) & ((tbx_h8)q1 <= limit));
-            first = (tbx_i4)(q0 >> half);
-            extents = (tbx_i4)(q1 >> half) - first;
-            TBX_COPY(b->box[i], &first, sizeof first);
-            b->box[i][3] = (int32_t)tbx_to_bytes(extents);
-            if (!TBX_RARELY(tbx_signs(sure == all) != 15)) {
-                continue;
-            }
-        }
-        b->box[i][3] = TBX_NOT_KNOWN;
+        const tbx_i4 v0 = tbx_block_corner(&source, q, indexed, packed, is_double, at);
+        const tbx_i4 v1 = tbx_block_corner(&source, q, indexed, packed, is_double, at + 1);
+        const tbx_i4 v2 = tbx_block_corner(&source, q, indexed, packed, is_double, at + 2);
+        words = tbx_most_words(tbx_most_words(tbx_most_words(words, v0), v1), v2);
+        bytes = tbx_most_bytes(tbx_most_bytes(tbx_most_bytes(bytes, v0), v1), v2);
+        out->row[i][0] = (tbx_f4)v0;
+        out->row[i][1] = (tbx_f4)v1;
+        out->row[i][2] = (tbx_f4)v2;
+    }
+    return !tbx_any((words > tbx_load4i(q->near_bits)) |
+                    ((tbx_i4)((tbx_u4)bytes >> (tbx_u4)tbx_splat_int(24)) > tbx_load4i(q->near_byte)));
+}
+
+/* Is the first vertex a corner of the block? Nothing may be read before it. */
+TBX_FORCED int tbx_block_has_first(const tbx_source *source, size_t first, int count)
+{
+    const uint32_t *index = source->indices;
+    tbx_i4 zero = tbx_splat_int(0);
+    int i;
+    if (index == NULL) {
+        return first == 0;
+    }
+    index += 3 * first;
+    for (i = 0; i + 4 <= 3 * count; i += 4) {
+        tbx_i4 four;
+        TBX_COPY(&four, index + i, sizeof four);
+        zero |= four == tbx_splat_int(0);
+    }
+    for (; i < 3 * count; i++) {
+        zero |= tbx_splat_int(-(index[i] == 0));
+    }
+    return tbx_any(zero);
+}
+
+TBX_FN int tbx_block_load(tbx_corners *out, const tbx_quick *q, const tbx_source *source, size_t first,
+                          int count)
+{
+    const int indexed = source->indices != NULL;
+    if (source->is_double) {
+        return tbx_block_corners(out, q, source, indexed, 0, 1, first, count);
+    } else if (source->stride != 3 * sizeof(float) || tbx_block_has_first(source, first, count)) {
+        return tbx_block_corners(out, q, source, indexed, 0, 0, first, count);
+    } else if (indexed) {
+        return tbx_block_corners(out, q, source, 1, 1, 0, first, count);
+    } else {
+        return tbx_block_corners(out, q, source, 0, 1, 0, first, count);
     }
 }
 
-/* Lists of a block's boxes by class. Of triangles in the same one or two voxels that follow each other the
- * first will do. */
-TBX_FORCED void tbx_block_lists(tbx_block *b, const tbx_quick *q, int count)
+/* Of tbx_quick, what it takes. */
+typedef struct tbx_fixed {
+    tbx_f4 base;
+    tbx_f4 steps;
+    tbx_u4 bias;
+    tbx_u4 limit;
+} tbx_fixed;
+
+TBX_FORCED tbx_fixed tbx_fixed_of(const tbx_quick *q)
 {
-    tbx_i4 previous = tbx_splat_int(-1);
-    uint64_t counts = 0; /* a byte for each class but the last: at most BLOCK */
+    tbx_fixed f;
+    f.base = tbx_load4(q->subtrahend);
+    f.steps = tbx_load4(q->steps);
+    f.bias = (tbx_u4)tbx_load4i(q->bias);
+    f.limit = (tbx_u4)tbx_load4i(q->limit);
+    return f;
+}
+
+/* The least and the greatest voxel in fixed point. */
+TBX_FORCED void tbx_box_fixed(tbx_u4 out[2], const tbx_fixed *f, const tbx_f4 v[3], int careful)
+{
+    const tbx_f4 base = f->base;
+    const tbx_f4 steps = f->steps;
+    tbx_f4 low = tbx_min4(tbx_min4(v[0], v[1]), v[2]) - base;
+    tbx_f4 high = tbx_max4(tbx_max4(v[0], v[1]), v[2]) - base;
+    TBX_KEEP_VECTOR(low);
+    TBX_KEEP_VECTOR(high);
+    low *= steps;
+    high *= steps;
+    if (careful) {
+        const tbx_f4 most = tbx_splat(2147483392.0f); /* 2^31 - 2^8 */
+        low = tbx_min4(tbx_max4(low, -most), most);
+        high = tbx_min4(tbx_max4(high, -most), most);
+    }
+    out[0] = (tbx_u4) __builtin_convertvector(low, tbx_i4) + f->bias;
+    out[1] = (tbx_u4) __builtin_convertvector(high, tbx_i4) + f->bias;
+}
+
+/* Boxes of a block and lists of them by class, OTHER where they are not sure or longer than 4 voxels. Of triangles in
+ * the same one or two voxels that follow each other the first will do. */
+TBX_FORCED void tbx_block_boxes(tbx_block *b, const tbx_quick *q, const tbx_corners *corners, int count)
+{
+    const tbx_fixed f = tbx_fixed_of(q);
+    const tbx_i4 half = tbx_splat_int(16);
+    const uint64_t longer = ~(uint64_t)0 << 16 & ~((uint64_t)0x30003 << 32 | 0x30000u);
+    const uint64_t gather = (uint64_t)1 << 42 | 1 << 28 | 1 << 14; /* two bits of each axis to bits 58.. */
+    unsigned char *end[TBX_CLASSES];
+    uint64_t previous = ~(uint64_t)0;
     int i;
+    for (i = 0; i < TBX_CLASSES; i++) {
+        end[i] = b->list[i];
+    }
     for (i = 0; i < count; i++) {
-        const tbx_i4 box = tbx_load4i(b->box[i]);
-        const uint32_t more = (uint32_t)b->box[i][3];
-        if (TBX_RARELY(more == (uint32_t)TBX_NOT_KNOWN)) {
-            b->list[TBX_CLASS_SPECIAL][b->count[TBX_CLASS_SPECIAL]++] = (unsigned char)i;
+        tbx_u4 fixed[2];
+        uint64_t key[2];
+        uint64_t other;
+        unsigned char *at;
+        uint64_t c;
+        tbx_box_fixed(fixed, &f, corners->row[i], 0);
+        other = tbx_key_any(tbx_words_above(fixed[0], f.limit) | tbx_words_above(fixed[1], f.limit));
+        tbx_keys_of(key, (tbx_i4)fixed[0] >> half, (tbx_i4)fixed[1] >> half);
+        key[1] -= key[0];
+        c = (key[1] * gather) >> 58;
+        other |= key[1] & longer;
+        c = other != 0 ? 64 : c;
+        key[0] |= c;
+        b->key[i] = key[0];
+        c |= (uint64_t)(key[0] == previous) << 7;
+        previous = key[0];
+        c = q->class_of[c];
+        at = end[c];
+        *at = (unsigned char)i;
+        end[c] = at + 1;
+    }
+    for (i = 0; i < TBX_CLASSES; i++) {
+        b->count[i] = (int)(end[i] - b->list[i]);
+    }
+}
+
+/* The class of a box in the region of so many voxels more than one: a byte for each axis. */
+TBX_FORCED unsigned tbx_class_of(const tbx_quick *q, uint32_t more)
+{
+    const unsigned c = q->class_of[(uint32_t)((more & 0x030303u) * 0x04104000u) >> 26];
+    return (more & 0xfefcfcfcu) != 0 || c == TBX_CLASS_OTHER ? (unsigned)TBX_CLASS_LARGE : c;
+}
+
+/* A box, of lanes 0 to 2 and those of `more` that are extents, as a key. */
+TBX_FORCED uint64_t tbx_key_set(tbx_i4 box)
+{
+    const uint32_t few = (uint32_t)(((uint32_t)box[3] & 0x030303u) * 0x04104000u) >> 26;
+    return (uint64_t)(uint16_t)box[0] << 16 | (uint64_t)(uint16_t)box[1] << 32 |
+           (uint64_t)(uint16_t)box[2] << 48 | few;
+}
+
+/* And back. */
+TBX_FORCED tbx_i4 tbx_key_box(uint64_t key, int32_t more)
+{
+    const int cut = (more & TBX_IS_CUT) != 0;
+    const uint32_t x = tbx_key_axis(key, 0);
+    const uint32_t y = tbx_key_axis(key, 1);
+    const uint32_t z = tbx_key_axis(key, 2);
+    const tbx_i4 r = { cut ? (int16_t)x : (int32_t)x, cut ? (int16_t)y : (int32_t)y,
+                       cut ? (int16_t)z : (int32_t)z, more };
+    return r;
+}
+
+TBX_FORCED int32_t tbx_key_more(uint64_t key)
+{
+    return (int32_t)((key & 3) | (key >> 2 & 3) << 8 | (key >> 4 & 3) << 16);
+}
+
+/* Puts triangle i of the block, with its box, into the list of its class. */
+TBX_FORCED void tbx_block_add(tbx_block *b, const tbx_quick *q, unsigned char i, tbx_i4 box)
+{
+    unsigned c = tbx_class_of(q, (uint32_t)(box[3] & ~TBX_ON_LATTICE));
+    if ((box[3] & TBX_ON_LATTICE) != 0 && c != TBX_CLASS_SHORT) {
+        c = c < TBX_CLASS_2 ? (unsigned)TBX_CLASS_2 : c;
+        c = q->upper_open || c == TBX_CLASS_LARGE ? (unsigned)TBX_CLASS_LARGE
+                                                  : c + (TBX_CLASS_ON_2 - TBX_CLASS_2);
+    }
+    b->key[i] = tbx_key_set(box);
+    b->more[i] = box[3];
+    b->list[c][b->count[c]++] = i;
+}
+
+/* OTHER boxes with care: those that are sure to their lists. */
+TBX_NOINLINE void tbx_block_careful(tbx_block *b, const tbx_quick *q, const tbx_corners *corners)
+{
+    const tbx_i4 magnitude = tbx_splat_int(0x7fffffff);
+    const tbx_i4 far_bits = tbx_load4i(q->far_bits);
+    const tbx_fixed f = tbx_fixed_of(q);
+    unsigned char *list = b->list[TBX_CLASS_OTHER];
+    const int count = b->count[TBX_CLASS_OTHER];
+    int left = 0;
+    int j;
+    for (j = 0; j < count; j++) {
+        const unsigned char i = list[j];
+        const tbx_i4 *v = (const tbx_i4 *)corners->row[i];
+        list[left] = i;
+        if (tbx_any(((v[0] & magnitude) > far_bits) | ((v[1] & magnitude) > far_bits) |
+                    ((v[2] & magnitude) > far_bits))) {
+            left++;
         } else {
-            const unsigned c = tbx_class_of(q, more);
-            const uint64_t repeats = (c == TBX_CLASS_SHORT) & (tbx_signs(box == previous) == 15);
-            b->list[c][counts >> 8 * c & 255] = (unsigned char)i;
-            counts += (1 - (repeats & b->skips)) << 8 * c;
+            tbx_u4 fixed[2];
+            tbx_box_fixed(fixed, &f, corners->row[i], 1);
+            if (tbx_key_any(tbx_words_above(fixed[0], f.limit) | tbx_words_above(fixed[1], f.limit)) != 0) {
+                left++;
+            } else {
+                const tbx_u4 half = (tbx_u4)tbx_splat_int(16);
+                const tbx_i4 first = (tbx_i4)(fixed[0] >> half);
+                const tbx_i4 most = tbx_splat_int(255);
+                tbx_i4 extent = (tbx_i4)(fixed[1] >> half) - first;
+                tbx_i4 box = TBX_LANES(first, first, 1, 2, 3, 0);
+                extent = (extent & ~(extent > most)) | (most & (extent > most));
+                box[3] = extent[1] | extent[2] << 8 | extent[3] << 16;
+                tbx_block_add(b, q, i, box);
+            }
         }
-        previous = box;
     }
-    for (i = 0; i <= TBX_CLASS_LARGE; i++) {
-        b->count[i] = (int)(counts >> 8 * i & 255);
-    }
+    b->count[TBX_CLASS_OTHER] = left;
 }
 
 /* ---- Boxes that take the careful way, WIDE at a time */
@@ -11243,10 +11507,10 @@ TBX_FORCED tbx_iw tbx_box_round(tbx_fw x)
 TBX_FORCED tbx_fw tbx_lattice_place(const tbx_quick *q, int k, tbx_fw x, tbx_iw *on)
 {
     const tbx_fw parts = tbx_wide_all((float)TBX_PARTS);
-    const tbx_fw guess = x * tbx_wide_all(q->inverse[k]) + tbx_wide_all(q->shift_down[k]);
+    const tbx_fw guess = x * tbx_wide_all(q->inverse[k + 1]) + tbx_wide_all(q->shift_down[k]);
     const tbx_fw place = __builtin_convertvector(tbx_box_round(guess * parts + tbx_wide_all(0.5f)), tbx_fw);
     const tbx_fw first_plane = tbx_wide_all((float)((TBX_MARGIN + 1) * TBX_PARTS));
-    tbx_fw there = tbx_wide_all(q->base_high[k]) + (place - first_plane) * tbx_wide_all(q->step[k]);
+    tbx_fw there = tbx_wide_all(q->base_high[k + 1]) + (place - first_plane) * tbx_wide_all(q->step[k]);
     tbx_iw is_zero;
     TBX_KEEP_VECTOR(there);
     is_zero = (((tbx_iw)there | (tbx_iw)x) & tbx_wide_int(0x7fffffff)) == tbx_wide_int(0);
@@ -11257,7 +11521,7 @@ TBX_FORCED tbx_fw tbx_lattice_place(const tbx_quick *q, int k, tbx_fw x, tbx_iw 
 /* Index boxes on axis k, exactly where all corners are on the lattice. */
 TBX_FORCED void tbx_box_axis(const tbx_quick *q, int k, tbx_fw x0, tbx_fw x1, tbx_fw x2, tbx_boxes *out)
 {
-    const tbx_fw inverse = tbx_wide_all(q->inverse[k]);
+    const tbx_fw inverse = tbx_wide_all(q->inverse[k + 1]);
     const tbx_fw down = tbx_wide_all(q->shift_down[k]);
     const tbx_fw up = tbx_wide_all(q->shift_up[k]);
     const tbx_fw low = tbx_wide_min(tbx_wide_min(x0, x1), x2) * inverse;
@@ -11289,7 +11553,7 @@ TBX_FORCED void tbx_box_axis(const tbx_quick *q, int k, tbx_fw x0, tbx_fw x1, tb
 TBX_FORCED tbx_fw tbx_box_tame(const tbx_quick *q, int k, tbx_fw x, tbx_iw *finite)
 {
     const tbx_iw size = (tbx_iw)x & tbx_wide_int(0x7fffffff);
-    const tbx_iw most = tbx_wide_int(q->far_bits[k]);
+    const tbx_iw most = tbx_wide_int(q->far_bits[k + 1]);
     *finite &= size < tbx_wide_int(0x7f800000);
     return (tbx_fw)tbx_wide_select(size > most, most | ((tbx_iw)x & tbx_wide_int(TBX_SIGN_BIT)), (tbx_iw)x);
 }
@@ -11438,14 +11702,23 @@ TBX_NOINLINE tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, c
     return tbx_load4i(box);
 }
 
-/* Boxes of the triangles that are not as simple as can be; those that are not known are LARGE. */
-TBX_NOINLINE void tbx_block_special(tbx_block *b, const tribox_grid *grid, const tbx_quick *q,
-                                    const tbx_source *source)
+/* Boxes of the triangles that are not as simple as can be; those that are not known are LARGE. Returns how many
+ * are on the lattice. */
+TBX_NOINLINE int tbx_block_special(tbx_block *b, const tribox_grid *grid, const tbx_quick *q,
+                                   const tbx_source *source)
 {
-    const unsigned char *list = b->list[TBX_CLASS_SPECIAL];
-    const int count = b->count[TBX_CLASS_SPECIAL];
+    const unsigned char *list = b->list[TBX_CLASS_OTHER];
+    const int count = b->count[TBX_CLASS_OTHER];
+    int on_lattice = 0;
     int i;
     int j;
+    if (source->is_double) { /* are walked: their exact ways take floats */
+        for (i = 0; i < count; i++) {
+            const tbx_i4 box = { 0, 0, 0, TBX_NOT_KNOWN };
+            tbx_block_add(b, q, list[i], box);
+        }
+        return 0;
+    }
     for (i = 0; i < count; i += TBX_WIDE) {
         tbx_i4 box[TBX_WIDE];
         size_t triangle[TBX_WIDE];
@@ -11455,39 +11728,45 @@ TBX_NOINLINE void tbx_block_special(tbx_block *b, const tribox_grid *grid, const
         tbx_boxes_special(q, source, triangle, box);
         for (j = 0; j < TBX_WIDE && i + j < count; j++) {
             tbx_i4 one = box[j];
-            unsigned c;
             if (one[3] == TBX_NOT_KNOWN) {
                 one = tbx_box_exact(grid, q, source, triangle[j]);
             }
-            if (one[3] == TBX_OFF) {
-                continue;
+            if (one[3] != TBX_OFF) {
+                tbx_block_add(b, q, list[i + j], one);
+                on_lattice += one[3] != TBX_NOT_KNOWN && (one[3] & TBX_ON_LATTICE) != 0;
             }
-            c = tbx_class_of(q, (uint32_t)(one[3] & ~TBX_ON_LATTICE));
-            if ((one[3] & TBX_ON_LATTICE) != 0 && c != TBX_CLASS_SHORT) {
-                c = c < TBX_CLASS_2 ? (unsigned)TBX_CLASS_2 : c;
-                c = q->upper_open ? (unsigned)TBX_CLASS_LARGE : c;
-            }
-            TBX_COPY(b->box[list[i + j]], &one, sizeof one);
-            b->list[c][b->count[c]++] = list[i + j];
         }
     }
+    return on_lattice;
 }
 
-/* Boxes and lists of so many triangles from the first, BLOCK at most. */
-TBX_NOINLINE void tbx_block_find(tbx_block *b, const tribox_grid *grid, const tbx_quick *q,
-                                 const tbx_source *source, size_t first, int count)
+/* Boxes and lists of so many triangles from the first, BLOCK at most. Where the last block was mostly beside grid
+ * planes, *on_planes, all boxes are found with care at once. */
+TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribox_grid *grid,
+                                 const tbx_quick *q, const tbx_source *source, size_t first, int count,
+                                 int *on_planes)
 {
+    int on_lattice = 0;
+    int i;
     b->first = first;
-    b->count[TBX_CLASS_SPECIAL] = 0;
-    if (source->indices != NULL) {
-        tbx_block_boxes(b, q, source, 1, count);
+    if (tbx_block_load(corners, q, source, first, count) & !*on_planes) {
+        tbx_block_boxes(b, q, corners, count);
     } else {
-        tbx_block_boxes(b, q, source, 0, count);
+        for (i = 0; i < TBX_CLASSES; i++) {
+            b->count[i] = 0;
+        }
+        b->count[TBX_CLASS_OTHER] = count;
+        for (i = 0; i < count; i++) {
+            b->list[TBX_CLASS_OTHER][i] = (unsigned char)i;
+        }
     }
-    tbx_block_lists(b, q, count);
-    if (b->count[TBX_CLASS_SPECIAL] > 0) {
-        tbx_block_special(b, grid, q, source);
+    if (b->count[TBX_CLASS_OTHER] > 0) {
+        if (!*on_planes) {
+            tbx_block_careful(b, q, corners);
+        }
+        on_lattice = tbx_block_special(b, grid, q, source);
     }
+    *on_planes = 2 * on_lattice > count;
 }
 
 /* ---- Groups: boxes of up to n^3 voxels, n = 2, 3 or 4
@@ -11575,116 +11854,6 @@ TBX_FORCED void tbx_group_miss(tbx_missed *m, tbx_iw voxels, int n, int z)
     }
 }
 
-/* The inner point i, j steps along b, c from the first: e is negative outside; `cell` is missed
- * at the first. */
-TBX_FORCED void tbx_group_point(tbx_missed *m, tbx_fw e, tbx_iw cell, int n, int b, int c, int i, int j)
-{
-    const int z = b == 2 ? i : c == 2 ? j : -1;
-    const int up =
-        (n == 4 && b == 2 ? 0 : i * TBX_STRIDE(n, b)) + (n == 4 && c == 2 ? 0 : j * TBX_STRIDE(n, c));
-    m->least = tbx_wide_min(m->least, tbx_wide_abs(e));
-    tbx_group_miss(m, tbx_wide_up(cell, up) & tbx_wide_sign(e), n, z);
-}
-
-/* An edge d with E = e at the first inner point; sign is the area's; |E| up to `touch` touches. */
-TBX_FORCED void tbx_group_edge(tbx_missed *m, tbx_fw e, tbx_fw d_b, tbx_fw d_c, tbx_iw sign, tbx_fw touch,
-                               int n, int b, int c)
-{
-    const tbx_iw sign_bit = tbx_wide_int(TBX_SIGN_BIT);
-    const tbx_iw cell =
-        tbx_group_side(tbx_wide_sign(d_c) ^ ~sign, n, b) & tbx_group_side(tbx_wide_sign(d_b) ^ sign, n, c);
-    const tbx_fw e00 = tbx_wide_flip(e, sign & sign_bit) + touch;
-    const tbx_fw to_b = tbx_wide_flip(d_c, ~sign & sign_bit);
-    const tbx_fw to_c = tbx_wide_flip(d_b, sign & sign_bit);
-    tbx_group_point(m, e00, cell, n, b, c, 0, 0);
-    if (n > 2) {
-        const tbx_fw e10 = e00 + to_b;
-        const tbx_fw e01 = e00 + to_c;
-        const tbx_fw e11 = e10 + to_c;
-        tbx_group_point(m, e10, cell, n, b, c, 1, 0);
-        tbx_group_point(m, e01, cell, n, b, c, 0, 1);
-        tbx_group_point(m, e11, cell, n, b, c, 1, 1);
-        if (n > 3) {
-            const tbx_fw e20 = e10 + to_b;
-            const tbx_fw e21 = e20 + to_c;
-            tbx_group_point(m, e20, cell, n, b, c, 2, 0);
-            tbx_group_point(m, e21, cell, n, b, c, 2, 1);
-            tbx_group_point(m, e21 + to_c, cell, n, b, c, 2, 2);
-            tbx_group_point(m, e01 + to_c, cell, n, b, c, 0, 2);
-            tbx_group_point(m, e11 + to_c, cell, n, b, c, 1, 2);
-        }
-    }
-}
-
-/* The three edges in the plane of axes b and c. Returns twice the area there. */
-TBX_FORCED tbx_fw tbx_group_edges(tbx_missed *m, tbx_fw b0, tbx_fw b1, tbx_fw b2, tbx_fw c0, tbx_fw c1,
-                                  tbx_fw c2, tbx_fw touch, int n, int b, int c)
-{
-    tbx_fw e0 = b0 * c1 - c0 * b1;
-    tbx_fw e1 = b1 * c2 - c1 * b2;
-    tbx_fw e2 = b2 * c0 - c2 * b0;
-    tbx_fw area;
-    tbx_iw sign;
-    TBX_KEEP_VECTOR(e0);
-    TBX_KEEP_VECTOR(e1);
-    TBX_KEEP_VECTOR(e2);
-    area = (e0 + e1) + e2;
-    sign = tbx_wide_sign(area);
-    m->least = tbx_wide_min(m->least, tbx_wide_abs(area) + touch);
-    tbx_group_edge(m, e0, b1 - b0, c1 - c0, sign, touch, n, b, c);
-    tbx_group_edge(m, e1, b2 - b1, c2 - c1, sign, touch, n, b, c);
-    tbx_group_edge(m, e2, b0 - b2, c0 - c2, sign, touch, n, b, c);
-    return area;
-}
-
-/* The inner points of a row at y, z steps: D = d at its first. Missed there: `cell`, with `change`
- * if D < 0. */
-TBX_FORCED void tbx_group_row(tbx_missed *m, tbx_fw d, tbx_fw n_x, tbx_iw cell, tbx_iw change, int n, int y,
-                              int z)
-{
-    const int up = y * n + (n == 4 ? 0 : z * n * n);
-    int x;
-    for (x = 0; x < 3; x++) {
-        if (x < n - 1) {
-            const tbx_fw size = tbx_wide_abs(d);
-            const tbx_iw missed = (cell ^ (change & tbx_wide_sign(d))) & (size > m->touch_plane);
-            m->least_plane = tbx_wide_min(m->least_plane, size);
-            tbx_group_miss(m, tbx_wide_up(missed, up + x), n, z);
-            d -= n_x;
-        }
-    }
-}
-
-/* The plane with normal (n_x, n_y, n_z) and D = d at the first inner point. */
-TBX_FORCED void tbx_group_plane(tbx_missed *m, tbx_fw n_x, tbx_fw n_y, tbx_fw n_z, tbx_fw d, int n)
-{
-    const tbx_iw s_x = tbx_wide_sign(n_x);
-    const tbx_iw s_y = tbx_wide_sign(n_y);
-    const tbx_iw s_z = tbx_wide_sign(n_z);
-    const tbx_iw cell = tbx_group_side(s_x, n, 0) & tbx_group_side(s_y, n, 1) & tbx_group_side(s_z, n, 2);
-    const tbx_iw other = tbx_group_side(~s_x, n, 0) & tbx_group_side(~s_y, n, 1) & tbx_group_side(~s_z, n, 2);
-    const tbx_iw change = cell ^ other;
-    m->least_plane = tbx_wide_abs(d);
-    tbx_group_row(m, d, n_x, cell, change, n, 0, 0);
-    if (n > 2) {
-        const tbx_fw d10 = d - n_y;
-        const tbx_fw d01 = d - n_z;
-        const tbx_fw d11 = d10 - n_z;
-        tbx_group_row(m, d10, n_x, cell, change, n, 1, 0);
-        tbx_group_row(m, d01, n_x, cell, change, n, 0, 1);
-        tbx_group_row(m, d11, n_x, cell, change, n, 1, 1);
-        if (n > 3) {
-            const tbx_fw d20 = d10 - n_y;
-            const tbx_fw d21 = d20 - n_z;
-            tbx_group_row(m, d20, n_x, cell, change, n, 2, 0);
-            tbx_group_row(m, d21, n_x, cell, change, n, 2, 1);
-            tbx_group_row(m, d01 - n_z, n_x, cell, change, n, 0, 2);
-            tbx_group_row(m, d11 - n_z, n_x, cell, change, n, 1, 2);
-            tbx_group_row(m, d21 - n_z, n_x, cell, change, n, 2, 2);
-        }
-    }
-}
-
 /* Misses the voxels of index i = 1.. along axis k that a smaller box does not have. */
 TBX_FORCED void tbx_group_beyond(tbx_missed *m, tbx_iw extents, int n, int k)
 {
@@ -11705,11 +11874,11 @@ TBX_FORCED void tbx_group_beyond(tbx_missed *m, tbx_iw extents, int n, int k)
 TBX_FORCED void tbx_group_place(const tbx_quick *q, int k, tbx_iw first, tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
 {
     const tbx_fw at = __builtin_convertvector(first, tbx_fw);
-    const tbx_fw inverse = tbx_wide_all(q->inverse[k]);
-    const tbx_fw size_low = tbx_wide_all(q->size_low[k]);
-    const tbx_fw size_high = tbx_wide_all(q->size_high[k]);
-    const tbx_fw low = tbx_wide_all(q->base_low[k]) + at * size_low;
-    tbx_fw high = tbx_wide_all(q->base_high[k]) + at * size_high;
+    const tbx_fw inverse = tbx_wide_all(q->inverse[k + 1]);
+    const tbx_fw size_low = tbx_wide_all(q->size_low[k + 1]);
+    const tbx_fw size_high = tbx_wide_all(q->size_high[k + 1]);
+    const tbx_fw low = tbx_wide_all(q->base_low[k + 1]) + at * size_low;
+    tbx_fw high = tbx_wide_all(q->base_high[k + 1]) + at * size_high;
     TBX_KEEP_VECTOR(high);
     *x0 -= high;
     *x1 -= high;
@@ -11723,6 +11892,233 @@ TBX_FORCED void tbx_group_place(const tbx_quick *q, int k, tbx_iw first, tbx_fw 
     TBX_KEEP_VECTOR(*x0);
     TBX_KEEP_VECTOR(*x1);
     TBX_KEEP_VECTOR(*x2);
+}
+
+/* The triangles that a kernel decides: so many of a list of a block's. */
+typedef struct tbx_some {
+    const tbx_block *block;
+    const tbx_corners *corners;
+    const tbx_source *source;
+    const unsigned char *list;
+    int count; /* 1 to WIDE */
+} tbx_some;
+
+/* The corners of WIDE triangles from the first inner plane of their boxes, lanes as in rows. */
+typedef struct tbx_placed {
+    tbx_f4 row[3][TBX_WIDE];
+} TBX_ALIGNED tbx_placed;
+
+/* Places one triangle. */
+TBX_FORCED void tbx_place_corners(tbx_placed *out, int lane, const tbx_quick *q, const tbx_f4 v[3],
+                                  uint64_t key)
+{
+    const tbx_f4 inverse = tbx_load4(q->inverse);
+    tbx_f4 at;
+    tbx_f4 low;
+    tbx_f4 high;
+    int c;
+#if defined(__SSE2__)
+    const tbx_l2 words = { (int64_t)key, 0 };
+    const tbx_s8 none = { 0, 0, 0, 0, 0, 0, 0, 0 };
+#if defined(__clang__)
+    const tbx_i4 first = (tbx_i4)__builtin_shufflevector((tbx_s8)words, none, 0, 8, 1, 9, 2, 10, 3, 11);
+#else
+    const tbx_i4 first = (tbx_i4)__builtin_ia32_punpcklwd128((tbx_s8)words, none);
+#endif
+#else
+    const tbx_i4 first = { 0, (int32_t)tbx_key_axis(key, 0), (int32_t)tbx_key_axis(key, 1),
+                           (int32_t)tbx_key_axis(key, 2) };
+#endif
+    at = __builtin_convertvector(first, tbx_f4);
+    low = tbx_load4(q->base_low) + at * tbx_load4(q->size_low);
+    high = tbx_load4(q->base_high) + at * tbx_load4(q->size_high);
+    TBX_KEEP_VECTOR(high);
+    for (c = 0; c < 3; c++) {
+        tbx_f4 x = v[c] - high;
+        TBX_KEEP_VECTOR(x);
+        x = (x - low) * inverse;
+        TBX_KEEP_VECTOR(x);
+        out->row[c][lane] = x;
+    }
+}
+
+/* The same of doubles, computed in double: off by no more than that. */
+TBX_FORCED void tbx_place_doubles(tbx_placed *out, int lane, const tbx_quick *q, const tbx_source *source,
+                                  size_t triangle, uint64_t key)
+{
+    int c;
+    int k;
+    for (c = 0; c < 3; c++) {
+        tbx_f4 r = { 0.0f, 0.0f, 0.0f, 0.0f };
+        double v[3];
+        TBX_COPY(v, tbx_source_at(source, triangle, (size_t)c), sizeof v);
+        for (k = 0; k < 3; k++) {
+            v[k] -= q->origin[k];
+        }
+        TBX_KEEP(v);
+        for (k = 0; k < 3; k++) {
+            r[k + 1] = (float)(v[k] * q->units[k] - (double)(tbx_key_axis(key, k) + 1u));
+        }
+        out->row[c][lane] = r;
+    }
+}
+
+/* Lanes 1, 2, 3 of WIDE rows. */
+TBX_FORCED void tbx_points_of(tbx_points *out, const tbx_f4 *row)
+{
+    tbx_f4 x[TBX_WIDE / 4];
+    tbx_f4 y[TBX_WIDE / 4];
+    tbx_f4 z[TBX_WIDE / 4];
+    int i;
+    for (i = 0; i < TBX_WIDE / 4; i++, row += 4) {
+        const tbx_f4 a = TBX_LANES(row[0], row[1], 0, 4, 1, 5);
+        const tbx_f4 b = TBX_LANES(row[2], row[3], 0, 4, 1, 5);
+        const tbx_f4 c = TBX_LANES(row[0], row[1], 2, 6, 3, 7);
+        const tbx_f4 d = TBX_LANES(row[2], row[3], 2, 6, 3, 7);
+        x[i] = TBX_LANES(a, b, 2, 3, 6, 7);
+        y[i] = TBX_LANES(c, d, 0, 1, 4, 5);
+        z[i] = TBX_LANES(c, d, 2, 3, 6, 7);
+    }
+    out->x = tbx_wide_of(x);
+    out->y = tbx_wide_of(y);
+    out->z = tbx_wide_of(z);
+}
+
+/* Notes that E = e at a point, and whether it is outside, as `bit`. */
+TBX_FORCED void tbx_note_point(tbx_uw *outside, tbx_fw *least, tbx_fw e, int bit)
+{
+    *least = tbx_wide_min(*least, tbx_wide_abs(e));
+    *outside |= (tbx_uw)(tbx_wide_sign(e) & tbx_wide_int((int32_t)((uint32_t)1 << bit)));
+}
+
+TBX_FORCED tbx_uw tbx_wide_shift(tbx_uw a, int bits)
+{
+    return bits == 0 ? a : a << (tbx_uw)tbx_wide_int(bits);
+}
+
+/* Moves what is noted by so many bits where `up`. */
+TBX_FORCED tbx_uw tbx_note_move(tbx_uw a, tbx_iw up, int bits)
+{
+    if (bits == 1) {
+        return a + (a & (tbx_uw)up);
+    } else {
+        return ((tbx_uw)up & tbx_wide_shift(a, bits)) | (a & ~(tbx_uw)up);
+    }
+}
+
+/* An edge from v_i to v_j, E = e at the first inner point; s is the area's sign bit; |E| up to `touch` touches.
+ * Returns the cells it misses in the plane: bit i stride_b + j stride_c. */
+TBX_FORCED tbx_uw tbx_note_edge(tbx_fw *least, tbx_fw e, tbx_fw d_b, tbx_fw d_c, tbx_iw s, tbx_fw touch,
+                                int n, int stride_b, int stride_c)
+{
+    const tbx_fw e00 = tbx_wide_flip(e, s) + touch;
+    const tbx_fw from_b = tbx_wide_flip(d_c, s);
+    const tbx_fw to_c = tbx_wide_flip(d_b, s);
+    const tbx_iw up_b = ~tbx_wide_sign(from_b);
+    const tbx_iw up_c = tbx_wide_sign(to_c);
+    tbx_uw m = (tbx_uw)tbx_wide_int(0);
+    tbx_note_point(&m, least, e00, 0);
+    if (n > 2) {
+        const tbx_fw e10 = e00 - from_b;
+        const tbx_fw e01 = e00 + to_c;
+        const tbx_fw e11 = e10 + to_c;
+        tbx_note_point(&m, least, e10, stride_b);
+        tbx_note_point(&m, least, e01, stride_c);
+        tbx_note_point(&m, least, e11, stride_b + stride_c);
+        if (n > 3) {
+            const tbx_fw e20 = e10 - from_b;
+            const tbx_fw e21 = e20 + to_c;
+            tbx_note_point(&m, least, e20, 2 * stride_b);
+            tbx_note_point(&m, least, e21, 2 * stride_b + stride_c);
+            tbx_note_point(&m, least, e21 + to_c, 2 * stride_b + 2 * stride_c);
+            tbx_note_point(&m, least, e01 + to_c, 2 * stride_c);
+            tbx_note_point(&m, least, e11 + to_c, stride_b + 2 * stride_c);
+        }
+    }
+    return tbx_note_move(tbx_note_move(m, stride_b == 1 ? up_b : up_c, 1), stride_b == 1 ? up_c : up_b, 4);
+}
+
+/* The three edges in the plane of axes b and c. Returns twice the area there. */
+TBX_FORCED tbx_fw tbx_note_edges(tbx_uw *missed, tbx_fw *least, tbx_fw b0, tbx_fw b1, tbx_fw b2, tbx_fw c0,
+                                 tbx_fw c1, tbx_fw c2, tbx_fw touch, int n, int stride_b, int stride_c)
+{
+    tbx_fw e0 = b0 * c1 - c0 * b1;
+    tbx_fw e1 = b1 * c2 - c1 * b2;
+    tbx_fw e2 = b2 * c0 - c2 * b0;
+    tbx_fw area;
+    tbx_iw s;
+    TBX_KEEP_VECTOR(e0);
+    TBX_KEEP_VECTOR(e1);
+    TBX_KEEP_VECTOR(e2);
+    area = (e0 + e1) + e2;
+    s = (tbx_iw)area & tbx_wide_int(TBX_SIGN_BIT);
+    *least = tbx_wide_min(*least, tbx_wide_abs(area) + touch);
+    *missed = tbx_note_edge(least, e0, b1 - b0, c1 - c0, s, touch, n, stride_b, stride_c);
+    *missed |= tbx_note_edge(least, e1, b2 - b1, c2 - c1, s, touch, n, stride_b, stride_c);
+    *missed |= tbx_note_edge(least, e2, b0 - b2, c0 - c2, s, touch, n, stride_b, stride_c);
+    return area;
+}
+
+/* The plane at the inner points of WIDE boxes: bit x + 4 y + 16 z. */
+typedef struct tbx_sides {
+    tbx_uw below[2]; /* D < 0, of layers 0 and 1, and of layer 2 */
+    tbx_uw above[2];
+    tbx_fw least; /* of |D| */
+    tbx_fw touch; /* |D| up to which the plane touches */
+} tbx_sides;
+
+TBX_FORCED void tbx_note_side(tbx_sides *p, tbx_fw d, int lattice, int x, int y, int z)
+{
+    const tbx_iw bit = tbx_wide_int((int32_t)((uint32_t)1 << (x + 4 * y + 16 * (z & 1))));
+    const tbx_fw size = tbx_wide_abs(d);
+    p->least = tbx_wide_min(p->least, size);
+    if (lattice) {
+        const tbx_iw apart = (size > p->touch) & bit;
+        p->below[z >> 1] |= (tbx_uw)(tbx_wide_sign(d) & apart);
+        p->above[z >> 1] |= (tbx_uw)(~tbx_wide_sign(d) & apart);
+    } else {
+        p->below[z >> 1] |= (tbx_uw)(tbx_wide_sign(d) & bit);
+    }
+}
+
+TBX_FORCED void tbx_note_row(tbx_sides *p, tbx_fw d, tbx_fw n_x, int lattice, int n, int y, int z)
+{
+    tbx_note_side(p, d, lattice, 0, y, z);
+    if (n > 2) {
+        const tbx_fw d1 = d - n_x;
+        tbx_note_side(p, d1, lattice, 1, y, z);
+        if (n > 3) {
+            tbx_note_side(p, d1 - n_x, lattice, 2, y, z);
+        }
+    }
+}
+
+/* D = d at the first inner point, n its gradient, turned round. */
+TBX_FORCED void tbx_note_plane(tbx_sides *p, tbx_fw d, const tbx_points *normal, int lattice, int n)
+{
+    const tbx_fw n_x = normal->x;
+    const tbx_fw n_y = normal->y;
+    const tbx_fw n_z = normal->z;
+    p->least = tbx_wide_abs(d);
+    p->below[0] = p->below[1] = p->above[0] = p->above[1] = (tbx_uw)tbx_wide_int(0);
+    tbx_note_row(p, d, n_x, lattice, n, 0, 0);
+    if (n > 2) {
+        const tbx_fw d10 = d - n_y;
+        const tbx_fw d01 = d - n_z;
+        const tbx_fw d11 = d10 - n_z;
+        tbx_note_row(p, d10, n_x, lattice, n, 1, 0);
+        tbx_note_row(p, d01, n_x, lattice, n, 0, 1);
+        tbx_note_row(p, d11, n_x, lattice, n, 1, 1);
+        if (n > 3) {
+            const tbx_fw d20 = d10 - n_y;
+            const tbx_fw d21 = d20 - n_z;
+            tbx_note_row(p, d20, n_x, lattice, n, 2, 0);
+            tbx_note_row(p, d21, n_x, lattice, n, 2, 1);
+            tbx_note_row(p, d01 - n_z, n_x, lattice, n, 0, 2);
+            tbx_note_row(p, d11 - n_z, n_x, lattice, n, 1, 2);
+            tbx_note_row(p, d21 - n_z, n_x, lattice, n, 2, 2);
+        }
+    }
 }
 
 /* Corners of a group from the first inner grid point, and |E| (in the planes xy, yz, zx) and |D| up to which
@@ -11771,15 +12167,15 @@ TBX_FORCED tbx_iw tbx_group_flat(tbx_fw b0, tbx_fw b1, tbx_fw b2, tbx_fw c0, tbx
     return ((area == tbx_wide_all(0.0f)) & on) | level;
 }
 
-TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_group *g, const tbx_source *source,
+TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_some *some, const uint64_t key[TBX_WIDE],
                                        tbx_group_placed *p)
 {
     tbx_points *const a = &p->v[0];
     tbx_points *const b = &p->v[1];
     tbx_points *const c = &p->v[2];
+    tbx_placed corners;
     tbx_points v[3];
     tbx_points first;
-    tbx_iw extents;
     tbx_iw level_x;
     tbx_iw level_y;
     tbx_iw level_z;
@@ -11787,7 +12183,22 @@ TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_group *g, c
     tbx_iw on_y;
     tbx_iw on_z;
     tbx_iw flat;
-    tbx_group_corners(v, &first, &extents, g, source);
+    int32_t at[3][TBX_WIDE];
+    int i;
+    int k;
+    for (i = 0; i < TBX_WIDE; i++) {
+        const size_t triangle = some->list[i < some->count ? i : 0];
+        for (k = 0; k < 3; k++) {
+            corners.row[k][i] = some->corners->row[triangle][k];
+            at[k][i] = (int32_t)tbx_key_axis(key[i], k);
+        }
+    }
+    for (i = 0; i < 3; i++) {
+        tbx_points_of(&v[i], corners.row[i]);
+    }
+    TBX_COPY(&first.x, at[0], sizeof first.x);
+    TBX_COPY(&first.y, at[1], sizeof first.y);
+    TBX_COPY(&first.z, at[2], sizeof first.z);
     on_x = tbx_group_snap(q, 0, (tbx_iw)first.x, v[0].x, v[1].x, v[2].x, &a->x, &b->x, &c->x, &level_x);
     on_y = tbx_group_snap(q, 1, (tbx_iw)first.y, v[0].y, v[1].y, v[2].y, &a->y, &b->y, &c->y, &level_y);
     on_z = tbx_group_snap(q, 2, (tbx_iw)first.z, v[0].z, v[1].z, v[2].z, &a->z, &b->z, &c->z, &level_z);
@@ -11798,75 +12209,179 @@ TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_group *g, c
     p->touch_plane = tbx_wide_where(flat, tbx_wide_all(TBX_MOST_INDEX));
 }
 
-/* The voxels that each triangle of a group misses. Returns the lanes that are unsure. */
-TBX_FORCED tbx_iw tbx_group_missed(const tbx_quick *q, const tbx_group *g, const tbx_source *source, int n,
-                                   tbx_missed *m)
+/* Lanes of two halves, as 64 bits. */
+TBX_FORCED void tbx_halves_to(uint64_t out[TBX_WIDE], tbx_uw low, tbx_uw high)
 {
-    const float delta = 4.1f * TBX_U32 * (float)n + q->delta_low;
-    const tbx_iw none = tbx_wide_int(0);
-    tbx_group_placed p;
-    tbx_points first;
-    tbx_iw extents;
-    tbx_fw n_x;
-    tbx_fw n_y;
-    tbx_fw n_z;
-    tbx_group_corners(p.v, &first, &extents, g, source);
-    tbx_group_place(q, 0, (tbx_iw)first.x, &p.v[0].x, &p.v[1].x, &p.v[2].x);
-    tbx_group_place(q, 1, (tbx_iw)first.y, &p.v[0].y, &p.v[1].y, &p.v[2].y);
-    tbx_group_place(q, 2, (tbx_iw)first.z, &p.v[0].z, &p.v[1].z, &p.v[2].z);
-    p.touch[0] = p.touch[1] = p.touch[2] = p.touch_plane = tbx_wide_all(0.0f);
-    p.plane_sure = none;
-    if (TBX_RARELY(g->lattice != 0)) {
-        tbx_group_placed on_lattice = p;
-        tbx_group_on_lattice(q, g, source, &on_lattice);
-        p = on_lattice;
+    tbx_f4 l[TBX_WIDE / 4];
+    tbx_f4 h[TBX_WIDE / 4];
+    int i;
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    const tbx_uw swapped = low;
+    low = high;
+    high = swapped;
+#endif
+    tbx_wide_parts(l, (tbx_fw)low);
+    tbx_wide_parts(h, (tbx_fw)high);
+    for (i = 0; i < TBX_WIDE / 4; i++) {
+        const tbx_f4 first = TBX_LANES(l[i], h[i], 0, 4, 1, 5);
+        const tbx_f4 second = TBX_LANES(l[i], h[i], 2, 6, 3, 7);
+        TBX_COPY(out + 4 * i, &first, sizeof first);
+        TBX_COPY(out + 4 * i + 2, &second, sizeof second);
     }
-    m->low = m->high = m->both = none;
-    m->least = tbx_wide_all(1.0f);
-    m->touch_plane = p.touch_plane;
-    tbx_group_beyond(m, extents, n, 0);
-    tbx_group_beyond(m, extents, n, 1);
-    tbx_group_beyond(m, extents, n, 2);
-    n_z = tbx_group_edges(m, p.v[0].x, p.v[1].x, p.v[2].x, p.v[0].y, p.v[1].y, p.v[2].y, p.touch[0], n, 0, 1);
-    n_x = tbx_group_edges(m, p.v[0].y, p.v[1].y, p.v[2].y, p.v[0].z, p.v[1].z, p.v[2].z, p.touch[1], n, 1, 2);
-    n_y = tbx_group_edges(m, p.v[0].z, p.v[1].z, p.v[2].z, p.v[0].x, p.v[1].x, p.v[2].x, p.touch[2], n, 2, 0);
-    tbx_group_plane(m, n_x, n_y, n_z, (n_x * p.v[0].x + n_y * p.v[0].y) + n_z * p.v[0].z, n);
-    m->low |= m->both;
-    m->high |= m->both;
-    return (m->least <= tbx_wide_all(12.0f * (float)n * delta)) |
-           ((m->least_plane <= tbx_wide_all(32.0f * (float)(n * n) * delta)) & ~p.plane_sure);
 }
 
-/* The same for boxes of 2x2x1 voxels, one thick on axis k: the edges of one plane are all that can miss any.
- */
-TBX_FORCED tbx_iw tbx_group_missed_flat(const tbx_quick *q, const tbx_group *g, const tbx_source *source, int k,
-                                        tbx_missed *m)
+/* Cells of two layers of a plane, bits b + 4 c of 2^3..2^7 of WIDE boxes, to bits b + 16 c; c from `layer` on. */
+TBX_FORCED tbx_uw tbx_cells_apart(tbx_uw cells, int layer)
 {
-    const int b = k < 2 ? k + 1 : 0;
-    const int c = k > 0 ? k - 1 : 2;
-    const float delta = 4.1f * TBX_U32 * 2.0f + q->delta_low;
-    tbx_points v[3];
-    tbx_points first;
-    tbx_iw extents;
-    tbx_fw x[3][3];
-    tbx_fw at[3];
-    int i;
-    tbx_group_corners(v, &first, &extents, g, source);
-    at[0] = first.x;
-    at[1] = first.y;
-    at[2] = first.z;
-    for (i = 0; i < 3; i++) {
-        x[0][i] = v[i].x;
-        x[1][i] = v[i].y;
-        x[2][i] = v[i].z;
+    const tbx_uw pair = layer == 0 ? cells : cells >> (tbx_uw)tbx_wide_int(4 * layer);
+    return (pair | tbx_wide_shift(pair, 12)) & (tbx_uw)tbx_wide_int(0x000f000f);
+}
+
+/* Missed voxels of two layers from those of the planes: xy for each z, zx for each y, yz for each x. */
+TBX_FORCED tbx_uw tbx_cells_join(tbx_uw xy, tbx_uw yz, tbx_uw zx, int layer)
+{
+    tbx_uw x = tbx_cells_apart(zx, layer);
+    tbx_uw y = tbx_cells_apart(yz, layer);
+    x |= tbx_wide_shift(x, 4);
+    x |= tbx_wide_shift(x, 8);
+    y = (y | tbx_wide_shift(y, 6)) & (tbx_uw)tbx_wide_int(0x03030303);
+    y = (y | tbx_wide_shift(y, 3)) & (tbx_uw)tbx_wide_int(0x11111111);
+    y = tbx_wide_shift(y, 4) - y;
+    return xy | tbx_wide_shift(xy, 16) | x | y;
+}
+
+/* Places them all; lanes beyond the count as the first. */
+TBX_FORCED void tbx_place_all(tbx_placed *out, const tbx_quick *q, const tbx_some *some,
+                              uint64_t key[TBX_WIDE])
+{
+    int lane;
+    if (TBX_RARELY(some->source->is_double)) {
+        for (lane = 0; lane < TBX_WIDE; lane++) {
+            const size_t i = some->list[lane < some->count ? lane : 0];
+            key[lane] = some->block->key[i];
+            tbx_place_doubles(out, lane, q, some->source, some->block->first + i, key[lane]);
+        }
+    } else {
+        for (lane = 0; lane < TBX_WIDE; lane++) {
+            const size_t i = some->list[lane < some->count ? lane : 0];
+            key[lane] = some->block->key[i];
+            tbx_place_corners(out, lane, q, some->corners->row[i], key[lane]);
+        }
     }
-    tbx_group_place(q, b, (tbx_iw)at[b], &x[b][0], &x[b][1], &x[b][2]);
-    tbx_group_place(q, c, (tbx_iw)at[c], &x[c][0], &x[c][1], &x[c][2]);
-    m->low = tbx_wide_int((int32_t)~TBX_AT0(2, k));
-    m->high = m->both = tbx_wide_int(0);
-    m->least = tbx_wide_all(1.0f);
-    tbx_group_edges(m, x[b][0], x[b][1], x[b][2], x[c][0], x[c][1], x[c][2], tbx_wide_all(0.0f), 2, b, c);
-    return m->least <= tbx_wide_all(12.0f * 2.0f * delta);
+}
+
+/* The voxels of boxes of up to n^3, as bits x + 4 y + 16 z. Returns a bit for each lane that is unsure. */
+TBX_FORCED unsigned tbx_decide(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some, int n,
+                               int lattice)
+{
+    const float delta = 4.1f * TBX_U32 * (float)n + q->delta_low;
+    const tbx_uw none = (tbx_uw)tbx_wide_int(0);
+    uint64_t key[TBX_WIDE];
+    uint64_t missed[TBX_WIDE];
+    uint64_t below[TBX_WIDE];
+    uint64_t above[TBX_WIDE];
+    uint32_t octant[TBX_WIDE];
+    tbx_placed placed;
+    tbx_group_placed p;
+    tbx_points normal;
+    tbx_sides side;
+    tbx_uw plane[3];
+    tbx_fw least = tbx_wide_all(1.0f);
+    tbx_iw unsure;
+    tbx_uw octants;
+    int i;
+    tbx_place_all(&placed, q, some, key);
+    tbx_points_of(&p.v[0], placed.row[0]);
+    tbx_points_of(&p.v[1], placed.row[1]);
+    tbx_points_of(&p.v[2], placed.row[2]);
+    p.touch[0] = p.touch[1] = p.touch[2] = p.touch_plane = tbx_wide_all(0.0f);
+    p.plane_sure = (tbx_iw)none;
+    if (lattice) {
+        tbx_group_placed on_lattice = p;
+        tbx_group_on_lattice(q, some, key, &on_lattice);
+        p = on_lattice;
+    }
+    side.touch = p.touch_plane;
+    normal.z = tbx_note_edges(&plane[0], &least, p.v[0].x, p.v[1].x, p.v[2].x, p.v[0].y, p.v[1].y, p.v[2].y,
+                              p.touch[0], n, 1, 4);
+    normal.x = tbx_note_edges(&plane[1], &least, p.v[0].y, p.v[1].y, p.v[2].y, p.v[0].z, p.v[1].z, p.v[2].z,
+                              p.touch[1], n, 1, 4);
+    normal.y = tbx_note_edges(&plane[2], &least, p.v[0].z, p.v[1].z, p.v[2].z, p.v[0].x, p.v[1].x, p.v[2].x,
+                              p.touch[2], n, 4, 1);
+    tbx_note_plane(&side, (normal.x * p.v[0].x + normal.y * p.v[0].y) + normal.z * p.v[0].z, &normal, lattice,
+                   n);
+    unsure = (least <= tbx_wide_all(12.0f * (float)n * delta)) |
+             ((side.least <= tbx_wide_all(32.0f * (float)(n * n) * delta)) & ~p.plane_sure);
+    octants =
+        (tbx_uw)((tbx_wide_sign(normal.x) & tbx_wide_int(1)) | (tbx_wide_sign(normal.y) & tbx_wide_int(4)) |
+                 (tbx_wide_sign(normal.z) & tbx_wide_int(16)));
+    TBX_COPY(octant, &octants, sizeof octant);
+    tbx_halves_to(missed, tbx_cells_join(plane[0], plane[1], plane[2], 0),
+                  n > 2 ? tbx_cells_join(plane[0], plane[1], plane[2], 2) : none);
+    tbx_halves_to(below, side.below[0], side.below[1]);
+    if (lattice) {
+        tbx_halves_to(above, side.above[0], side.above[1]);
+    }
+    for (i = 0; i < TBX_WIDE; i++) {
+        const uint64_t points = n == 2 ? 1 : n == 3 ? 0x330033u : (uint64_t)0x777 << 32 | 0x07770777u;
+        const uint64_t over = lattice ? above[i] : below[i] ^ points;
+        const uint64_t plane_missed = over << octant[i] | below[i] << (21u ^ octant[i]);
+        out[i] = ~(missed[i] | plane_missed) & q->voxels_of[key[i] & 63];
+    }
+    return tbx_wide_signs(unsure);
+}
+
+/* The same for boxes of 2x2x1 voxels, one thick on axis k: the edges of one plane, of axes b = k + 1 and c = k + 2,
+ * are all that can miss any. */
+TBX_FORCED unsigned tbx_decide_flat(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
+{
+    const float delta = 4.1f * TBX_U32 * 2.0f + q->delta_low;
+    const uint64_t b_of =
+        (uint64_t)2 << 30 | 1; /* lane of b, by a key's extents less 5: 0 z is thin, 12 y, 15 x */
+    uint64_t key[TBX_WIDE];
+    uint32_t missed[TBX_WIDE];
+    tbx_placed placed;
+    tbx_fw b[3];
+    tbx_fw c[3];
+    tbx_fw least = tbx_wide_all(1.0f);
+    tbx_uw cells;
+    int i;
+    int j;
+    tbx_place_all(&placed, q, some, key);
+    for (i = 0; i < 3; i++) {
+        tbx_f4 first[TBX_WIDE / 4];
+        tbx_f4 second[TBX_WIDE / 4];
+        for (j = 0; j < TBX_WIDE; j++) {
+            const tbx_f4 r = placed.row[i][j];
+            placed.row[i][j] = TBX_LANES(r, r, 3, 1, 2, 3);
+        }
+        for (j = 0; j < TBX_WIDE; j += 4) {
+            const char *at[4];
+            tbx_f4 ab;
+            tbx_f4 cd;
+            int k;
+            for (k = 0; k < 4; k++) {
+                at[k] = (const char *)&placed.row[i][j + k] +
+                        sizeof(float) * (b_of >> 2 * ((key[j + k] & 63) - 5) & 3);
+            }
+            ab = tbx_load_xy(at[0], at[1]);
+            cd = tbx_load_xy(at[2], at[3]);
+            first[j / 4] = TBX_LANES(ab, cd, 0, 2, 4, 6);
+            second[j / 4] = TBX_LANES(ab, cd, 1, 3, 5, 7);
+        }
+        b[i] = tbx_wide_of(first);
+        c[i] = tbx_wide_of(second);
+    }
+    (void)tbx_note_edges(&cells, &least, b[0], b[1], b[2], c[0], c[1], c[2], tbx_wide_all(0.0f), 2, 1, 4);
+    TBX_COPY(missed, &cells, sizeof missed);
+    for (i = 0; i < TBX_WIDE; i++) {
+        const uint64_t few = key[i] & 63;
+        const uint64_t m = missed[i]; /* bits 0, 1, 4, 5: cells b + 4 c */
+        const uint64_t x_thin = (m & 1) | (m & 2) << 3 | (m & 16) << 12 | (m & 32) << 15;
+        const uint64_t y_thin = (m & 1) | (m & 2) << 15 | (m & 16) >> 3 | (m & 32) << 12;
+        out[i] = ~(few == 5 ? m : few == 20 ? x_thin : y_thin) & q->voxels_of[few];
+    }
+    return tbx_wide_signs(least <= tbx_wide_all(12.0f * 2.0f * delta));
 }
 
 /* What a group of n^3 has not missed, as bits; the lanes that are unsure. */
@@ -11884,52 +12399,52 @@ TBX_FORCED unsigned tbx_group_voxels(uint64_t out[TBX_WIDE], const tbx_missed *m
     return tbx_wide_signs(unsure);
 }
 
-TBX_NOINLINE unsigned tbx_group_decide_flat(const tbx_quick *q, const tbx_source *source, const tbx_group *g,
-                                            int k, uint64_t out[TBX_WIDE])
+TBX_NOINLINE unsigned tbx_decide_flats(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
 {
-    tbx_missed m;
-    const tbx_iw unsure = tbx_group_missed_flat(q, g, source, k, &m);
-    return tbx_group_voxels(out, &m, unsure, 2);
+    return tbx_decide_flat(out, q, some);
 }
 
-TBX_NOINLINE unsigned tbx_group_decide2(const tbx_quick *q, const tbx_source *source, const tbx_group *g,
-                                        uint64_t out[TBX_WIDE])
+TBX_NOINLINE unsigned tbx_decide2(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
 {
-    tbx_missed m;
-    const tbx_iw unsure = tbx_group_missed(q, g, source, 2, &m);
-    return tbx_group_voxels(out, &m, unsure, 2);
+    return tbx_decide(out, q, some, 2, 0);
 }
 
-TBX_NOINLINE unsigned tbx_group_decide3(const tbx_quick *q, const tbx_source *source, const tbx_group *g,
-                                        uint64_t out[TBX_WIDE])
+TBX_NOINLINE unsigned tbx_decide3(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
 {
-    tbx_missed m;
-    const tbx_iw unsure = tbx_group_missed(q, g, source, 3, &m);
-    return tbx_group_voxels(out, &m, unsure, 3);
+    return tbx_decide(out, q, some, 3, 0);
 }
 
-TBX_NOINLINE unsigned tbx_group_decide4(const tbx_quick *q, const tbx_source *source, const tbx_group *g,
-                                        uint64_t out[TBX_WIDE])
+TBX_NOINLINE unsigned tbx_decide4(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
 {
-    tbx_missed m;
-    const tbx_iw unsure = tbx_group_missed(q, g, source, 4, &m);
-    return tbx_group_voxels(out, &m, unsure, 4);
+    return tbx_decide(out, q, some, 4, 0);
 }
 
-/* The voxels of a group's boxes of class FLAT to 4: bit x + n y + n^2 z, n = 2, 3, 4. Returns a bit for each lane that
- * is unsure. */
-TBX_FN unsigned tbx_group_decide(const tbx_quick *q, const tbx_source *source, tbx_group *g, unsigned c,
-                                 uint64_t out[TBX_WIDE])
+TBX_NOINLINE unsigned tbx_decide_on_2(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
 {
-    tbx_group_pad(g);
-    if (c < TBX_CLASS_2) {
-        return tbx_group_decide_flat(q, source, g, (int)c - TBX_CLASS_FLAT, out);
-    } else if (c == TBX_CLASS_2) {
-        return tbx_group_decide2(q, source, g, out);
-    } else if (c == TBX_CLASS_3) {
-        return tbx_group_decide3(q, source, g, out);
-    } else {
-        return tbx_group_decide4(q, source, g, out);
+    return tbx_decide(out, q, some, 2, 1);
+}
+
+TBX_NOINLINE unsigned tbx_decide_on_3(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
+{
+    return tbx_decide(out, q, some, 3, 1);
+}
+
+TBX_NOINLINE unsigned tbx_decide_on_4(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
+{
+    return tbx_decide(out, q, some, 4, 1);
+}
+
+/* Decides by class, FLAT to ON_4. */
+TBX_FN unsigned tbx_decide_class(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some, unsigned c)
+{
+    switch (c) {
+    case TBX_CLASS_FLAT: return tbx_decide_flats(out, q, some);
+    case TBX_CLASS_2: return tbx_decide2(out, q, some);
+    case TBX_CLASS_3: return tbx_decide3(out, q, some);
+    case TBX_CLASS_4: return tbx_decide4(out, q, some);
+    case TBX_CLASS_ON_2: return tbx_decide_on_2(out, q, some);
+    case TBX_CLASS_ON_3: return tbx_decide_on_3(out, q, some);
+    default: return tbx_decide_on_4(out, q, some);
     }
 }
 
@@ -11950,15 +12465,15 @@ TBX_FN unsigned tbx_group_decide(const tbx_quick *q, const tbx_source *source, t
  * is touching, which counts where boxes are closed. Points that are not inside a triangle's own box decide nothing. */
 #define TBX_PRECISE_ERROR (16.0f * TBX_U32)
 #define TBX_PRECISE_PLANE_ERROR (20.0f * TBX_U32)
-#define TBX_PRECISE_LEAST 1e-30f      /* of a rest: no product of two is flushed unseen */
+#define TBX_PRECISE_LEAST 1e-30f /* of a rest: no product of two is flushed unseen */
 
 typedef struct tbx_precise_axis {
     tbx_fw place[3]; /* P */
     tbx_fw rest[3];  /* r */
     tbx_fw v[3];
     tbx_iw extent;
-    tbx_iw level; /* the three corners are the same here, */
-    tbx_iw whole; /* and all rests are 0 */
+    tbx_iw level;  /* the three corners are the same here, */
+    tbx_iw whole;  /* and all rests are 0 */
     double origin; /* of the grid */
     double size;
     int points; /* inner grid planes that some box has */
@@ -12043,7 +12558,8 @@ TBX_FORCED tbx_fw tbx_precise_edge(const tbx_precise_axis *a, int i, int j)
 /* Lanes in which corners i and j differ on an axis by less than the rests are off by, d as computed. */
 TBX_FORCED tbx_iw tbx_precise_doubt(const tbx_precise_axis *a, int i, int j, tbx_fw d)
 {
-    const tbx_fw error = (tbx_wide_abs(a->rest[i]) + tbx_wide_abs(a->rest[j])) * tbx_wide_all(TBX_PRECISE_ERROR);
+    const tbx_fw error =
+        (tbx_wide_abs(a->rest[i]) + tbx_wide_abs(a->rest[j])) * tbx_wide_all(TBX_PRECISE_ERROR);
     return (tbx_wide_abs(d) <= error) & ((tbx_iw)a->v[i] != (tbx_iw)a->v[j]);
 }
 
@@ -12056,8 +12572,8 @@ TBX_FORCED tbx_iw tbx_precise_same(tbx_fw v, tbx_fw w)
 /* The three edges in the plane of axes x and y, b and c of the groups; where the grid has the same numbers on both,
  * corners with equal coordinates lie on a line through grid points, exactly. Returns the whole part of twice the area, in *rest
  * the other part and in *error how far that may be off; flat lanes have none. */
-TBX_NOINLINE tbx_fw tbx_precise_edges(tbx_missed *m, const tbx_precise_axis *x, const tbx_precise_axis *y, int b,
-                                      int c, int closed, tbx_fw *rest, tbx_fw *error, tbx_iw *flat)
+TBX_NOINLINE tbx_fw tbx_precise_edges(tbx_missed *m, const tbx_precise_axis *x, const tbx_precise_axis *y,
+                                      int b, int c, int closed, tbx_fw *rest, tbx_fw *error, tbx_iw *flat)
 {
     const tbx_fw pieces = tbx_wide_all(TBX_PIECES);
     const tbx_fw relative = tbx_wide_all(TBX_PRECISE_ERROR);
@@ -12132,7 +12648,8 @@ TBX_NOINLINE tbx_fw tbx_precise_edges(tbx_missed *m, const tbx_precise_axis *x, 
                 const tbx_fw whole = x_i * (y->place[j] - o) - (y->place[i] - o) * x_j;
                 const tbx_fw e = tbx_precise_kept(whole) + tbx_precise_kept(g + h[l]);
                 const tbx_iw inside = (x->extent > tbx_wide_int(k)) & (y->extent > tbx_wide_int(l)) & edge;
-                const tbx_iw tie = diagonal[i] & diagonal[j] & (x_i == y->place[i] - o) & (x_j == y->place[j] - o);
+                const tbx_iw tie =
+                    diagonal[i] & diagonal[j] & (x_i == y->place[i] - o) & (x_j == y->place[j] - o);
                 const tbx_iw outside = ((e < zero) ^ sign) & (e != zero) & inside & ~tie;
                 const int up = (b == 2 ? 0 : k * TBX_STRIDE(4, b)) + (c == 2 ? 0 : l * TBX_STRIDE(4, c));
                 m->unsure |= (tbx_wide_abs(e) <= g_error + h_error[l]) & inside & ((any & ~tie) | open);
@@ -12183,7 +12700,8 @@ TBX_NOINLINE void tbx_precise_plane(tbx_missed *m, const tbx_precise_axis axis[3
                 const tbx_fw value =
                     tbx_precise_kept(((d - at_x * n[0]) - at_y * n[1]) - at_z * n[2]) +
                     tbx_precise_kept(((d_rest - at_x * rest[0]) - at_y * rest[1]) - at_z * rest[2]);
-                const tbx_iw inside = (axis[0].extent > tbx_wide_int(x)) & (axis[1].extent > tbx_wide_int(y)) &
+                const tbx_iw inside = (axis[0].extent > tbx_wide_int(x)) &
+                                      (axis[1].extent > tbx_wide_int(y)) &
                                       (axis[2].extent > tbx_wide_int(z)) & ~flat;
                 const tbx_iw missed = tbx_wide_select(value < zero, other, cell) & (value != zero) & inside;
                 m->unsure |= (tbx_wide_abs(value) <= bound) & inside & doubtful;
@@ -12193,7 +12711,7 @@ TBX_NOINLINE void tbx_precise_plane(tbx_missed *m, const tbx_precise_axis axis[3
     }
 }
 
-/* The voxels of a group's boxes of up to 4^3, as tbx_group_decide's with n = 4. */
+/* The voxels of a group's boxes of up to 4^3, as tbx_decide's. */
 TBX_NOINLINE unsigned tbx_precise_decide(const tbx_quick *q, const tbx_source *source, tbx_group *g,
                                          uint64_t out[TBX_WIDE])
 {
@@ -12222,7 +12740,10 @@ TBX_NOINLINE unsigned tbx_precise_decide(const tbx_quick *q, const tbx_source *s
             const int extent = g->box[i][3] >> 8 * k & 3;
             axis[k].points = extent > axis[k].points ? extent : axis[k].points;
         }
-        tbx_precise_set(&axis[k], q, k, (tbx_iw)(k == 0 ? first.x : k == 1 ? first.y : first.z),
+        tbx_precise_set(&axis[k], q, k,
+                        (tbx_iw)(k == 0   ? first.x
+                                 : k == 1 ? first.y
+                                          : first.z),
                         (extents >> tbx_wide_int(8 * k)) & tbx_wide_int(3), x, &m.unsure);
         tbx_group_beyond(&m, extents, 4, k);
     }
@@ -12237,44 +12758,72 @@ TBX_NOINLINE unsigned tbx_precise_decide(const tbx_quick *q, const tbx_source *s
     return tbx_group_voxels(out, &m, m.unsure, 4);
 }
 
-/* Sets voxels of triangle i's box, all in the region. */
-TBX_FORCED void tbx_group_set(const tbx_fill *fill, const tbx_group *g, int i, int n, uint64_t voxels)
+/* Where voxels go. Stores to the bits might change what the target and the grid hold. */
+typedef struct tbx_bits {
+    uint64_t *bits;
+    size_t row_words;
+    size_t layer_words;
+} tbx_bits;
+
+TBX_FORCED tbx_bits tbx_bits_of(const tbx_fill *fill)
 {
-    const size_t row_words = fill->target->row_words;
-    const size_t layer_words = fill->quick.layer_words;
-    const uint64_t run = ((uint64_t)1 << n) - 1;
-    const int x = g->box[i][0] & 63;
-    const int more_y = (g->box[i][3] >> 8) & 3;
-    const int more_z = (g->box[i][3] >> 16) & 3;
-    uint64_t *row = fill->target->bits + g->word[i];
+    tbx_bits r;
+    r.bits = fill->target->bits;
+    r.row_words = fill->target->row_words;
+    r.layer_words = fill->quick.layer_words;
+    return r;
+}
+
+/* The word of a key's first voxel. */
+TBX_FORCED size_t tbx_key_word(const tbx_bits *to, uint64_t key)
+{
+    return (size_t)tbx_key_axis(key, 2) * to->layer_words + (size_t)tbx_key_axis(key, 1) * to->row_words +
+           (size_t)(tbx_key_axis(key, 0) >> 6);
+}
+
+/* Sets voxels, bits x + 4 y + 16 z, of a box of up to n^3. */
+TBX_FORCED void tbx_voxels_set(const tbx_bits *to, uint64_t key, uint64_t voxels, int n)
+{
+    const size_t row_words = to->row_words;
+    const size_t layer_words = to->layer_words;
+    const unsigned x = (unsigned)(key >> 16) & 63u;
+    const int more_y = (int)(key >> 2 & 3);
+    const int more_z = (int)(key >> 4 & 3);
+    uint64_t *row = to->bits + tbx_key_word(to, key);
     int z;
-    if (TBX_RARELY(x > 64 - n)) { /* in two words, if they hold any of it */
+    if (TBX_RARELY(x > 64u - (unsigned)n)) { /* in two words, if they hold any of it */
         for (z = 0; z <= more_z; z++, row += layer_words) {
             int y;
-            for (y = 0; y <= more_y; y++, voxels >>= n) {
-                uint64_t *word = row + (size_t)y * row_words;
-                const uint64_t beyond = (voxels & run) >> (64 - x);
-                word[0] |= (voxels & run) << x;
-                if (beyond != 0) {
-                    word[1] |= beyond;
+            for (y = 0; y < 4; y++, voxels >>= 4) {
+                if (y <= more_y) {
+                    uint64_t *word = row + (size_t)y * row_words;
+                    const uint64_t beyond = (voxels & 15) >> (64 - x);
+                    word[0] |= (voxels & 15) << x;
+                    if (beyond != 0) {
+                        word[1] |= beyond;
+                    }
                 }
             }
-            voxels >>= n * (n - 1 - more_y);
         }
     } else {
+        const uint64_t run = (((uint64_t)1 << n) - 1) << x;
         const size_t y1 = more_y > 0 ? row_words : 0; /* rows not in the box: no bits, into row 0 */
         const size_t y2 = more_y > 1 ? 2 * row_words : 0;
         const size_t y3 = more_y > 2 ? 3 * row_words : 0;
+        uint64_t v = voxels << x | voxels >> ((64 - x) & 63);
         for (z = 0; z < n; z++) {
-            row[0] |= (voxels & run) << x;
-            row[y1] |= (voxels >> n & run) << x;
+            row[0] |= v & run;
+            v = v >> 4 | v << 60;
+            row[y1] |= v & run;
             if (n > 2) {
-                row[y2] |= (voxels >> 2 * n & run) << x;
+                v = v >> 4 | v << 60;
+                row[y2] |= v & run;
             }
             if (n > 3) {
-                row[y3] |= (voxels >> 3 * n & run) << x;
+                v = v >> 4 | v << 60;
+                row[y3] |= v & run;
             }
-            voxels >>= n * n;
+            v = v >> 4 * (5 - n) | v << (64 - 4 * (5 - n));
             row += z < more_z ? layer_words : 0;
         }
     }
@@ -12561,7 +13110,8 @@ TBX_FORCED tbx_iw tbx_extent(tbx_iw extents, int k)
 }
 
 /* The lines and planes of a group. */
-TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q, const tbx_group *g, const tbx_source *source)
+TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q, const tbx_group *g,
+                               const tbx_source *source)
 {
     const tbx_fw one = tbx_wide_all(1.0f);
     const tbx_fw zero = tbx_wide_all(0.0f);
@@ -13022,7 +13572,9 @@ TBX_NOINLINE void tbx_rows_flush(tbx_fill *fill, tbx_group *g)
 /* A box of any kind, by rows or exactly. */
 TBX_FN void tbx_fill_any(tbx_fill *fill, tbx_i4 box, size_t word, size_t triangle)
 {
-    if ((box[3] & ~(TBX_ON_LATTICE | 0x010101 * (TBX_FEW - 1))) == 0) {
+    if (fill->source->is_double) { /* rows take corners for floats */
+        tbx_fill_later(fill, triangle);
+    } else if ((box[3] & ~(TBX_ON_LATTICE | 0x010101 * (TBX_FEW - 1))) == 0) {
         if (tbx_group_add(&fill->rows[0], box, word, triangle)) {
             tbx_rows_flush_few(fill, &fill->rows[0]);
         }
@@ -13038,6 +13590,7 @@ TBX_FN void tbx_fill_any(tbx_fill *fill, tbx_i4 box, size_t word, size_t triangl
 /* The triangles that groups were unsure of, precisely. */
 TBX_NOINLINE void tbx_fill_again(tbx_fill *fill, tbx_group *g)
 {
+    const tbx_bits to = tbx_bits_of(fill);
     uint64_t voxels[TBX_WIDE];
     unsigned unsure;
     int i;
@@ -13049,67 +13602,74 @@ TBX_NOINLINE void tbx_fill_again(tbx_fill *fill, tbx_group *g)
         if ((unsure & 1u) != 0) {
             tbx_fill_later(fill, g->triangle[i]);
         } else {
-            tbx_group_set(fill, g, i, 4, voxels[i]);
+            tbx_voxels_set(&to, tbx_key_set(g->box[i]), voxels[i], 4);
         }
     }
     g->n = 0;
 }
 
 /* Sets the voxels of a group of n^3; triangles that are unsure go the precise way. */
-TBX_FORCED void tbx_group_store(tbx_fill *fill, const tbx_group *g, int n, unsigned unsure,
-                                const uint64_t voxels[TBX_WIDE])
+TBX_FORCED void tbx_some_set(tbx_fill *fill, const tbx_some *some, int n, unsigned unsure,
+                             const uint64_t voxels[TBX_WIDE])
 {
-    int i;
-    for (i = 0; i < g->n; i++, unsure >>= 1) {
-        if (TBX_RARELY((unsure & 1u) != 0)) {
-            if (!fill->quick.precise) {
-                tbx_fill_later(fill, g->triangle[i]);
-            } else if (tbx_group_add(&fill->again, g->box[i], g->word[i], g->triangle[i])) {
+    const tbx_bits to = tbx_bits_of(fill);
+    int j;
+    if (TBX_RARELY((unsure & ((1u << some->count) - 1)) != 0)) {
+        for (j = 0; j < some->count; j++) {
+            const size_t i = some->list[j];
+            const uint64_t key = some->block->key[i];
+            if ((unsure >> j & 1u) == 0) {
+                tbx_voxels_set(&to, key, voxels[j], 4);
+            } else if (!fill->quick.precise) {
+                tbx_fill_later(fill, some->block->first + i);
+            } else if (tbx_group_add(&fill->again, tbx_key_box(key, tbx_key_more(key)), 0,
+                                     some->block->first + i)) {
                 tbx_fill_again(fill, &fill->again);
             }
+        }
+        return;
+    }
+    for (j = 0; j < some->count; j++) {
+        tbx_voxels_set(&to, some->block->key[some->list[j]], voxels[j], n);
+    }
+}
+
+/* Decides a list of a class, and sets its voxels. */
+TBX_FN void tbx_block_decide(tbx_fill *fill, const tbx_block *b, const tbx_corners *corners, unsigned c,
+                             int count)
+{
+    tbx_some some;
+    some.block = b;
+    some.corners = corners;
+    some.source = fill->source;
+    some.list = b->list[c];
+    for (; count > 0; count -= TBX_WIDE, some.list += TBX_WIDE) {
+        uint64_t voxels[TBX_WIDE];
+        unsigned unsure;
+        some.count = count < TBX_WIDE ? count : TBX_WIDE;
+        unsure = tbx_decide_class(voxels, &fill->quick, &some, c);
+        if (c <= TBX_CLASS_2) {
+            tbx_some_set(fill, &some, 2, unsure, voxels);
+        } else if (c == TBX_CLASS_3) {
+            tbx_some_set(fill, &some, 3, unsure, voxels);
         } else {
-            tbx_group_set(fill, g, i, n, voxels[i]);
+            tbx_some_set(fill, &some, 4, unsure, voxels);
         }
     }
-}
-
-/* Decides a group by its class, and sets its voxels. */
-TBX_FN void tbx_group_flush(tbx_fill *fill, tbx_group *g, unsigned c)
-{
-    uint64_t voxels[TBX_WIDE];
-    const unsigned unsure = tbx_group_decide(&fill->quick, fill->source, g, c, voxels);
-    if (c <= TBX_CLASS_2) {
-        tbx_group_store(fill, g, 2, unsure, voxels);
-    } else if (c == TBX_CLASS_3) {
-        tbx_group_store(fill, g, 3, unsure, voxels);
-    } else {
-        tbx_group_store(fill, g, 4, unsure, voxels);
-    }
-    g->n = 0;
-    g->lattice = 0;
-}
-
-/* The word of a box's first voxel; 0 where that is not in the region. */
-TBX_FORCED size_t tbx_block_word(const int32_t box[4], size_t row_words, size_t layer_words)
-{
-    const size_t word = (size_t)(uint32_t)box[2] * layer_words + (size_t)(uint32_t)box[1] * row_words +
-                        ((size_t)(uint32_t)box[0] >> 6);
-    return (box[3] & TBX_IS_CUT) != 0 ? 0 : word;
 }
 
 /* Asks for the memory of the voxels of boxes of up to 4^3. */
 TBX_FN void tbx_block_fetch(const tbx_block *b, const tbx_fill *fill)
 {
-    const size_t row_words = fill->target->row_words;
-    const size_t layer_words = fill->quick.layer_words;
-    const uintptr_t bits = (uintptr_t)fill->target->bits;
+    const tbx_bits to = tbx_bits_of(fill);
+    const uintptr_t bits = (uintptr_t)to.bits;
     int c;
     int j;
     for (c = 0; c <= TBX_CLASS_LARGE; c++) {
         for (j = 0; j < b->count[c]; j++) {
-            const size_t word = tbx_block_word(b->box[b->list[c][j]], row_words, layer_words);
+            const size_t word = tbx_key_word(&to, b->key[b->list[c][j]]);
             TBX_PREFETCH(bits + sizeof(uint64_t) * word);
-            TBX_PREFETCH(bits + sizeof(uint64_t) * (word + layer_words));
+            TBX_PREFETCH(bits + sizeof(uint64_t) * (word + to.layer_words));
         }
     }
 }
@@ -13117,88 +13677,77 @@ TBX_FN void tbx_block_fetch(const tbx_block *b, const tbx_fill *fill)
 /* Sets boxes of one voxel or two. */
 TBX_FN void tbx_block_short(const tbx_block *b, const tbx_fill *fill)
 {
-    const size_t row_words = fill->target->row_words;
-    const size_t layer_words = fill->quick.layer_words;
-    uint64_t *const bits = fill->target->bits;
+    const tbx_bits to = tbx_bits_of(fill);
     const unsigned char *list = b->list[TBX_CLASS_SHORT];
     const int count = b->count[TBX_CLASS_SHORT];
     int j;
     for (j = 0; j < count; j++) {
-        const int32_t *box = b->box[list[j]];
-        const int32_t more = box[3];
-        const uint64_t run = (uint64_t)(1 + 2 * (more & 1)) << (box[0] & 63);
-        const size_t up = (row_words & ((size_t)0 - (size_t)(more >> 8 & 1))) |
-                          (layer_words & ((size_t)0 - (size_t)(more >> 16 & 1)));
-        uint64_t *row = bits + tbx_block_word(box, row_words, layer_words);
+        const uint64_t key = b->key[list[j]];
+        const unsigned x = (unsigned)(key >> 16) & 63u;
+        const uint64_t run = (1 + 2 * (key & 1)) << x;
+        const size_t up = (to.row_words & ((size_t)0 - (size_t)(key >> 2 & 1))) |
+                          (to.layer_words & ((size_t)0 - (size_t)(key >> 4 & 1)));
+        uint64_t *row = to.bits + tbx_key_word(&to, key);
         row[0] |= run;
         row[up] |= run;
-        if (TBX_RARELY((box[0] & 63) + (more & 1) > 63)) {
+        if (TBX_RARELY(x + (key & 1) > 63)) {
             row[1] |= 1;
         }
     }
 }
 
-/* Drops boxes of up to 2^3 voxels that are all set from a list; words of the others. */
-TBX_FN int tbx_block_open(const tbx_block *b, const tbx_fill *fill, unsigned char *list, int count,
-                          size_t word_of[TBX_BLOCK])
+/* Drops boxes of up to 2^3 voxels that are all set from a list. */
+TBX_FN int tbx_block_open(const tbx_block *b, const tbx_fill *fill, unsigned char *list, int count)
 {
-    const size_t row_words = fill->target->row_words;
-    const size_t layer_words = fill->quick.layer_words;
-    const uint64_t *const bits = fill->target->bits;
+    const tbx_bits to = tbx_bits_of(fill);
     int left = 0;
     int j;
     for (j = 0; j < count; j++) {
         const unsigned char i = list[j];
-        const int32_t *box = b->box[i];
-        const int32_t more = box[3];
-        const int x = box[0] & 63;
-        const uint64_t run = (uint64_t)(1 + 2 * (more & 1)) << x;
-        const size_t y1 = row_words & ((size_t)0 - (size_t)(more >> 8 & 1));
-        const size_t z1 = layer_words & ((size_t)0 - (size_t)(more >> 16 & 1));
-        const size_t word = tbx_block_word(box, row_words, layer_words);
-        const uint64_t *row = bits + word;
+        const uint64_t key = b->key[i];
+        const unsigned x = (unsigned)(key >> 16) & 63u;
+        const uint64_t run = (1 + 2 * (key & 1)) << x;
+        const size_t y1 = to.row_words & ((size_t)0 - (size_t)(key >> 2 & 1));
+        const size_t z1 = to.layer_words & ((size_t)0 - (size_t)(key >> 4 & 1));
+        const uint64_t *row = to.bits + tbx_key_word(&to, key);
         const uint64_t set = row[0] & row[y1] & row[z1] & row[y1 + z1];
         list[left] = i;
-        word_of[left] = word;
-        left += ((~set & run) != 0) | (x + (more & 1) > 63);
+        left += ((~set & run) != 0) | (x + (key & 1) > 63);
     }
     return left;
 }
 
-/* So many triangles from t, BLOCK at most. */
+/* So many triangles from t, BLOCK at most: boxes, and the voxels of those of up to 4^3. */
+TBX_NOINLINE void tbx_fill_small(tbx_fill *fill, tbx_block *b, size_t t, int count)
+{
+    tbx_corners corners;
+    unsigned c;
+    tbx_block_find(b, &corners, fill->frame->grid, &fill->quick, fill->source, t, count, &fill->on_planes);
+    if (fill->quick.fetch) {
+        tbx_block_fetch(b, fill);
+    }
+    tbx_block_short(b, fill);
+    for (c = TBX_CLASS_FLAT; c < TBX_CLASS_LARGE; c++) {
+        int left = b->count[c];
+        if (c <= TBX_CLASS_2 || c == TBX_CLASS_ON_2) {
+            left = tbx_block_open(b, fill, b->list[c], left);
+        }
+        tbx_block_decide(fill, b, &corners, c, left);
+    }
+}
+
+/* The same, and the larger ones by rows, when the corners are off the stack. */
 TBX_NOINLINE void tbx_fill_block(tbx_fill *fill, size_t t, int count)
 {
+    const tbx_bits to = tbx_bits_of(fill);
     tbx_block b;
-    size_t word_of[TBX_BLOCK];
-    unsigned c;
     int j;
-    b.skips = 1;
-    tbx_block_find(&b, fill->frame->grid, &fill->quick, fill->source, t, count);
-    if (fill->quick.fetch) {
-        tbx_block_fetch(&b, fill);
-    }
-    tbx_block_short(&b, fill);
-    for (c = TBX_CLASS_FLAT; c <= TBX_CLASS_LARGE; c++) {
-        unsigned char *list = b.list[c];
-        int left = b.count[c];
-        tbx_group g;
-        if (c <= TBX_CLASS_2) {
-            left = tbx_block_open(&b, fill, list, left, word_of);
-        } else {
-            for (j = 0; j < left; j++) {
-                word_of[j] = tbx_block_word(b.box[list[j]], fill->target->row_words, fill->quick.layer_words);
-            }
-        }
-        g.n = 0;
-        g.lattice = 0;
-        for (j = 0; j < left; j++) {
-            const tbx_i4 box = tbx_load4i(b.box[list[j]]);
-            if (c == TBX_CLASS_LARGE) {
-                tbx_fill_any(fill, box, word_of[j], t + list[j]);
-            } else if (tbx_group_add(&g, box, word_of[j], t + list[j]) || j + 1 == left) {
-                tbx_group_flush(fill, &g, c);
-            }
-        }
+    tbx_fill_small(fill, &b, t, count);
+    for (j = 0; j < b.count[TBX_CLASS_LARGE]; j++) {
+        const int i = b.list[TBX_CLASS_LARGE][j];
+        const int32_t more = b.more[i];
+        const size_t word = (more & TBX_IS_CUT) != 0 ? 0 : tbx_key_word(&to, b.key[i]);
+        tbx_fill_any(fill, tbx_key_box(b.key[i], more), word, t + (size_t)i);
     }
 }
 
@@ -13231,7 +13780,8 @@ TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, c
     fill.rows[0].n = fill.rows[1].n = fill.again.n = 0;
     fill.again.lattice = 0;
     fill.rows[0].lattice = fill.rows[1].lattice = 0;
-    tbx_quick_init(&fill.quick, frame->grid, target);
+    tbx_quick_init(&fill.quick, frame->grid, target, source->is_double, 1);
+    fill.on_planes = 0;
     if (!fill.quick.on) {
         return 0;
     }
@@ -13241,7 +13791,7 @@ TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, c
         fill.next = t + (size_t)count;
         tbx_fill_block(&fill, t, count);
         t = fill.next;
-        if (t % 32768 == 0 || t == source->triangles) { /* so that a doubt's `back` fits */
+        if (t / TBX_BLOCK % 256 == 0 || t == source->triangles) { /* so that a doubt's `back` fits */
             tbx_rows_flush_few(&fill, &fill.rows[0]);
             tbx_rows_flush(&fill, &fill.rows[1]);
             tbx_fill_again(&fill, &fill.again);
@@ -13253,41 +13803,33 @@ TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, c
 
 /* ---- Spans of meshes */
 
-/* A block whose small boxes are decided: bit x + n*y + n*n*z of `voxels`, n being side. side 0: walk. */
+/* A block whose small boxes are decided: bit x + 4 y + 16 z of `voxels`; none: walk. */
 typedef struct tbx_decided {
     tbx_block block;
     uint64_t voxels[TBX_BLOCK];
-    unsigned char side[TBX_BLOCK];
 } TBX_ALIGNED tbx_decided;
 
 TBX_NOINLINE void tbx_decide_block(tbx_decided *d, const tbx_quick *q, const tribox_grid *grid,
-                                   const tbx_source *source, size_t first, int count)
+                                   const tbx_source *source, size_t first, int count, int *on_planes)
 {
-    const tbx_block *b = &d->block;
+    tbx_corners corners;
+    tbx_some some;
     unsigned c;
-    d->block.skips = 0;
-    tbx_block_find(&d->block, grid, q, source, first, count);
+    tbx_block_find(&d->block, &corners, grid, q, source, first, count, on_planes);
+    some.block = &d->block;
+    some.corners = &corners;
+    some.source = source;
     for (c = TBX_CLASS_FLAT; c < TBX_CLASS_LARGE; c++) {
-        const unsigned char *list = b->list[c];
-        const unsigned char side = (unsigned char)(c <= TBX_CLASS_2 ? 2 : c == TBX_CLASS_3 ? 3 : 4);
-        int from = 0;
-        tbx_group g;
-        int j;
-        g.n = 0;
-        g.lattice = 0;
-        for (j = 0; j < b->count[c]; j++) {
-            if (tbx_group_add(&g, tbx_load4i(b->box[list[j]]), 0, first + list[j]) || j + 1 == b->count[c]) {
-                uint64_t voxels[TBX_WIDE];
-                const int n = g.n;
-                const unsigned unsure = tbx_group_decide(q, source, &g, c, voxels);
-                int i;
-                for (i = 0; i < n; i++) {
-                    d->voxels[list[from + i]] = voxels[i];
-                    d->side[list[from + i]] = (unsigned char)((unsure >> i & 1u) != 0 ? 0 : side);
-                }
-                from += n;
-                g.n = 0;
-                g.lattice = 0;
+        int left = d->block.count[c];
+        some.list = d->block.list[c];
+        for (; left > 0; left -= TBX_WIDE, some.list += TBX_WIDE) {
+            uint64_t voxels[TBX_WIDE];
+            unsigned unsure;
+            int i;
+            some.count = left < TBX_WIDE ? left : TBX_WIDE;
+            unsure = tbx_decide_class(voxels, q, &some, c);
+            for (i = 0; i < some.count; i++) {
+                d->voxels[some.list[i]] = (unsure >> i & 1u) != 0 ? 0 : voxels[i];
             }
         }
     }
@@ -13296,25 +13838,25 @@ TBX_NOINLINE void tbx_decide_block(tbx_decided *d, const tbx_quick *q, const tri
 /* The spans of a decided box, 16 at most. */
 TBX_NOINLINE int tbx_decided_spans(const tbx_decided *d, int at, const int lo[3], tbx_span *out)
 {
-    const int32_t *box = d->block.box[at];
-    const int side = d->side[at];
-    const unsigned row_bits = (1u << side) - 1u;
-    const int more_y = (int)(box[3] >> 8 & 3);
-    const int more_z = (int)(box[3] >> 16 & 3);
+    const uint64_t key = d->block.key[at];
+    const int x0 = lo[0] + (int)tbx_key_axis(key, 0);
+    const int y0 = lo[1] + (int)tbx_key_axis(key, 1);
+    const int more_y = (int)(key >> 2 & 3);
+    const int more_z = (int)(key >> 4 & 3);
     const uint64_t first_of = (uint64_t)0x01020103u << 32 | 0x01020100u; /* of four bits: the lowest, */
     const uint64_t last_of = (uint64_t)0x33333333u << 32 | 0x22221100u;  /* and the highest */
     uint64_t layer = d->voxels[at];
     int n = 0;
     int y;
     int z;
-    for (z = 0; z <= more_z; z++, layer >>= side * side) {
+    for (z = 0; z <= more_z; z++, layer >>= 16) {
         uint64_t rest = layer;
-        for (y = 0; y <= more_y; y++, rest >>= side) {
-            const unsigned row = (unsigned)rest & row_bits;
-            out[n].x0 = lo[0] + box[0] + (int)(first_of >> (4 * row) & 15u);
-            out[n].x1 = lo[0] + box[0] + (int)(last_of >> (4 * row) & 15u);
-            out[n].y = lo[1] + box[1] + y;
-            out[n].z = lo[2] + box[2] + z;
+        for (y = 0; y <= more_y; y++, rest >>= 4) {
+            const unsigned row = (unsigned)rest & 15u;
+            out[n].x0 = x0 + (int)(first_of >> (4 * row) & 15u);
+            out[n].x1 = x0 + (int)(last_of >> (4 * row) & 15u);
+            out[n].y = y0 + y;
+            out[n].z = lo[2] + (int)tbx_key_axis(key, 2) + z;
             n += row != 0;
         }
     }
@@ -13334,10 +13876,11 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
     tbx_quick q;
     tbx_target target;
     size_t t = 0;
+    int on_planes = 0;
     target.bits = NULL;
     target.row_words = (size_t)(f->last_x + 64) / 64;
     target.ny = (size_t)((int64_t)f->grid->hi[1] - lo[1]);
-    tbx_quick_init(&q, f->grid, &target);
+    tbx_quick_init(&q, f->grid, &target, source->is_double, 0);
     while (q.on && t < source->triangles) {
         const size_t rest = source->triangles - t;
         const int in_block = rest < TBX_BLOCK ? (int)rest : TBX_BLOCK;
@@ -13346,26 +13889,26 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
         int left = 0;
         unsigned c;
         int j;
-        tbx_decide_block(&u.decided, &q, f->grid, source, t, in_block);
+        tbx_decide_block(&u.decided, &q, f->grid, source, t, in_block, &on_planes);
         for (j = 0; j < u.decided.block.count[TBX_CLASS_SHORT]; j++) {
             const int i = u.decided.block.list[TBX_CLASS_SHORT][j];
-            const int32_t *box = u.decided.block.box[i];
-            const int more = box[3];
-            span[0].x0 = span[1].x0 = span[1].x1 = lo[0] + box[0];
-            span[0].x1 = lo[0] + box[0] + (more & 1);
-            span[0].y = lo[1] + box[1];
-            span[1].y = lo[1] + box[1] + (more >> 8 & 1);
-            span[0].z = lo[2] + box[2];
-            span[1].z = lo[2] + box[2] + (more >> 16 & 1);
-            tbx_tell(span, 1 + ((more >> 8 | more >> 16) & 1), t + (size_t)i, on_span, user, count);
+            const uint64_t key = u.decided.block.key[i];
+            span[0].x0 = span[1].x0 = span[1].x1 = lo[0] + (int)tbx_key_axis(key, 0);
+            span[0].x1 = span[0].x0 + (int)(key & 1);
+            span[0].y = lo[1] + (int)tbx_key_axis(key, 1);
+            span[1].y = span[0].y + (int)(key >> 2 & 1);
+            span[0].z = lo[2] + (int)tbx_key_axis(key, 2);
+            span[1].z = span[0].z + (int)(key >> 4 & 1);
+            tbx_tell(span, 1 + (int)((key >> 2 | key >> 4) & 1), t + (size_t)i, on_span, user, count);
         }
         for (c = TBX_CLASS_FLAT; c <= TBX_CLASS_LARGE; c++) {
             for (j = 0; j < u.decided.block.count[c]; j++) {
                 const int i = u.decided.block.list[c][j];
-                if (c == TBX_CLASS_LARGE || u.decided.side[i] == 0) {
+                if (c == TBX_CLASS_LARGE || u.decided.voxels[i] == 0) {
                     later[left++] = (unsigned char)i;
                 } else {
-                    tbx_tell(span, tbx_decided_spans(&u.decided, i, lo, span), t + (size_t)i, on_span, user, count);
+                    tbx_tell(span, tbx_decided_spans(&u.decided, i, lo, span), t + (size_t)i, on_span, user,
+                             count);
                 }
             }
         }

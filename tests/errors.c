@@ -266,7 +266,7 @@ __attribute__((noinline)) static void fill_boxes(filled *r, tbx_quick *quick, co
     if (!tbx_grid_valid(&grid)) {
         return;
     }
-    tbx_quick_init(quick, &grid, &target);
+    tbx_quick_init(quick, &grid, &target, 0, 1);
     if (!quick->on) {
         return;
     }
@@ -291,8 +291,8 @@ __attribute__((noinline)) static void fill_boxes(filled *r, tbx_quick *quick, co
             least = x < least ? x : least;
             most = x > most ? x : most;
         }
-        least *= quick->inverse[k];
-        most *= quick->inverse[k];
+        least *= quick->inverse[k + 1];
+        most *= quick->inverse[k + 1];
         r->face[k][0][0] = least + quick->shift_down[k];
         r->face[k][0][1] = least + quick->shift_up[k];
         r->face[k][1][0] = most + quick->shift_down[k];
