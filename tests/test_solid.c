@@ -22,6 +22,15 @@ typedef struct solid_case {
     uint64_t    bits[SOLID_WORDS];
 } solid_case;
 
+static float solid_special(int which)
+{
+    static const uint32_t bits[6] = {0x7fc00000u, 0x7f800001u, 0xffc00000u, 0x7f800000u, 0xff800000u, 0x7f7fffffu};
+    float                 x;
+
+    memcpy(&x, &bits[which], sizeof x);
+    return x;
+}
+
 static double solid_centre(const tribox_grid *g, int k, int i)
 {
     return g->origin[k] + (i + 0.5) * g->size[k];
@@ -71,6 +80,13 @@ static void solid_make(solid_case *c, int kind)
         c->doubles[i] = random_below(2) ? x : (double)c->positions[i];
         if (kind == 0 && random_below(1000) == 0) { /* as little as there is, one way or the other */
             c->positions[i] += c->positions[i] * FLT_EPSILON;
+        }
+        if (kind == 0 && random_below(200) == 0) {
+            c->doubles[i] += 1e-14 * c->grid.size[k];
+        }
+        if (kind == 1 && random_below(100) == 0) { /* far out of the region */
+            c->doubles[i] += (random_below(2) ? 1e3 : -1e3) * c->grid.size[k];
+            c->positions[i] = (float)c->doubles[i];
         }
     }
     c->words = (size_t)((c->n[0] + 63) / 64 * c->n[1] * c->n[2]);
@@ -230,8 +246,9 @@ static void rays_cross_as_exact_numbers_say(void)
         int                 k;
         int                 got;
         int                 n = 2 + random_below(6);
-        int                 kind = random_below(4);
+        int                 kind = random_below(5);
         double              scale = kind == 2 ? 0.1 : kind == 3 ? 1e-30 : 1;
+        double              most = kind == 4 ? 1.6069380442589903e60 : 1; /* 2^200 */
         for (k = 0; k < 12; k++) {
             double x = random_below(n) * scale;
             if (kind == 1) {
@@ -263,7 +280,17 @@ static void rays_cross_as_exact_numbers_say(void)
         mesh_f64.indices = 0;
         mesh_f64.triangles = 1;
         CHECK(tribox_mesh_contains(&mesh, p) == got);
+        for (k = 0; k < 9; k++) {
+            v[k / 3][k % 3] *= most;
+            p[k % 3] *= k < 3 ? most : 1;
+        }
         CHECK(tribox_mesh_contains_f64(&mesh_f64, p) == got);
+        p[i % 3] = (double)solid_special(i % 2);
+        CHECK(tribox_ray_crosses(f[0], f[1], f[2], p) == 0);
+        f[i % 3][(i / 3) % 3] = solid_special(3 + i % 2);
+        p[i % 3] = 0;
+        CHECK(tribox_ray_crosses(f[0], f[1], f[2], p) == 0);
+        CHECK(tribox_mesh_contains(&mesh, p) == 0);
     }
 }
 
@@ -320,6 +347,7 @@ static void the_solid_depends_on_the_set_of_triangles_alone(void)
         static float      strided[5 * 3 * SOLID_TRIANGLES];
         static uint32_t   indices[3 * SOLID_TRIANGLES];
         tribox_mesh       mesh;
+        tribox_mesh_f64   mesh_f64;
         int               t;
         int               k;
         solid_make(&c, i % 3);
@@ -357,6 +385,11 @@ static void the_solid_depends_on_the_set_of_triangles_alone(void)
         tribox_grid_fill_solid(&c.grid, &mesh, bits);
         CHECK(solid_same(&c, bits, "strided"));
         tribox_grid_fill_solid(&c.grid, &mesh, bits);
+        CHECK(memcmp(bits, none, c.words * sizeof *bits) == 0);
+        mesh_f64 = solid_mesh_f64(&c);
+        tribox_grid_fill_solid_f64(&c.grid, &mesh_f64, bits);
+        mesh_f64.indices = indices;
+        tribox_grid_fill_solid_f64(&c.grid, &mesh_f64, bits);
         CHECK(memcmp(bits, none, c.words * sizeof *bits) == 0);
     }
 }
@@ -645,15 +678,6 @@ static void no_row_of_a_closed_mesh_leaks(void)
 }
 
 /* ---- Odd inputs ---------------------------------------------------------------------------------------- */
-
-static float solid_special(int which)
-{
-    static const uint32_t bits[6] = {0x7fc00000u, 0x7f800001u, 0xffc00000u, 0x7f800000u, 0xff800000u, 0x7f7fffffu};
-    float                 x;
-
-    memcpy(&x, &bits[which], sizeof x);
-    return x;
-}
 
 /* NaN and infinite corners are no triangle; the others beside them are what they were. The largest floats
  * are numbers like any other. */
