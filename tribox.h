@@ -3051,13 +3051,20 @@ TBX_FN int tbx_plane_compare(const tribox_grid *grid, int k, int64_t i, double x
     const double *origin = &grid->origin[k];
     const double *size = &grid->size[k];
     if (tbx_is_ordinary(origin, 900) & tbx_is_ordinary(size, 900) & tbx_is_ordinary(&x, 900)) {
-        const double along = (double)i * *size;
-        double offset = *origin - x;
+        double base = *origin; /* kept: clang would compute before the question, and overflow */
+        double along = *size;
+        double to = x;
+        double offset;
         double value;
         double error;
+        TBX_KEEP_SCALAR(base);
+        TBX_KEEP_SCALAR(along);
+        TBX_KEEP_SCALAR(to);
+        along *= (double)i;
+        offset = base - to;
         TBX_KEEP_SCALAR(offset);
         value = offset + along;
-        error = (tbx_abs(*origin) + tbx_abs(x) + tbx_abs(along)) * TBX_PLANE_ERROR;
+        error = (tbx_abs(base) + tbx_abs(to) + tbx_abs(along)) * TBX_PLANE_ERROR;
         if (value > error || value < -error) {
             return value > 0.0 ? 1 : -1;
         }
@@ -4620,11 +4627,12 @@ TBX_FN int tbx_solid_in_range(const double *x)
     return (tbx_bits64(x) & 0x7fffffffffffffffu) < (uint64_t)(1023 + 150) << 52;
 }
 
-/* u = 2^-52; where doubles may be rounded otherwise there is no filter. t_i = v_i - p is off by u of itself; E_i = t_i x t_{i+1}, a sum of two products, by
- * (2 + 1 + 1) u of their magnitudes; E_0 + E_1 + E_2 = n_x. So where all E_i are sure and of one sign, p is
- * within, and s n.(p - v0) = -sum of t_i.x |E_{i+1}|, since n.t0 = t0.(t1 x t2): off by (4 + 1 + 1 + 2) u. */
-#define TBX_CROSS_EDGE_ERROR (5.0 * TBX_U64)
-#define TBX_CROSS_PLANE_ERROR (9.0 * TBX_U64)
+/* u = 2^-52; where doubles may be rounded otherwise there is no filter. t_i = v_i - p is off by u of itself;
+ * E_i = t_i x t_{i+1}, a sum of two products, by (2 + 1 + 1) u of their magnitudes; E_0 + E_1 + E_2 = n_x. So
+ * where all E_i are sure and of one sign, p is within, and s n.(p - v0) = -sum of t_i.x |E_{i+1}|, since
+ * n.t0 = t0.(t1 x t2): off by (4 + 1 + 1 + 2) u. Bounds of this section: tests/proofs/solid.gappa. */
+#define TBX_CROSS_EDGE_ERROR (6.0 * TBX_U64)
+#define TBX_CROSS_PLANE_ERROR (10.0 * TBX_U64)
 
 /* 1 and 0 as the rule, -1 unsure. */
 TBX_FN int tbx_crosses_filter(double v[3][3], const double p[3])
@@ -4746,16 +4754,16 @@ TRIBOX_FN int tribox_mesh_contains_f64(const tribox_mesh_f64 *mesh, const double
  * with it is >= 0: the value in double, with a bound, decides if it can, else its exact sign.
  *
  * Error, in units of u = 2^-52. Along axis k all coordinates and centres of the region are at most
- * M_k = |origin| + (|lo| + |hi| + 1) size + largest |v|. The centre (middle + i*size) - v is off by 2 M
- * (middle), M (its difference), M (i*size), M (their sum): 5 M. With 1 for d_i and 3 for products and sums,
- * and 2 for the index's part, E_i is off by 11 (|d_y| M_z + |d_z| M_y). A normal's component n_a is off by
- * 8 X_b X_c, X the extents, and at most 2 X_b X_c: n.(c - v0) is off by the sum of (8 + 2 * 11) X_b X_c M_a.
+ * M_k = |origin| + (|lo| + |hi| + 1) size + largest |v|. The centre (middle + i*size) - v is off by no more than
+ * 6 M: four roundings of middle's product, two of i*size. With 1 for d_i and 3 for products and sums, E_i is off
+ * by 12 (|d_y| M_z + |d_z| M_y). A normal's component n_a is off by 8 X_b X_c, X the extents, and at most
+ * 2 X_b X_c: n.(c - v0) is off by the sum of (8 + 2 * 10) X_b X_c M_a.
  *
  * On the lattice all is exact: middle, size and the corners are multiples of a unit per axis, 2^15 of which
  * reach over the region; corners lie no farther off; edges have 34 bits, normals 35, and the plane 53. */
 #define TBX_SOLID_ERROR (8.0 * TBX_U64)
 #define TBX_SOLID_EDGE_ERROR (16.0 * TBX_U64)
-#define TBX_SOLID_NORMAL_ERROR (9.0 * TBX_U64)
+#define TBX_SOLID_NORMAL_ERROR (10.0 * TBX_U64)
 #define TBX_SOLID_PLANE_ERROR (40.0 * TBX_U64)
 
 /* A region, for the solid. */
@@ -14624,7 +14632,7 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
  * Boxes. Row centres are whole numbers Y = (v - origin) inverse + rest, origin being the first centre as a
  * float, rest what that leaves; of doubles, v - origin is a float computed in double, and rest a MARGIN. Y is
  * off by u |Y| for each of the difference, inverse, product and sum, by u |rest|, and by u more for what the
- * bounds are widened by: 6 u (n + |rest| + 2) between the region's ends; beyond them it does not come back,
+ * bounds are widened by: 7 u (n + |rest| + 2) between the region's ends; beyond them it does not come back,
  * since each operation is monotone. Corners beyond 2^22 voxels go the scalar way. The first centre itself is
  * off by 2 * 2^-52 M (section 8): MIDDLE_ERROR allows for twice that.
  *
@@ -14657,6 +14665,10 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
 #define TBX_SOLID_CROSSINGS 32
 #define TBX_SOLID_ANYWAY 0x40000000 /* an extent: goes the scalar way */
 #define TBX_SOLID_MIDDLE_ERROR (4.0 * TBX_U64)
+#define TBX_SOLID_BOX_ERROR (7.0f * TBX_U32)
+#define TBX_SOLID_PLACE_ERROR (5.0f * TBX_U32)
+#define TBX_SOLID_ROW_ERROR 16.0f
+#define TBX_SOLID_ROW_ULPS (64.0f * TBX_U32)
 
 /* y or z, for boxes. */
 typedef struct tbx_solid_axis {
@@ -14692,11 +14704,10 @@ typedef struct tbx_solid_quick {
 TBX_FN double tbx_solid_axis_init(tbx_solid_quick *q, int k)
 {
     const tbx_solid *s = q->solid;
-    const double u = (double)TBX_U32;
     const double size = s->grid->size[k];
     const double n = (double)s->n[k];
     const double left = q->source->is_double ? 0.0 : ((double)q->origin[k] - s->middle[k]) / size;
-    const double slack = 1.01 * (6.0 * u * (n + 2.0 * TBX_SOLID_MARGIN + tbx_abs(left)) +
+    const double slack = 1.01 * ((double)TBX_SOLID_BOX_ERROR * (n + 2.0 * TBX_SOLID_MARGIN + tbx_abs(left)) +
                                  TBX_SOLID_MIDDLE_ERROR * s->reach[k] / size);
     tbx_solid_axis *axis = &q->axis[k - 1];
     axis->origin = tbx_wide_all(q->source->is_double ? 0.0f : q->origin[k]);
@@ -15028,8 +15039,8 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
 {
     const float u = TBX_U32;
     const float reach = 2.0f * (float)n + 0.1f;
-    const float e = 5.0f * u * (reach + q->rho);
-    const float error_all = 16.0f * reach * e + 64.0f * u * reach * reach;
+    const float e = TBX_SOLID_PLACE_ERROR * (reach + q->rho);
+    const float error_all = TBX_SOLID_ROW_ERROR * reach * e + TBX_SOLID_ROW_ULPS * reach * reach;
     const tbx_fw zero = tbx_wide_all(0.0f);
     tbx_fw error = tbx_wide_all(error_all);
     tbx_fw e0 = p->v[0].y * p->v[1].z - p->v[0].z * p->v[1].y;
@@ -15822,6 +15833,10 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_SOLID_LINE_ERROR
 #undef TBX_SOLID_ANYWAY
 #undef TBX_SOLID_BLOCK
+#undef TBX_SOLID_BOX_ERROR
+#undef TBX_SOLID_PLACE_ERROR
+#undef TBX_SOLID_ROW_ERROR
+#undef TBX_SOLID_ROW_ULPS
 #undef TBX_SOLID_CROSSINGS
 #undef TBX_SOLID_TINY
 #undef TBX_CROSS_EDGE_ERROR

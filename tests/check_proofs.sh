@@ -29,6 +29,19 @@ LINE=$(constant '^#define TBX_LINE_ERROR \([0-9.]*\)$')
 WALK_NORMAL=$(constant '^#define TBX_NORMAL_ERROR (\([0-9.]*\) \* TBX_U64)$')
 FIXED=$(constant '^#define TBX_FIXED_ERROR (\([0-9.]*\) \* TBX_U64)$')
 GRID=$(constant '^#define TBX_PLANE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+CROSS_EDGE=$(constant '^#define TBX_CROSS_EDGE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+CROSS_PLANE=$(constant '^#define TBX_CROSS_PLANE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+SOLID=$(constant '^#define TBX_SOLID_ERROR (\([0-9.]*\) \* TBX_U64)$')
+SOLID_EDGE=$(constant '^#define TBX_SOLID_EDGE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+SOLID_NORMAL=$(constant '^#define TBX_SOLID_NORMAL_ERROR (\([0-9.]*\) \* TBX_U64)$')
+SOLID_PLANE=$(constant '^#define TBX_SOLID_PLANE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+SOLID_LINE=$(constant '^#define TBX_SOLID_LINE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+SOLID_BOX=$(constant '^#define TBX_SOLID_BOX_ERROR (\([0-9.]*\)f \* TBX_U32)$')
+SOLID_PLACE=$(constant '^#define TBX_SOLID_PLACE_ERROR (\([0-9.]*\)f \* TBX_U32)$')
+SOLID_ROW=$(constant '^#define TBX_SOLID_ROW_ERROR \([0-9.]*\)f$')
+SOLID_ROW_ULPS=$(constant '^#define TBX_SOLID_ROW_ULPS (\([0-9.]*\)f \* TBX_U32)$')
+export CROSS_EDGE CROSS_PLANE SOLID SOLID_EDGE SOLID_NORMAL SOLID_PLANE SOLID_LINE SOLID_BOX SOLID_PLACE SOLID_ROW \
+    SOLID_ROW_ULPS
 # groups: delta's share of n u; the bounds in units of n delta and n^2 delta
 SHARE=$(constant '.*const float delta = \([0-9.]*\)f \* TBX_U32 \* (float)n + q->delta_low;.*')
 LINES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)n \* delta).*')
@@ -46,6 +59,9 @@ prove() { # script, P, FUSED or PLAIN, N: lines for boxes of N^3 voxels
     [ "$3" = PLAIN ] && other=FUSED
     sed -E -e "s/^$3 //" -e "/^$other /d" -e "s/@ULPS@/$ULPS/g; s/@TRI@/$TRI/g" \
         -e "s/@NORMAL@/$NORMAL/g; s/@COORDINATE@/$COORDINATE/g; s/@WALK_NORMAL@/$WALK_NORMAL/g; s/@FIXED@/$FIXED/g" \
+        -e "s/@CROSS_EDGE@/$CROSS_EDGE/g; s/@CROSS_PLANE@/$CROSS_PLANE/g; s/@SOLID@/$SOLID/g" \
+        -e "s/@SOLID_EDGE@/$SOLID_EDGE/g; s/@SOLID_NORMAL@/$SOLID_NORMAL/g; s/@SOLID_PLANE@/$SOLID_PLANE/g" \
+        -e "s/@SOLID_LINE@/$SOLID_LINE/g; s/@SOLID_BOX@/$SOLID_BOX/g; s/@SOLID_PLACE@/$SOLID_PLACE/g" \
         -e "s/@GRID@/$GRID/g; s/\bP\b/$2/g; s/^N$n //; /^N[2-4] /d" \
         -e "s/@M@/$((n - 1))/g; s/@N@/$n/g; s/@2MM@/$((2 * mm))/g; s/@4MM@/$((4 * mm))/g; s/@AREA@/$area/g" \
         -e "s/@NN@/$((n * n))/g; s/@3NNM@/$((3 * n * n * (n - 1)))/g; s/@EDGE@/$edge/g" \
@@ -100,11 +116,23 @@ walk_room() {
 export -f walk_room
 job "proof: grid walk, room in the bound of lines" walk_room
 
+# The solid's rows, in units of R e and of u R^2: E at the first centre, 4 and 4; twice 2 and 10 for the steps to another,
+# whose products are at most 2 R^2; the sums of 6 R^2, 12. Their sum at the first centre: 12, and 12 + 12.
+solid_room() {
+    awk -v row="$SOLID_ROW" -v ulps="$SOLID_ROW_ULPS" 'BEGIN {
+        print "R e:", 4 + 2 * 2, 12, "of", row, "u R^2:", 4 + 2 * 10 + 12, 12 + 12, "of", ulps
+        exit !(12 <= 0.95 * row && 36 <= 0.95 * ulps)
+    }'
+}
+export -f solid_room
+job "proof: solid, room in the bounds of rows" solid_room
+
 # 23 and 52: u of every rounding mode; one more: that of rounding to nearest
 job "proof: rounding" prove rounding 23 PLAIN
 for p in 23 24 52 53; do
     job "proof: sums and products, 2^-$p" prove products $p PLAIN
     job "proof: grid walk, 2^-$p" prove walk $p PLAIN
+    job "proof: solid, 2^-$p" prove solid $p PLAIN
     for contraction in PLAIN FUSED; do
         for script in coords lines normal edge plane; do
             job "proof: $script, 2^-$p, $contraction" prove $script $p $contraction
