@@ -22,6 +22,7 @@ include examples/examples.mk
 include tests/tests.mk
 include tests/check.mk
 include bench/bench.mk
+include tests/peers/peers.mk
 
 # include/tribox.h, a pkg-config file, and the programs voxelize and check_voxels. DESTDIR is put before PREFIX, for
 # packagers.

@@ -591,7 +591,7 @@ static int compare(options *o, const mesh *m, volume *v, char *error) {
     }
     if (volume_grid(v, &file, error) && volume_set(v, o->side, o->level, &given, error)) {
         if (convention_set(m, &file, &c, &exact, error)) {
-            if (differences_find(&d, m, &c, &file, &exact, &given, error)) {
+            if (differences_find(&d, m, &c, &file, &exact, &given, (size_t)o->show, error)) {
                 around = c.kind == CONVENTION_TOUCHED ? count_around(&exact, m) : 0;
                 if (o->json) {
                     report_result(o, &d, v, fits, fit_count, around);

@@ -239,8 +239,9 @@ static inline int decide_within(const decider *d, const double lo[3], const doub
     return all;
 }
 
-/* The triangle that decides about a box, or with `sample` about the point lo. */
-static inline decision decide(const decider *d, const double lo[3], const double hi[3], int sample) {
+/* The triangle that decides about a box, or with `sample` about the point lo. `near_only` looks no farther than a cell
+   away: it may find none (SIZE_MAX, infinitely far), or one that is not the nearest, but never misses one that touches. */
+static inline decision decide(const decider *d, const double lo[3], const double hi[3], int sample, int near_only) {
     decision best;
     double reach = 0;
     memset(&best, 0, sizeof best);
@@ -249,7 +250,7 @@ static inline decision decide(const decider *d, const double lo[3], const double
     if (!d->start) {
         return best;
     }
-    while (!decide_within(d, lo, hi, reach, sample, &best) && best.gap > reach) {
+    while (!decide_within(d, lo, hi, reach, sample, &best) && best.gap > reach && !near_only) {
         reach = reach > 0 ? 2 * reach : d->cells.size[0];
     }
     return best;

@@ -35,6 +35,7 @@ typedef struct differences {
     size_t            kind[2][KINDS];   /* extra, missing */
     difference       *list;             /* the first of them */
     size_t            count;
+    size_t            shown;            /* of these the deciding triangle is found however far it is */
     int               shift[3];         /* in half voxels: the grid fits better when moved by that; 0,0,0 */
     voxels            shifted;          /* the exact set there; bits NULL: none */
     size_t            lost;             /* triangles, and the first of them */
@@ -214,7 +215,7 @@ static inline int difference_kind(const differences *d, const difference *one) {
                                == voxels_get(d->given, one->at[0], one->at[1], one->at[2])) {
         return KIND_SHIFTED;
     }
-    if (one->missing && d->is_lost && d->is_lost[one->by.triangle]) {
+    if (one->missing && d->is_lost && one->by.triangle != SIZE_MAX && d->is_lost[one->by.triangle]) {
         return KIND_LOST;
     }
     return difference_is_streak(d, one) ? KIND_STREAK : KIND_OTHER;
@@ -244,9 +245,9 @@ static inline void differences_take(differences *d, const decider *triangles, co
         return;
     }
     difference_box(d->exact, sample, at, lo, hi);
-    one.by = decide(triangles, lo, hi, sample);
+    one.by = decide(triangles, lo, hi, sample, d->count >= d->shown);
     one.voxels = one.by.gap / fmin(size[0], fmin(size[1], size[2]));
-    one.kind = one.by.triangle == SIZE_MAX ? KIND_OTHER : difference_kind(d, &one);
+    one.kind = difference_kind(d, &one);
     d->kind[missing][one.kind] += 1;
     d->list[d->count] = one;
     d->count += 1;
@@ -277,10 +278,10 @@ static inline void differences_free(differences *d) {
     free(d->list);
 }
 
-/* Compares; `file` is the file's grid, from which the convention shifts. Returns 1, or 0 with a sentence in `error`; then
+/* Compares; `file` is the file's grid, from which the convention shifts; `shown` differences will be shown. Returns 1, or 0 with a sentence in `error`; then
    there is nothing to free. */
 static inline int differences_find(differences *d, const mesh *m, const convention *c, const tribox_grid *file,
-                                   const voxels *exact, const voxels *given, char *error) {
+                                   const voxels *exact, const voxels *given, size_t shown, char *error) {
     mesh points;
     decider triangles;
     size_t i;
@@ -291,6 +292,7 @@ static inline int differences_find(differences *d, const mesh *m, const conventi
     d->c = c;
     d->exact = exact;
     d->given = given;
+    d->shown = shown;
     for (i = 0; i < exact->words; i++) {
         d->missing += (size_t)voxels_ones(exact->bits[i] & ~given->bits[i]);
         d->extra += (size_t)voxels_ones(given->bits[i] & ~exact->bits[i]);

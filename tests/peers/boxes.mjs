@@ -3,10 +3,8 @@
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
-import { pathToFileURL } from 'node:url';
 
 const require = createRequire(path.join(process.cwd(), 'x.js'));
-const from = async (name) => import(pathToFileURL(require.resolve(name)).href);
 const version = (name) => JSON.parse(fs.readFileSync(path.join('node_modules', name, 'package.json'), 'utf8')).version;
 const CLASSES = 9;
 const bytes = fs.readFileSync(process.argv[2]);
@@ -30,21 +28,21 @@ function row(name, test, floats) {
     console.log(`| ${name} | ${asked.map((n, k) => n ? `${per(missed[k], k)} + ${per(invented[k], k)}` : '-').join(' | ')} |`);
 }
 
-const three = await from('three');
+const three = require('three');
 const v = [0, 1, 2, 3, 4].map(() => new three.Vector3());
 const set = (c) => v.forEach((p, i) => p.set(c[3 * i], c[3 * i + 1], c[3 * i + 2]));
 row(`three ${version('three')}, Box3.intersectsTriangle`, (c) => {
     set(c);
     return new three.Box3(v[3], v[4]).intersectsTriangle(new three.Triangle(v[0], v[1], v[2]));
 });
-const bvh = await from('three-mesh-bvh');
+const bvh = require('three-mesh-bvh');
 row(`three-mesh-bvh ${version('three-mesh-bvh')}, OrientedBox.intersectsTriangle`, (c) => {
     set(c);
     const box = new bvh.OrientedBox(v[3], v[4]);
     box.update();
     return box.intersectsTriangle(new three.Triangle(v[0], v[1], v[2]));
 });
-const rapier = await from('@dimforge/rapier3d-compat');
+const rapier = require('@dimforge/rapier3d-compat');
 await rapier.init();
 row(`@dimforge/rapier3d-compat ${version('@dimforge/rapier3d-compat')}, Shape.intersectsShape of Cuboid, Triangle`, (c) => {
     const at = (i) => ({ x: c[i], y: c[i + 1], z: c[i + 2] });

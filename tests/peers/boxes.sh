@@ -42,5 +42,5 @@ peer vtk -I$vtk -lvtkFiltersGeneral-9.1 -lvtkCommonDataModel-9.1 -lvtkCommonExec
 if command -v npm >/dev/null; then
     mkdir -p "$work/npm"
     (cd "$work/npm" && { [ -d node_modules ] || npm install --silent three@0.187.0 three-mesh-bvh@0.9.17 \
-        @dimforge/rapier3d-compat@0.21.0 >npm.log 2>&1; } && node "$OLDPWD/$peers/boxes.mjs" ../cases.bin) || echo 'SKIP: npm'
+        @dimforge/rapier3d-compat@0.21.0 >npm.log 2>&1; } && node --no-deprecation "$OLDPWD/$peers/boxes.mjs" ../cases.bin) || echo 'SKIP: npm'
 fi
