@@ -19,7 +19,7 @@
 
 typedef struct cells {
     tribox_grid    grid;
-    tribox_mesh    mesh;
+    mesh           mesh;
     size_t         n[3];
     size_t         count;
     uint32_t      *start;       /* count + 1: where each cell's list begins */
@@ -65,7 +65,7 @@ static int build(cells *c, char *error) {
         snprintf(error, MESH_ERROR, "out of memory for %lu cells", (unsigned long)c->count);
         return 0;
     }
-    sum = tribox_mesh_spans(&c->grid, &c->mesh, count_span, c);
+    sum = mesh_spans(&c->grid, &c->mesh, count_span, c);
     if (sum > UINT32_MAX) {
         snprintf(error, MESH_ERROR, "the lists would hold more than 2^32 numbers");
         return 0;
@@ -78,7 +78,7 @@ static int build(cells *c, char *error) {
         snprintf(error, MESH_ERROR, "out of memory for %lu numbers", (unsigned long)sum);
         return 0;
     }
-    tribox_mesh_spans(&c->grid, &c->mesh, list_span, c);
+    mesh_spans(&c->grid, &c->mesh, list_span, c);
     for (i = c->count; i > 0; i--) {        /* each list has moved to the next one's beginning: back by one */
         c->start[i] = c->start[i - 1];
     }
@@ -90,20 +90,39 @@ static int build(cells *c, char *error) {
 
 typedef struct ray {
     cells   *cells;
-    float    origin[3];
-    float    dir[3];            /* the ray is origin + t * dir, t from 0 to 1 */
+    double   origin[3];         /* floats, where the mesh is of floats */
+    double   dir[3];            /* the ray is origin + t * dir, t from 0 to 1 */
     uint32_t number;
     int      met;               /* triangles that it meets, */
-    float    first;             /* and the least t */
+    double   first;             /* and the least t */
     double   asked;
 } ray;
 
 static void ask(ray *r, size_t triangle) {
+    const mesh *m = &r->cells->mesh;
+    const tribox_mesh view = mesh_view(m);
     const float *corner[3];
-    float t;
-    mesh_corners(&r->cells->mesh, triangle, corner);
+    double exact[3][3];
+    float origin[3];
+    float dir[3];
+    float near_t = 0;
+    double t = 0;
+    int met;
+    int k;
+    for (k = 0; k < 3; k++) {
+        mesh_corner_f64(m, triangle, (size_t)k, exact[k]);
+        origin[k] = (float)r->origin[k];
+        dir[k] = (float)r->dir[k];
+    }
+    mesh_corners(&view, triangle, corner);
+    if (m->exact) {
+        met = tribox_ray_triangle_f64(r->origin, r->dir, 0, 1, exact[0], exact[1], exact[2], &t);
+    } else {
+        met = tribox_ray_triangle(origin, dir, 0, 1, corner[0], corner[1], corner[2], &near_t);
+        t = (double)near_t;
+    }
     r->asked += 1;
-    if (tribox_ray_triangle(r->origin, r->dir, 0, 1, corner[0], corner[1], corner[2], &t)) {
+    if (met) {
         r->met += 1;
         r->first = t < r->first ? t : r->first;
     }
@@ -129,8 +148,8 @@ static void ask_cells(ray *r) {
     double q[3];
     int k;
     for (k = 0; k < 3; k++) {
-        p[k] = (double)r->origin[k];
-        q[k] = (double)r->origin[k] + (double)r->dir[k];        /* no digit is lost: see make_ray */
+        p[k] = r->origin[k];
+        q[k] = r->origin[k] + r->dir[k];        /* no digit is lost: see make_ray */
     }
     r->met = 0;
     r->first = 2;
@@ -143,12 +162,13 @@ static uint64_t dice(uint64_t *state) {
 }
 
 /* From a point on one side of the mesh's bounds through a point within. All numbers are multiples of one unit, with 16 bits
- * or so, so that origin + dir is a double. */
+ * or so, or with 44 where the mesh is of doubles, so that origin + dir is a double. */
 static void make_ray(ray *r, uint64_t *state) {
     const tribox_grid *g = &r->cells->grid;
     const int side = (int)(dice(state) % 3);
     const double unit = ldexp(1, ilogb(g->size[0] * g->hi[0] + fabs(g->origin[0]) + g->size[1] * g->hi[1] +
-                                       fabs(g->origin[1]) + g->size[2] * g->hi[2] + fabs(g->origin[2])) - 16);
+                                       fabs(g->origin[1]) + g->size[2] * g->hi[2] + fabs(g->origin[2])) -
+                               (r->cells->mesh.exact ? 44 : 16));
     int k;
     for (k = 0; k < 3; k++) {
         const double extent = g->size[k] * g->hi[k];
@@ -158,8 +178,8 @@ static void make_ray(ray *r, uint64_t *state) {
             from = dice(state) & 1 ? g->origin[k] - 0.25 * extent : g->origin[k] + 1.25 * extent;
         }
         from = floor(from / unit) * unit;
-        r->origin[k] = (float)from;
-        r->dir[k] = (float)(floor(2 * (within - from) / unit) * unit);
+        r->origin[k] = from;
+        r->dir[k] = floor(2 * (within - from) / unit) * unit;
     }
 }
 
@@ -187,7 +207,7 @@ static int shoot(cells *c, uint32_t rays) {
     memset(c->seen, 0, c->mesh.triangles * sizeof *c->seen);
     for (i = 0; i < sample; i++) {
         int met;
-        float first;
+        double first;
         size_t t;
         r.number = i + 1;
         make_ray(&r, &state);
@@ -225,8 +245,9 @@ int main(int argc, char **argv) {
     if (!program_mesh(&m, argc > 1 ? argv[1] : "teapot", error)) {
         return program_fails("cells", error);
     }
-    c.mesh = mesh_view(&m);
-    ok = tribox_grid_fit(&c.grid, &c.mesh, resolution);
+    mesh_say_exact(&m);
+    c.mesh = m;
+    ok = mesh_fit(&c.grid, &m, resolution);
     if (!ok) {
         snprintf(error, sizeof error, "the mesh is a single point, or too large to frame");
     } else {

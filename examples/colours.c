@@ -259,8 +259,6 @@ int main(int argc, char **argv) {
     int asked;
     int resolution = 64;
     int ok;
-    tribox_mesh view;
-    tribox_mesh_f64 exact;
     tribox_grid grid;
     painter p;
     mesh m;
@@ -275,9 +273,8 @@ int main(int argc, char **argv) {
     }
     memset(&p, 0, sizeof p);
     p.m = &m;
-    view = mesh_view(&m);
-    exact = mesh_view_f64(&m);
-    ok = m.exact ? tribox_grid_fit_f64(&grid, &exact, resolution) : tribox_grid_fit(&grid, &view, resolution);
+    mesh_say_exact(&m);
+    ok = mesh_fit(&grid, &m, resolution);
     if (!ok) {
         snprintf(error, sizeof error, "the mesh is a single point, or too large to frame");
     }

@@ -14,13 +14,14 @@
 
 enum { MOST_DEPTH = 24 };
 
+/* Its corners are floats where the mesh's are. */
 typedef struct box {
-    float lo[3];
-    float hi[3];
+    double lo[3];
+    double hi[3];
 } box;
 
 typedef struct builder {
-    tribox_mesh mesh;
+    const mesh *mesh;
     int         clips;
     size_t      leaf_size;
     size_t      leaves;
@@ -29,9 +30,9 @@ typedef struct builder {
     int         failed;
 } builder;
 
-static const box nothing = {{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+static const box nothing = {{DBL_MAX, DBL_MAX, DBL_MAX}, {-DBL_MAX, -DBL_MAX, -DBL_MAX}};
 
-static void grow(box *b, const float x[3]) {
+static void grow(box *b, const double x[3]) {
     int a;
     for (a = 0; a < 3; a++) {
         b->lo[a] = x[a] < b->lo[a] ? x[a] : b->lo[a];
@@ -39,19 +40,49 @@ static void grow(box *b, const float x[3]) {
     }
 }
 
+/* The corners of triangle t's part in a node: exact, or where the mesh is of floats, floats. */
+static int clip(const builder *k, uint32_t t, const box *node, double out[9][3]) {
+    const tribox_mesh view = mesh_view(k->mesh);
+    const float *v[3];
+    double exact[3][3];
+    float polygon[9][3];
+    float lo[3];
+    float hi[3];
+    int corners;
+    int a;
+    if (k->mesh->exact) {
+        for (a = 0; a < 3; a++) {
+            mesh_corner_f64(k->mesh, t, (size_t)a, exact[a]);
+        }
+        return tribox_clip_f64(exact[0], exact[1], exact[2], node->lo, node->hi, out);
+    }
+    for (a = 0; a < 3; a++) {
+        lo[a] = node->lo[a] < -(double)FLT_MAX ? -FLT_MAX : (float)node->lo[a];
+        hi[a] = node->hi[a] > (double)FLT_MAX ? FLT_MAX : (float)node->hi[a];
+    }
+    mesh_corners(&view, t, v);
+    corners = tribox_clip(v[0], v[1], v[2], lo, hi, polygon);
+    for (a = 0; a < 3 * corners; a++) {
+        out[a / 3][a % 3] = (double)polygon[a / 3][a % 3];
+    }
+    return corners;
+}
+
 /* The bounds of triangle t's part in a node; returns 0 if there is none. */
 static int part_of(const builder *k, uint32_t t, const box *node, box *out_part) {
-    float polygon[9][3];
-    const float *v[3];
+    double polygon[9][3];
     int corners = 3;
     int a;
     *out_part = nothing;
-    mesh_corners(&k->mesh, t, v);
     if (k->clips) {
-        corners = tribox_clip(v[0], v[1], v[2], node->lo, node->hi, polygon);
+        corners = clip(k, t, node, polygon);
+    } else {
+        for (a = 0; a < 3; a++) {
+            mesh_corner_f64(k->mesh, t, (size_t)a, polygon[a]);
+        }
     }
     for (a = 0; a < corners; a++) {
-        grow(out_part, k->clips ? polygon[a] : v[a]);
+        grow(out_part, polygon[a]);
     }
     for (a = 0; a < 3 && !k->clips; a++) {
         out_part->lo[a] = out_part->lo[a] > node->lo[a] ? out_part->lo[a] : node->lo[a];
@@ -62,9 +93,9 @@ static int part_of(const builder *k, uint32_t t, const box *node, box *out_part)
 }
 
 static int longest_side(const box *b) {
-    const float x = b->hi[0] - b->lo[0];
-    const float y = b->hi[1] - b->lo[1];
-    const float z = b->hi[2] - b->lo[2];
+    const double x = b->hi[0] - b->lo[0];
+    const double y = b->hi[1] - b->lo[1];
+    const double z = b->hi[2] - b->lo[2];
     return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
@@ -86,15 +117,16 @@ static void split(builder *k, const box *node, const uint32_t *candidates, size_
     if (count > k->leaf_size && depth < MOST_DEPTH && !k->failed) {
         const int a = longest_side(&bounds);
         box half = bounds;
-        half.hi[a] = (bounds.lo[a] + bounds.hi[a]) * 0.5f;
+        half.hi[a] = (bounds.lo[a] + bounds.hi[a]) * 0.5;
+        half.hi[a] = k->mesh->exact ? half.hi[a] : (double)(float)half.hi[a];
         split(k, &half, inside, count, depth + 1);
         half.lo[a] = half.hi[a];        /* closed on both sides: what lies in the plane goes to both */
         half.hi[a] = bounds.hi[a];
         split(k, &half, inside, count, depth + 1);
     } else if (count > 0) {
-        const double x = (double)bounds.hi[0] - (double)bounds.lo[0];
-        const double y = (double)bounds.hi[1] - (double)bounds.lo[1];
-        const double z = (double)bounds.hi[2] - (double)bounds.lo[2];
+        const double x = bounds.hi[0] - bounds.lo[0];
+        const double y = bounds.hi[1] - bounds.lo[1];
+        const double z = bounds.hi[2] - bounds.lo[2];
         k->leaves += 1;
         k->references += count;
         k->surface += 2 * (x * y + y * z + z * x);
@@ -117,6 +149,7 @@ int main(int argc, char **argv) {
         !program_mesh(&m, argc > 1 ? argv[1] : "teapot", error)) {
         return program_fails("kdtree", error);
     }
+    mesh_say_exact(&m);
     all = (uint32_t *)malloc((m.triangles + 1) * sizeof *all);
     if (!all) {
         return program_fails("kdtree", "out of memory");
@@ -125,9 +158,9 @@ int main(int argc, char **argv) {
         all[t] = (uint32_t)t;
     }
     for (clips = 1; clips >= 0; clips--) {
-        const box everything = {{-FLT_MAX, -FLT_MAX, -FLT_MAX}, {FLT_MAX, FLT_MAX, FLT_MAX}};
-        builder k = {{NULL, 0, NULL, 0}, 0, 0, 0, 0, 0, 0};
-        k.mesh = mesh_view(&m);
+        const box everything = {{-DBL_MAX, -DBL_MAX, -DBL_MAX}, {DBL_MAX, DBL_MAX, DBL_MAX}};
+        builder k = {NULL, 0, 0, 0, 0, 0, 0};
+        k.mesh = &m;
         k.clips = clips;
         k.leaf_size = (size_t)leaf_size;
         split(&k, &everything, all, m.triangles, 0);

@@ -82,13 +82,24 @@ static int descend(octree *tree, uint32_t at, int level, const double p[3]) {
     return 1;
 }
 
-static int insert(octree *tree, const float *const v[3]) {
+/* Triangle t of the mesh into the tree. */
+static int insert(octree *tree, const mesh *m, size_t t) {
+    const tribox_mesh view = mesh_view(m);
+    const float *v[3];
+    double exact[3][3];
     int level;
+    int i;
+    mesh_corners(&view, t, v);
+    for (i = 0; m->exact && i < 3; i++) {
+        mesh_corner_f64(m, t, (size_t)i, exact[i]);
+    }
     for (level = 0; level < tree->depth; level++) {
         const double half = tree->size[level + 1];
         const double size[3] = {half, half, half};
         const float root[3] = {1, 1, 1};
-        if (level == 0) {
+        if (level == 0 && m->exact) {
+            tribox_tri_init_f64(&tree->tri[0], exact[0], exact[1], exact[2], size, 0);
+        } else if (level == 0) {
             tribox_tri_init(&tree->tri[0], v[0], v[1], v[2], root, 0);
         } else {
             tree->tri[level] = tree->tri[level - 1];
@@ -150,7 +161,6 @@ int main(int argc, char **argv) {
     double start = progress_seconds();
     static octree tree;
     tribox_grid grid;
-    tribox_mesh view;
     mesh m;
     size_t t;
     FILE *file;
@@ -168,13 +178,13 @@ int main(int argc, char **argv) {
         !program_mesh(&m, argc > 1 ? argv[1] : "teapot", error)) {
         return program_fails("octree", error);
     }
-    view = mesh_view(&m);
+    mesh_say_exact(&m);
     if (solid) {
         asked = solid_octree(&m, tree.depth);
         mesh_free(&m);
         return asked;
     }
-    if (!tribox_grid_fit(&grid, &view, 1 << tree.depth) || (add_node(&tree), tree.count == 0)) {
+    if (!mesh_fit(&grid, &m, 1 << tree.depth) || (add_node(&tree), tree.count == 0)) {
         return program_fails("octree", "the mesh is a single point, or too large to frame");
     }
     for (a = 0; a < 3; a++) {
@@ -184,10 +194,8 @@ int main(int argc, char **argv) {
     for (a = tree.depth; a > 0; a--) {
         tree.size[a - 1] = 2 * tree.size[a];
     }
-    for (t = 0; t < view.triangles; t++) {
-        const float *v[3];
-        mesh_corners(&view, t, v);
-        if (!insert(&tree, v)) {
+    for (t = 0; t < m.triangles; t++) {
+        if (!insert(&tree, &m, t)) {
             return program_fails("octree", "out of memory");
         }
     }

@@ -150,7 +150,7 @@ static void solid_pair(solid_tree *t, const tribox_grid *g, const uint64_t *lowe
 }
 
 /* The tree of a mesh in a region of at most 2^depth voxels a side, depth at least 1. Returns 0 if memory is short. */
-static int solid_build(solid_tree *t, const tribox_grid *g, const tribox_mesh *m, int depth) {
+static int solid_build(solid_tree *t, const tribox_grid *g, const mesh *m, int depth) {
     tribox_grid slab = *g;
     size_t layer;
     uint64_t *bits;
@@ -175,7 +175,7 @@ static int solid_build(solid_tree *t, const tribox_grid *g, const tribox_mesh *m
         slab.lo[2] = z;
         slab.hi[2] = z + SOLID_LAYERS < g->hi[2] ? z + SOLID_LAYERS : g->hi[2];
         memset(bits, 0, SOLID_LAYERS * layer * sizeof *bits);
-        tribox_grid_fill_solid(&slab, m, bits);
+        mesh_fill_solid(&slab, m, bits);
         for (k = slab.lo[2]; k < slab.hi[2]; k += 2) {
             const uint64_t *lower = bits + (size_t)(k - z) * layer;
             solid_pair(t, g, lower, k + 1 < slab.hi[2] ? lower + layer : NULL);
@@ -207,14 +207,14 @@ static int solid_at(const solid_tree *t, size_t x, size_t y, size_t z) {
 }
 
 /* Does every voxel of the tree have the bit of the dense solid? */
-static int solid_is_dense(const solid_tree *t, const tribox_grid *g, const tribox_mesh *m) {
+static int solid_is_dense(const solid_tree *t, const tribox_grid *g, const mesh *m) {
     uint64_t *bits = (uint64_t *)calloc(tribox_grid_words(g), sizeof *bits);
     int same = bits != NULL;
     int x;
     int y;
     int z;
     if (bits) {
-        tribox_grid_fill_solid(g, m, bits);
+        mesh_fill_solid(g, m, bits);
     }
     for (z = g->lo[2]; z < g->hi[2] && same; z++) {
         for (y = g->lo[1]; y < g->hi[1]; y++) {
@@ -232,14 +232,13 @@ static int solid_is_dense(const solid_tree *t, const tribox_grid *g, const tribo
 static int solid_octree(const mesh *m, int depth) {
     static solid_tree tree;
     double start = progress_seconds();
-    tribox_mesh view = mesh_view(m);
     tribox_grid grid;
     size_t bytes = 0;
     int k;
-    if (!tribox_grid_fit(&grid, &view, 1 << depth)) {
+    if (!mesh_fit(&grid, m, 1 << depth)) {
         return program_fails("octree", "the mesh is a single point, or too large to frame");
     }
-    if (!solid_build(&tree, &grid, &view, depth)) {
+    if (!solid_build(&tree, &grid, m, depth)) {
         return program_fails("octree", "out of memory");
     }
     for (k = depth; k >= 0; k--) {
@@ -251,7 +250,7 @@ static int solid_octree(const mesh *m, int depth) {
     printf("%.0f voxels in %.1f MB of nodes, in %.2f s\n", tree.voxels, (double)bytes * 1e-6,
            progress_seconds() - start);
     if (depth <= 9) {
-        int same = solid_is_dense(&tree, &grid, &view);
+        int same = solid_is_dense(&tree, &grid, m);
         printf("%s\n", same ? "equal to the dense solid" : "NOT the dense solid");
         return same ? 0 : 1;
     }

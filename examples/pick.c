@@ -190,6 +190,7 @@ int main(int argc, char **argv) {
         !program_mesh(&m, argc > 1 ? argv[1] : "teapot", error)) {
         return program_fails("pick", error);
     }
+    mesh_to_floats(&m);
     s.mesh = mesh_view(&m);
     if (!prepare(&s)) {
         return program_fails("pick", "out of memory, or a mesh without extent");

@@ -1,6 +1,7 @@
 /* program.h - what the example programs share: the command line, the mesh argument, the rule options */
 #ifndef EXAMPLES_PROGRAM_H
 #define EXAMPLES_PROGRAM_H
+#include "mesh_exact.h"
 #include "progress.h"
 #include "teapot.h"
 

@@ -64,7 +64,7 @@ typedef struct block {
 } block;
 
 typedef struct job {
-    tribox_mesh        mesh;
+    mesh               mesh;            /* borrowed; `indices` is the sorted one's, if it was sorted */
     const voxels      *v;
     int                threads;
     int                height;          /* layers in a slab; the last may have fewer */
@@ -87,10 +87,10 @@ typedef struct worker {
 /* Slabs that a set from lo to hi in z can touch. z and origin are exact, so the quotient is off by a few
    units of 2^-53 of itself: 1e-9 of it is on the safe side. What lies on a layer's lower border touches
    the layer below too, and the lowered `low` is already in that one. */
-static block slabs_between(const job *j, float lo, float hi) {
+static block slabs_between(const job *j, double lo, double hi) {
     const tribox_grid *g = &j->v->grid;
-    double low = ((double)lo - g->origin[2]) / g->size[2] - g->lo[2];
-    double high = ((double)hi - g->origin[2]) / g->size[2] - g->lo[2];
+    double low = (lo - g->origin[2]) / g->size[2] - g->lo[2];
+    double high = (hi - g->origin[2]) / g->size[2] - g->lo[2];
     double layers = (double)j->v->n[2];
     block none = {1, 0};
     block met;
@@ -107,16 +107,16 @@ static block slabs_between(const job *j, float lo, float hi) {
 /* Slabs that the triangles from `begin` up to `end` meet. A NaN never compares, and its triangle sets
    nothing anyway. */
 static block slabs_of_triangles(const job *j, size_t begin, size_t end) {
-    float lo = HUGE_VALF;
-    float hi = -HUGE_VALF;
+    double lo = HUGE_VAL;
+    double hi = -HUGE_VAL;
     size_t t;
     int i;
     for (t = begin; t < end; t++) {
-        const float *corner[3];
-        mesh_corners(&j->mesh, t, corner);
         for (i = 0; i < 3; i++) {
-            lo = corner[i][2] < lo ? corner[i][2] : lo;
-            hi = corner[i][2] > hi ? corner[i][2] : hi;
+            double corner[3];
+            mesh_corner_f64(&j->mesh, t, (size_t)i, corner);
+            lo = corner[2] < lo ? corner[2] : lo;
+            hi = corner[2] > hi ? corner[2] : hi;
         }
     }
     return slabs_between(j, lo, hi);
@@ -172,7 +172,7 @@ static void place_triangles(job *j) {
 }
 
 static void sort_triangles(worker *w) {
-    const tribox_mesh *m = &w->job->mesh;
+    const mesh *m = &w->job->mesh;
     size_t t;
     size_t i;
     for (t = share(w, 0, m->triangles); t < share(w, 1, m->triangles); t++) {
@@ -188,12 +188,10 @@ static void sort_triangles(worker *w) {
 static void fill_slab(const job *j, size_t i) {
     tribox_grid slab = j->v->grid;
     int64_t top = (int64_t)slab.lo[2] + (int64_t)(i + 1) * j->height;
-    size_t stride = j->mesh.stride ? j->mesh.stride : 3 * sizeof(float);
     size_t b = 0;
     slab.lo[2] += (int)i * j->height;
     slab.hi[2] = top < slab.hi[2] ? (int)top : slab.hi[2];
     while (b < j->block_count) {
-        tribox_mesh run = j->mesh;
         size_t first = b;
         size_t end;
         while (b < j->block_count && j->blocks[b].first <= i && i <= j->blocks[b].last) {
@@ -203,15 +201,8 @@ static void fill_slab(const job *j, size_t i) {
             b += 1;
             continue;
         }
-        end = b * BLOCK < run.triangles ? b * BLOCK : run.triangles;
-        run.triangles = end - first * BLOCK;
-        if (run.indices) {
-            run.indices += 3 * first * BLOCK;
-        } else {
-            run.positions = (const float *)(const void *)((const char *)run.positions
-                                                          + 3 * first * BLOCK * stride);
-        }
-        tribox_grid_fill(&slab, &run, voxels_row(j->v, 0, i * (size_t)j->height));
+        end = b * BLOCK < j->mesh.triangles ? b * BLOCK : j->mesh.triangles;
+        mesh_fill_part(&slab, &j->mesh, first * BLOCK, end, 0, voxels_row(j->v, 0, i * (size_t)j->height));
     }
 }
 
@@ -270,7 +261,7 @@ static int sort_mesh(job *j, worker *workers) {
 }
 
 /* Fills the whole region on several threads. Returns 1, or 0 if memory is short. */
-static int fill_threaded(const voxels *v, const tribox_mesh *m, int threads) {
+static int fill_threaded(const voxels *v, const mesh *m, int threads) {
     worker workers[MAX_THREADS];
     job j;
     int i;
@@ -308,9 +299,9 @@ static int fill_threaded(const voxels *v, const tribox_mesh *m, int threads) {
 
 enum { RUNS = 3 };
 
-/* The best of a few runs; threads = 0 is one call of tribox_grid_fill. Returns a negative time if memory
+/* The best of a few runs; threads = 0 is one call for the whole. Returns a negative time if memory
    is short. */
-static double best_time(voxels *v, const tribox_mesh *m, int threads) {
+static double best_time(voxels *v, const mesh *m, int threads) {
     double best = HUGE_VAL;
     int run;
     for (run = 0; run < RUNS; run++) {
@@ -319,7 +310,7 @@ static double best_time(voxels *v, const tribox_mesh *m, int threads) {
         memset(v->bits, 0, v->words * sizeof *v->bits);
         start = wall_seconds();
         if (threads == 0) {
-            tribox_grid_fill(&v->grid, m, v->bits);
+            mesh_fill(&v->grid, m, v->bits);
         } else {
             ok = fill_threaded(v, m, threads);
         }
@@ -328,7 +319,7 @@ static double best_time(voxels *v, const tribox_mesh *m, int threads) {
     return best;
 }
 
-static int compare(const tribox_grid *grid, const tribox_mesh *m, int threads, char *error) {
+static int compare(const tribox_grid *grid, const mesh *m, int threads, char *error) {
     voxels whole;
     voxels slabs;
     double one_call;
@@ -367,7 +358,6 @@ int main(int argc, char **argv) {
     int threads = 2;
     int status = 2;
     tribox_grid grid;
-    tribox_mesh view;
     mesh m;
     if ((asked = program_arguments("slabs", error, &argc, argv)) >= 0) {
         return asked;
@@ -379,9 +369,9 @@ int main(int argc, char **argv) {
     if (!program_mesh(&m, argc > 1 ? argv[1] : "teapot", error)) {
         return program_fails("slabs", error);
     }
-    view = mesh_view(&m);
-    if (tribox_grid_fit(&grid, &view, resolution)) {
-        status = compare(&grid, &view, threads, error);
+    mesh_say_exact(&m);
+    if (mesh_fit(&grid, &m, resolution)) {
+        status = compare(&grid, &m, threads, error);
     } else {
         snprintf(error, sizeof error, "the mesh is a single point, or too large to frame");
     }

@@ -23,7 +23,7 @@
 typedef struct job {
     int         rank;
     int         ranks;
-    tribox_mesh mesh;
+    mesh mesh;
     voxels      whole;          /* its bits are not kept: only sizes */
     const char *path;
     char        bits_path[1024];
@@ -76,7 +76,7 @@ static int write_slab(const job *j, char *error) {
     slab.hi[2] = j->whole.grid.lo[2] + (int)end;
     MPI_Barrier(MPI_COMM_WORLD);
     seconds = MPI_Wtime();
-    tribox_grid_fill(&slab, &j->mesh, bits);
+    mesh_fill(&slab, &j->mesh, bits);
     seconds = MPI_Wtime() - seconds;
     MPI_Reduce(&seconds, &slowest, 1, MPI_DOUBLE, MPI_MAX, 0, MPI_COMM_WORLD);
     if (j->rank == 0) {
@@ -229,7 +229,7 @@ static int is_same(const job *j, char *error) {
     if (!voxels_make(&one, &j->whole.grid, error)) {
         return -1;
     }
-    tribox_grid_fill(&one.grid, &j->mesh, one.bits);
+    mesh_fill(&one.grid, &j->mesh, one.bits);
     if (binvox_read(j->path, &got, error)) {
         int x;
         int y;
@@ -263,8 +263,8 @@ static int run(job *j, int argc, char **argv, char *error) {
     if (!ok) {
         return -1;
     }
-    j->mesh = mesh_view(&m);
-    ok = tribox_grid_fit(&j->whole.grid, &j->mesh, resolution);
+    j->mesh = m;
+    ok = mesh_fit(&j->whole.grid, &m, resolution);
     if (!ok) {
         snprintf(error, MESH_ERROR, "the mesh is a single point, or too large to frame");
     } else {

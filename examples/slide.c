@@ -264,6 +264,7 @@ int main(int argc, char **argv) {
     printf("floor      at z = 0: 200 steps, %d stops; at z = 0.1: 200 steps, %d stops\n", stops[0], stops[1]);
     walk_ground(5000, 0, 0.07f, 400, &i, &wrong[2]);
     printf("ground     at 5000: 400 steps, %d places inside\n", wrong[2]);
+    mesh_to_floats(&loaded);
     w.mesh = mesh_view(&loaded);
     w.contacts = 0;
     w.near = (uint32_t *)malloc((w.mesh.triangles + 1) * sizeof *w.near);

@@ -112,18 +112,20 @@ static double count_voxels(const brick_set *set) {
     return count;
 }
 
-static int voxelize(const tribox_grid *grid, const tribox_mesh *m, char *error) {
+static int voxelize(const tribox_grid *grid, const mesh *m, char *error) {
     const int *lo = grid->lo;
     const int *hi = grid->hi;
     brick_set set = {NULL, 0, 0, NULL, {0, 0, 0}, 0};
-    double start = progress_seconds();
+    double start;
     double emitted;
     double voxels;
     double dense = (double)((hi[0] - lo[0] + 63) / 64) * 8 * (hi[1] - lo[1]) * (hi[2] - lo[2]);
     memcpy(set.lo, lo, sizeof set.lo);
     printf("grid      %d x %d x %d, %.1f MB as an array of bits\n", hi[0] - lo[0], hi[1] - lo[1],
            hi[2] - lo[2], dense * 1e-6);
-    emitted = (double)tribox_mesh_spans(grid, m, add_span, &set);
+    mesh_say_exact(m);
+    start = progress_seconds();
+    emitted = (double)mesh_spans(grid, m, add_span, &set);
     if (set.failed) {
         snprintf(error, MESH_ERROR, "out of memory after %lu bricks", (unsigned long)set.used);
         free(set.table);
@@ -145,7 +147,6 @@ int main(int argc, char **argv) {
     int asked;
     int resolution = 4096;
     tribox_grid grid;
-    tribox_mesh view;
     mesh m;
     int ok;
     if ((asked = program_arguments("sparse", error, &argc, argv)) >= 0) {
@@ -157,12 +158,11 @@ int main(int argc, char **argv) {
     if (!program_mesh(&m, argc > 1 ? argv[1] : "teapot", error)) {
         return program_fails("sparse", error);
     }
-    view = mesh_view(&m);
-    ok = tribox_grid_fit(&grid, &view, resolution);
+    ok = mesh_fit(&grid, &m, resolution);
     if (!ok) {
         snprintf(error, sizeof error, "the mesh is a single point, or too large to frame");
     }
-    ok = ok && voxelize(&grid, &view, error);
+    ok = ok && voxelize(&grid, &m, error);
     mesh_free(&m);
     return ok ? 0 : program_fails("sparse", error);
 }

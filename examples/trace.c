@@ -260,6 +260,7 @@ int main(int argc, char **argv) {
         return program_fails("trace", error);
     }
     s.height = s.width * 5 / 8;
+    mesh_to_floats(&m);
     s.tree.mesh = mesh_view(&m);
     pixels = (unsigned char *)malloc((size_t)s.width * (size_t)s.height * 3);
     rows = (double(*)[3])malloc(2 * ((size_t)s.width + 1) * sizeof *rows);

@@ -63,7 +63,7 @@ static const char usage[] =
     "  --solid=parts   each connected part by itself, joined: for models of closed parts that overlap\n"
     "  --solid=flood   the surface and all that a flood from outside does not reach: for meshes with small holes\n"
     "  --surface       the surface, too, with --solid or --solid=parts\n"
-    "  --up AXIS       x, y or z: what is up in .vox and .png (default: y for OBJ and PLY, else z)\n"
+    "  --up AXIS       x, y or z: what is up in .vox and .png (default: y for OBJ, PLY and glTF, else z)\n"
     "  --help, -h      this text;  --version   the version;  --   what follows are names\n"
     "\n"
     "A value may follow after \"=\" as well: --size=0.5. Exit status: 0, or 2 for a wrong command, mesh or name, or 1\n"
@@ -281,33 +281,14 @@ static int frame_by_size(tribox_grid *grid, const options *o, const mesh_stats *
 /* Triangles in batches, so that long work can be seen to go on; the bits are those of one call. */
 static void fill(voxels *v, const mesh *m) {
     progress p = progress_begin("filling");
-    tribox_mesh part = mesh_view(m);
-    tribox_mesh_f64 exact = mesh_view_f64(m);
-    size_t done;
-    for (done = 0; done < m->triangles; done += BATCH) {
-        size_t rest = m->triangles - done;
-        part.triangles = rest < BATCH ? rest : BATCH;
-        exact.triangles = part.triangles;
-        part.indices = m->indices ? m->indices + 3 * done : NULL;
-        exact.indices = part.indices;
-        if (!m->indices) {
-            part.positions = m->positions + 9 * done;
-            exact.positions = m->exact ? m->exact + 9 * done : NULL;
-        }
-        if (m->exact) {
-            tribox_grid_fill_f64(&v->grid, &exact, v->bits);
-        } else {
-            tribox_grid_fill(&v->grid, &part, v->bits);
-        }
-        progress_show(&p, (double)(done + part.triangles), (double)m->triangles);
+    size_t done = 0;
+    while (done < m->triangles) {
+        size_t end = m->triangles - done < BATCH ? m->triangles : done + BATCH;
+        mesh_fill_part(&v->grid, m, done, end, 0, v->bits);
+        done = end;
+        progress_show(&p, (double)done, (double)m->triangles);
     }
     progress_end(&p);
-}
-
-static int frame_by_resolution(tribox_grid *grid, const mesh *m, int resolution) {
-    tribox_mesh view = mesh_view(m);
-    tribox_mesh_f64 exact = mesh_view_f64(m);
-    return m->exact ? tribox_grid_fit_f64(grid, &exact, resolution) : tribox_grid_fit(grid, &view, resolution);
 }
 
 static int write_output(const char *path, int format, const voxels *v, char up, char *error) {
@@ -397,7 +378,7 @@ static int fill_solid(const options *o, const mesh *m, voxels *v) {
 
 /* Fills, prints and writes. Returns the exit status. */
 static int voxelize(const options *o, const mesh *m, voxels *v, char *error) {
-    char up = o->up ? o->up : strstr(m->format, "PLY") || strstr(m->format, "OBJ") ? 'y' : 'z';
+    char up = o->up ? o->up : strstr(m->format, "PLY") || strstr(m->format, "OBJ") || strstr(m->format, "glTF") ? 'y' : 'z';
     double start;
     size_t inside;
     int status = 0;
@@ -463,7 +444,7 @@ int main(int argc, char **argv) {
     print_mesh(&m, &stats, &o);
     if (stats.nonfinite == m.triangles) {
         snprintf(error, MESH_ERROR, "%.200s: no triangle is finite", o.mesh);
-    } else if (!o.has_size && !frame_by_resolution(&grid, &m, o.resolution)) {
+    } else if (!o.has_size && !mesh_fit(&grid, &m, o.resolution)) {
         snprintf(error, MESH_ERROR, "%.200s: the mesh is a single point, or too large to frame; give --size",
                  o.mesh);
     } else if (!o.has_size || frame_by_size(&grid, &o, &stats, error)) {

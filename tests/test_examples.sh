@@ -441,6 +441,38 @@ says 'closed: every edge'
 run 0 "$bin/voxelize" "$tmp/far.ply" --size .1
 says 'some coordinates are no floats: all is computed in double'
 says 'surface   524 voxels'
+# Every program goes on in double, and says so; they agree.
+for n in 8 64; do
+    run 0 "$bin/voxelize" "$tmp/far.ply" $n
+    count=$(sed -n 's/^surface *\([0-9]*\) voxels.*/\1/p' "$tmp/out")
+    run 0 "$bin/sparse" "$tmp/far.ply" $n
+    says 'all is computed in double'
+    says "set       $count different voxels"
+    run 0 "$bin/octree" "$tmp/far.ply" $([ $n = 8 ] && echo 3 || echo 6)
+    says 'all is computed in double'
+    says " $count nodes: the leaves"
+    run 0 "$bin/octree" --solid "$tmp/far.ply" $([ $n = 8 ] && echo 3 || echo 6)
+    says 'equal to the dense solid'
+    run 0 "$bin/slabs" "$tmp/far.ply" $n 3
+    says 'all is computed in double'
+    says "$count voxels"
+    says 'the same'
+    run 0 "$bin/cells" "$tmp/far.ply" $n 500
+    says 'all is computed in double'
+    says 'check     200 rays against all triangles: the same'
+done
+run 0 "$bin/kdtree" "$tmp/far.ply" 2
+says 'all is computed in double'
+says 'clipped           418 leaves      820 references'
+run 0 "$bin/colours" "$tmp/far.ply" 8 "$tmp/far.vox"
+says 'in double'
+run 0 "$bin/pick" "$tmp/far.ply" 8
+says 'the mesh is moved by -448262,-5411932,-112 and rounded to floats'
+says 'picked triangle '
+run 0 "$bin/trace" "$tmp/far.png" "$tmp/far.ply" 32
+says 'the mesh is moved by '
+run 0 "$bin/slide" "$tmp/far.ply" 9
+says 'the mesh is moved by '
 
 od -An -v -tx1 "$tmp/shell.png" | tr -d ' \n' > "$tmp/out"
 says 89504e470d0a1a0a0000000d4948445200000500000003c00802000000
