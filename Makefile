@@ -19,6 +19,7 @@ all: build-tests build-examples ## build tests and examples into build/, run not
 .PHONY: all help clean install uninstall
 
 include examples/examples.mk
+include examples/web/web.mk
 include tests/tests.mk
 include tests/check.mk
 include bench/bench.mk

@@ -1,0 +1,2 @@
+/* math.h - see libc.h */
+#include "libc.h"
