@@ -12,10 +12,10 @@ count=${2:-20000}
 peers=tests/peers
 mkdir -p "$work"
 cc -std=c99 -O1 -I. $peers/cases.c -o "$work/cases" -lm || exit 1
-"$work/cases" "$work/cases.bin" "$count" || exit 1
-
 echo '| test | random | far off (+1000) | tenths | integers | in a face plane | repeated corner | sliver | one ulp | face plane, doubles |'
 echo '| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |'
+
+"$work/cases" "$work/cases.bin" "$count" || exit 1
 
 # peer NAME FLAGS...: builds and runs box_NAME.cxx; a row, or what went wrong
 peer() {
