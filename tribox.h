@@ -7449,7 +7449,7 @@ TBX_COLD double tbx_gap_value_exact(const tbx_calc *c, const tbx_gap *a)
  * segment, along each other: `planes` has those that were asked. */
 TBX_FN int tbx_gap_parallel(const tbx_motion *m, int axis, int *planes)
 {
-    const int a = (axis - 4) / 3;
+    const int a = axis > TBX_AXIS_NORMAL ? (axis - 4) / 3 : 0;
     const int flat = m->n_sign[0] == 0 && m->n_sign[1] == 0 && m->n_sign[2] == 0;
     const int asked = *planes >> a & 1;
     if (axis <= TBX_AXIS_NORMAL || m->n_sign[a] != 0) {
@@ -9663,17 +9663,17 @@ TBX_FN tbx_f4 tbx_sums3(tbx_f4 a, tbx_f4 b)
 }
 
 /* Sign bits: lanes whose magnitude, given by its bits, exceeds the float with bits `most`;
- * NaN exceeds all. */
+ * NaN exceeds all. The difference wraps around where a number below zero is asked, whose sign decides elsewhere. */
 TBX_FN tbx_i4 tbx_above(tbx_f4 magnitude, int32_t most)
 {
-    return tbx_splat_int(most) - (tbx_i4)magnitude;
+    return (tbx_i4)((tbx_u4)tbx_splat_int(most) - (tbx_u4)magnitude);
 }
 
 /* Sign bits: lanes that are not 0 and whose magnitude is below the float with bits `least`. */
 TBX_FN tbx_i4 tbx_below(tbx_f4 magnitude, int32_t least)
 {
-    const tbx_i4 bits = (tbx_i4)magnitude;
-    return (bits - tbx_splat_int(least)) & -bits;
+    const tbx_u4 bits = (tbx_u4)magnitude;
+    return (tbx_i4)((bits - (tbx_u4)tbx_splat_int(least)) & (0u - bits));
 }
 
 /* Floats of at least 2^-100 are multiples of 2^-123, and so are their differences:
