@@ -1,8 +1,9 @@
 /* clang -I. -O1 -g -fsanitize=fuzzer,address,undefined tests/fuzz_grid.c -lgmp -o fuzz_grid
  *
- * Spans and fill over a small region anywhere, against the exact judge at every voxel; tribox_grid_locate
+ * Spans, fill and solid over a small region anywhere, against the exact judge at every voxel; tribox_grid_locate
  * against exact division. */
 #include "fuzz_input.h"
+#include "verify_solid.h"
 
 #define EDGE 4
 
@@ -124,6 +125,73 @@ static void try_locate(const question *ask)
     mpz_clear(index);
 }
 
+/* The solid of one triangle, so many times that a fill takes them several at a time; the first centre's ray. */
+static void try_solid(const question *ask)
+{
+    enum { TIMES = 33 };
+    static crossing_judge judge;
+    static int ready;
+    static uint32_t indices[3 * TIMES];
+    const double *x = ask->x;
+    tribox_grid grid;
+    tribox_mesh mesh;
+    tribox_mesh_f64 mesh_f64;
+    uint64_t bits[EDGE * EDGE];
+    uint64_t bits_f64[EDGE * EDGE];
+    float f[15];
+    int64_t half[3];
+    int j, k, on = 1;
+    if (!ready) {
+        crossing_init(&judge);
+        for (k = 0; k < 3 * TIMES; ++k) {
+            indices[k] = (uint32_t)(k % 3);
+        }
+        ready = 1;
+    }
+    for (k = 0; k < 3; ++k) {
+        grid.origin[k] = x[9 + k];
+        grid.size[k] = x[12 + k];
+        grid.lo[k] = ask->index[k];
+        grid.hi[k] = ask->index[k] + EDGE;
+        on &= is_finite(x[9 + k]) && is_finite(x[12 + k]) && x[12 + k] > 0;
+    }
+    grid.flags = 0;
+    memset(bits, 0, sizeof bits);
+    memset(bits_f64, 0, sizeof bits_f64);
+    mesh_f64.positions = x;
+    mesh_f64.stride = 0;
+    mesh_f64.indices = indices;
+    mesh_f64.triangles = TIMES;
+    tribox_grid_fill_solid_f64(&grid, &mesh_f64, bits_f64);
+    if (floats(x, 9)) {
+        narrow_all(f, x);
+        mesh.positions = f;
+        mesh.stride = 0;
+        mesh.indices = indices;
+        mesh.triangles = TIMES;
+        tribox_grid_fill_solid(&grid, &mesh, bits);
+    }
+    for (k = 0; k < EDGE; ++k) {
+        for (j = 0; j < EDGE; ++j) {
+            const int row = k * EDGE + j;
+            uint64_t want = 0;
+            half[1] = 2 * ((int64_t)ask->index[1] + j) + 1;
+            half[2] = 2 * ((int64_t)ask->index[2] + k) + 1;
+            if (on) {
+                want = (uint64_t)15 << crossing_first(&judge, x, x + 9, x + 12, half, ask->index[0], EDGE) & 15u;
+            }
+            require("row of tribox_grid_fill_solid_f64", 0, bits_f64[row] == want, 1, ask);
+            if (floats(x, 9)) {
+                require("row of tribox_grid_fill_solid", 0, bits[row] == want, 1, ask);
+            }
+        }
+    }
+    half[0] = half[1] = half[2] = 0;
+    on = is_finite(x[9]) && is_finite(x[10]) && is_finite(x[11]);
+    require("tribox_mesh_contains_f64", 0, tribox_mesh_contains_f64(&mesh_f64, x + 9),
+            on && crossing_crosses(&judge, x, x + 9, x + 9, half), ask);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static unsigned char rules[EDGE][EDGE][EDGE];
@@ -145,6 +213,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             ask.index[i] = INT32_MAX - EDGE;
         }
     }
+    try_solid(&ask);
     for (k = 0; k < EDGE; ++k) {
         for (j = 0; j < EDGE; ++j) {
             for (i = 0; i < EDGE; ++i) {
