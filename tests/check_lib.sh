@@ -6,6 +6,7 @@
 CHECK_DIR=${CHECK_DIR:-build/check}
 CHECK_JOBS=${CHECK_JOBS:-2}
 CHECK_LIMIT=${CHECK_LIMIT:-900} # seconds a job may take
+# CHECK_WITH=command: jobs are run by it (nice, a queue)
 # CHECK_TIMES=file: each job's seconds of processor time and its name are added to it
 # CHECK_SHOW=1: ok lines show the job's last line too
 export CHECK_DIR
@@ -19,7 +20,8 @@ check_one() { # name, command...
     shift
     log=$(mktemp "$CHECK_DIR/log.XXXXXX")
     local TIMEFORMAT=%U status
-    { time timeout "$CHECK_LIMIT" bash -c '"$@"' job "$@" </dev/null >"$log" 2>&1; } 2>"$log.time"
+    # shellcheck disable=SC2086 # a list of words
+    { time ${CHECK_WITH:-} timeout "$CHECK_LIMIT" bash -c '"$@"' job "$@" </dev/null >"$log" 2>&1; } 2>"$log.time"
     status=$?
     if [ -n "${CHECK_TIMES:-}" ]; then
         echo "$(tail -n 1 "$log.time") $name" >>"$CHECK_TIMES"

@@ -3,7 +3,7 @@
  *   golden [eighth | few] [nearest | up | down | zero | daz | ftz | flush | x87-24 | x87-53]...
  *
  * Each argument asks again under that rounding mode, or with subnormals read as zero, or results flushed to
- * zero, or both, or with x87 computing to so many bits; modes add up. "eighth", as -DGOLDEN_ASK_EIGHTH, and "few" (a 64th)
+ * zero, or both, or with x87 computing to so many bits; modes add up. "eighth", and "few" (a 64th; also -DGOLDEN_ASK_FEW),
  * ask only the first of the inputs, which have hashes of their own. The expected hash in golden_overlap.h was computed by
  * exact judges (gen_golden.c), not by this header. Compiled with GOLDEN_PRINT, every answer is printed: gen_golden.c
  * then prints the same lines (tests/golden_diff.sh compares them).
@@ -27,8 +27,8 @@
 #include "golden_answers.h"
 #include "golden_overlap.h"
 
-#ifdef GOLDEN_ASK_EIGHTH
-static uint32_t golden_chunks = GOLDEN_EIGHTH;
+#ifdef GOLDEN_ASK_FEW
+static uint32_t golden_chunks = GOLDEN_FEW;
 #else
 static uint32_t golden_chunks = GOLDEN_CHUNKS;
 #endif
