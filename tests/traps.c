@@ -2,7 +2,7 @@
  * then each is a crash.
  *
  *   traps [eighth | few] [mode]...      modes as golden.c's: up down zero daz ftz flush x87-24 x87-53
- *   traps -KIND INDEX    asks that one question with the exceptions unmasked, for a debugger
+ *   traps -KIND INDEX [mode]      asks that one question with the exceptions unmasked, for a debugger
  *
  * Asks all golden questions (every function but tribox_sat, on ordinary, touching, extreme, subnormal, NaN and
  * infinite input) and some ordinary meshes and rays, and reads the flags after every answer; then, where no flag
@@ -260,7 +260,10 @@ static void traps_ask_one(const char *kind, unsigned long index)
 int main(int argc, char **argv)
 {
     int i, ok;
-    if (argc == 3 && argv[1][0] == '-') {
+    if (argc >= 3 && argv[1][0] == '-') {
+        if (argc > 3) {
+            golden_mode(argv[3]);
+        }
         traps_ask_one(argv[1] + 1, strtoul(argv[2], NULL, 10));
         return 0;
     }
