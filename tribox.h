@@ -8533,15 +8533,23 @@ TBX_FN void tbx_segment_times(tbx_segment *s, int k)
 {
     const double *origin = &s->grid->origin[k];
     const double *size = &s->grid->size[k];
-    double d = s->q[k] - s->p[k];
-    TBX_KEEP_SCALAR(d);
-    if (TBX_DOUBLE_IS_53_BITS && tbx_sign(&d) != 0 && tbx_is_ordinary(&d, 300) &&
-        tbx_is_ordinary(origin, 300) && tbx_is_ordinary(size, 300) && tbx_is_ordinary(&s->p[k], 300) &&
-        tbx_is_ordinary(&s->q[k], 300)) {
-        const double sum = tbx_abs(*origin) + tbx_abs(s->p[k]) + tbx_abs(s->q[k]) + *size;
-        const double error = sum / tbx_abs(d) + 1.0;
-        s->step[k] = *size / d;
-        s->from[k] = (*origin - s->p[k]) / d + (s->way[k] > 0 ? s->step[k] : 0.0);
+    double p = s->p[k];
+    double q = s->q[k];
+    if (TBX_DOUBLE_IS_53_BITS && (tbx_less(&p, &q) | tbx_less(&q, &p)) && tbx_is_ordinary(origin, 300) &&
+        tbx_is_ordinary(size, 300) && tbx_is_ordinary(&p, 300) && tbx_is_ordinary(&q, 300)) {
+        double start = *origin;
+        double voxel = *size;
+        double d;
+        double error;
+        TBX_KEEP_SCALAR(p); /* or compilers subtract and divide before they ask */
+        TBX_KEEP_SCALAR(q);
+        TBX_KEEP_SCALAR(start);
+        TBX_KEEP_SCALAR(voxel);
+        d = q - p; /* at least 2^-352 */
+        TBX_KEEP_SCALAR(d);
+        error = (tbx_abs(start) + tbx_abs(p) + tbx_abs(q) + voxel) / tbx_abs(d) + 1.0;
+        s->step[k] = voxel / d;
+        s->from[k] = (start - p) / d + (s->way[k] > 0 ? s->step[k] : 0.0);
         s->error = s->error < TBX_SEGMENT_ERROR * error ? TBX_SEGMENT_ERROR * error : s->error;
     } else {
         s->from[k] = s->step[k] = 0.0;
