@@ -219,6 +219,7 @@ static inline int inflate_all(const unsigned char *in, size_t in_size, unsigned 
     s.in = in;
     s.in_size = in_size;
     s.in_at = inflate_header(in, in_size);
+    s.in_at = s.in_at < in_size ? s.in_at : in_size;        /* a header that promises more than there is */
     s.out = out;
     s.room = room;
     while (!last && !s.bad) {

@@ -233,15 +233,20 @@ static inline int volume_take_text(volume *v, const volume_file *f, size_t at) {
     return numbers ? 1 : volume_fail(f, "out of memory");
 }
 
-/* The file that a header names, in the header's folder. */
+/* The file that a header names; it has to lie in the header's folder. */
 static inline int volume_open_beside(const volume_file *header, const char *name, volume_file *out) {
     char path[4096];
     const char *slash = strrchr(header->path, '/');
     int folder = slash ? (int)(slash - header->path) + 1 : 0;
-    int used = snprintf(path, sizeof path, "%.*s%s", name[0] == '/' ? 0 : folder, header->path, name);
+    int used;
     memset(out, 0, sizeof *out);
     out->path = header->path;
     out->error = header->error;
+    name += strncmp(name, "./", 2) == 0 ? 2 : 0;
+    if (strchr(name, '/') || strchr(name, '\\') || name[0] == '.' || name[0] == '-') {
+        return volume_fail(header, "the numbers' own file must lie beside the header");
+    }
+    used = snprintf(path, sizeof path, "%.*s%s", folder, header->path, name);
     out->data = used > 0 && (size_t)used < sizeof path ? mesh_load_bytes(path, &out->size, header->error) : NULL;
     return out->data != NULL;
 }
@@ -488,20 +493,16 @@ static inline int volume_read_binvox(volume *v, const char *path, char *error) {
     return 1;
 }
 
-/* `dims` are the sides of a file without a header, else NULL; `up` as vox_read's. */
-static inline int volume_read(volume *v, const char *path, const size_t dims[3], char up, char *error) {
+/* A file's bytes, which end with two zero bytes that `size` does not count; `path` names the format, and errors. */
+static inline int volume_read_memory(volume *v, const char *path, unsigned char *data, size_t size, const size_t dims[3],
+                                     char up, char *error) {
     volume_file f;
     int ok;
     memset(v, 0, sizeof *v);
-    if (mesh_name_ends(path, ".binvox")) {
-        return volume_read_binvox(v, path, error);
-    }
     f.path = path;
+    f.data = data;
+    f.size = size;
     f.error = error;
-    f.data = mesh_load_bytes(path, &f.size, error);
-    if (!f.data) {
-        return 0;
-    }
     if (dims) {
         memcpy(v->n, dims, sizeof v->n);
         ok = raw_read(v, &f);
@@ -518,10 +519,24 @@ static inline int volume_read(volume *v, const char *path, const size_t dims[3],
     } else {
         ok = volume_fail(&f, "should end in .binvox, .vox, .npy, .nrrd, .vti or .mha; other files need --dims");
     }
-    free(f.data);
     if (!ok) {
         volume_free(v);
     }
+    return ok;
+}
+
+/* `dims` are the sides of a file without a header, else NULL; `up` as vox_read's. */
+static inline int volume_read(volume *v, const char *path, const size_t dims[3], char up, char *error) {
+    unsigned char *data;
+    size_t size;
+    int ok;
+    memset(v, 0, sizeof *v);
+    if (!dims && mesh_name_ends(path, ".binvox")) {
+        return volume_read_binvox(v, path, error);
+    }
+    data = mesh_load_bytes(path, &size, error);
+    ok = data && volume_read_memory(v, path, data, size, dims, up, error);
+    free(data);
     return ok;
 }
 

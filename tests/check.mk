@@ -7,7 +7,7 @@ VERIFY_JOBS      ?= 2
 FUZZ_SECONDS     ?= 60
 PLATFORMS_ONLY   ?= .
 MUTANT_MESHES    ?= 10000
-FUZZ_TARGETS     := overlap tri grid mesh companions
+FUZZ_TARGETS     := overlap tri grid mesh volume companions
 FUZZ_FLAGS       := -std=c99 -I. -O1 -g -fno-sanitize-recover=all \
                     -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow
 CHECK_PARTS      := verify golden-check platforms headers sanitize mesh-mutants proofs errors mutate cuda fuzz coverage

@@ -65,6 +65,15 @@ if command -v gzip > /dev/null; then
     says 'damaged'
 fi
 
+# A gzip header whose extra field would reach far behind the end
+{ printf 'NRRD0004\ntype: uchar\ndimension: 3\nsizes: 3 3 3\nencoding: gzip\nspacings: 1 1 1\n\n'
+  printf '\037\213\010\004\000\000\000\000\000\000\377\377\000\000\000\000\000\000\000\000'; } > "$tmp/extra.nrrd"
+run 2 "$check" "$tmp/cube.obj" "$tmp/extra.nrrd"
+says 'damaged'
+sed 's/short.raw/..\/short.raw/' "$tmp/short.mhd" > "$tmp/away.mhd"
+run 2 "$check" "$tmp/cube.obj" "$tmp/away.mhd"
+says 'must lie beside the header'
+
 # VTK image data: text, and base 64, in which 27 ones and their length are 42 characters
 vti() { # vti FORMAT TEXT
     printf '<VTKFile type="ImageData" byte_order="LittleEndian" header_type="UInt32">\n<ImageData WholeExtent="%s" ' '1 3 1 3 1 3'
