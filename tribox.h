@@ -935,11 +935,6 @@ TBX_FN double tbx_from_bits64(uint64_t bits)
 /* 2^e as a double, -1022 <= e <= 1023: -fsingle-precision-constant takes written ones for floats. */
 #define TBX_POW2(e) tbx_from_bits64((uint64_t)(1023 + (e)) << 52)
 
-TBX_FN unsigned tbx_is_subnormal(const float *x)
-{
-    return (tbx_bits32(x) & 0x7fffffffu) - 1u < 0x007fffffu;
-}
-
 /* A float subnormal is mantissa * 2^-149, a normal double. NaN stays a quiet NaN, infinity infinity. */
 TBX_COLD void tbx_widen_unusual(double *out, uint32_t bits)
 {
@@ -9793,11 +9788,10 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
         const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
         const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
         const tbx_f4 lower = tbx_max4(lo, t_min);
-        const tbx_f4 upper = tbx_min4(hi, t_max);
         tbx_f4 a1 = p1 - p0;
         tbx_f4 a2 = p2 - p0;
         tbx_f4 l = lower - p0;
-        tbx_f4 h = upper - lower;
+        tbx_f4 h = tbx_min4(hi, t_max) - lower;
         TBX_KEEP_VECTOR(a1);
         TBX_KEEP_VECTOR(a2);
         TBX_KEEP_VECTOR(l);

@@ -149,10 +149,18 @@ static inline double number_step(double d, int ulps, int f64)
 
 static inline int is_float(double d)
 {
+    uint64_t bits;
+    int exponent;
     if (!is_finite(d)) {
         return 1;
     }
-    return d <= 0x1.fffffep127 && d >= -0x1.fffffep127 && nearest_float(d) == d;
+    memcpy(&bits, &d, sizeof bits); /* a processor that flushes reads 2^-1074 as 0 */
+    exponent = (int)(bits >> 52 & 0x7ff) - 1023;
+    bits = (bits & 0xfffffffffffffu) | (uint64_t)1 << 52;
+    if (exponent < -149 || exponent > 127) {
+        return exponent == -1023 && bits == (uint64_t)1 << 52; /* zero */
+    }
+    return bits % ((uint64_t)1 << (exponent < -126 ? 29 - 126 - exponent : 29)) == 0;
 }
 
 /* ---- shapes ----------------------------------------------------------------------------------- */
