@@ -208,7 +208,7 @@ const handles = CORNER_COLOURS.map((color) => new THREE.Mesh(new THREE.SphereGeo
 const boxes = {};
 const edges = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0xffc9a3, transparent: true, opacity: 0.4 }));
 const cage = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x93a5c4, transparent: true, opacity: 0.2 }));
-for (const [name, color, opacity] of [['set', 0xef8a4b, 0.33], ['missed', 0xff5266, 0.85], ['extra', 0xa58bff, 0.85]]) {
+for (const [name, color, opacity] of [['set', 0xef8a4b, 0.33], ['missed', 0xff5266, 0.6], ['extra', 0xa58bff, 0.6]]) {
     boxes[name] = new THREE.InstancedMesh(new THREE.BoxGeometry(0.96, 0.96, 0.96),
         new THREE.MeshLambertMaterial({ color, transparent: true, opacity, depthWrite: name !== 'set' }), 24 ** 3);
     boxes[name].frustumCulled = false;
@@ -388,8 +388,8 @@ const mesh_material = new THREE.ShaderMaterial({
             float sun = max(dot(normal, normalize(vec3(-0.42, 0.74, 0.62))), 0.0);
             float sky = 0.62 + 0.38 * normal.y;
             float high = clamp(world.y / 40.0 + 0.5, 0.0, 1.0);
-            vec3 clay = mix(vec3(0.80, 0.23, 0.08), vec3(0.90, 0.42, 0.17), high);
-            light = clay * (0.95 * sun * vec3(1.0, 0.94, 0.84) + 0.46 * sky * vec3(0.78, 0.88, 1.0) + 0.10) * (1.0 - 0.17 * dark);
+            vec3 clay = mix(vec3(0.66, 0.17, 0.05), vec3(0.86, 0.37, 0.13), high);
+            light = clay * (0.86 * sun * vec3(1.0, 0.94, 0.84) + 0.24 * sky * vec3(0.72, 0.84, 1.0) + 0.03) * (1.0 - 0.2 * dark);
             gl_Position = projectionMatrix * viewMatrix * world;
         }`,
     fragmentShader: `
