@@ -679,6 +679,8 @@ static inline int mesh_read_gltf(mesh_reader *r) {
     asset = ok ? json_get(&g.j, 0, "asset") : 0;
     if (ok && (!asset || !json_get(&g.j, asset, "version"))) {
         ok = mesh_fail_file(r, "JSON, but not glTF: it has no asset.version");
+    } else if (ok && strtod(g.j.nodes[json_get(&g.j, asset, "version")].text, NULL) < 2) {
+        ok = mesh_fail_file(r, "this is glTF 1.0: convert it to 2.0");
     }
     ok = ok && gltf_lists(&g) && gltf_load_buffers(&g) && gltf_scene(&g);
     gltf_free(&g);

@@ -1488,9 +1488,16 @@ static inline int mesh_parse(mesh_reader *r) {
     if ((r->size >= 4 && memcmp(d, "glTF", 4) == 0) || d[start] == '{') {
         return mesh_read_gltf(r);
     }
-    if (mesh_word_ends(first, "off") && first.length <= 7) {
+    if (off_next_word(r, &first) && mesh_word_ends(first, "off") && first.length <= 7) {     /* comments may stand above */
+        r->at = 0;
+        r->line = 1;
         return mesh_read_off(r);
     }
+    r->at = 0;
+    r->line = 1;
+    mesh_next_word_anywhere(r, &first);
+    r->at = 0;
+    r->line = 1;
     if (mesh_name_ends(r->path, ".obj")) {
         return mesh_read_obj(r);
     }

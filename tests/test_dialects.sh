@@ -144,6 +144,8 @@ counts bom.ply 2 'ASCII PLY'
 square='4 1 4\n0 0 .5\n8 8 .5\n0 3 .5\n-8 8 .5\n'
 text plain.off "OFF\n# a comment\n${square}4 1 2 3 0 255 0 0\n"
 surface 171 plain.off 0.5 .25,.25,.25
+text above.off "# a tool\n\n#CBP\nOFF\n${square}4 1 2 3 0\n"
+surface 171 above.off 0.5 .25,.25,.25
 text line.off "OFF $square 4 1 2 3 0\n"
 surface 171 line.off 0.5 .25,.25,.25
 text colour.off 'COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n'
@@ -203,6 +205,8 @@ sed 's/"children":\[1\]/"children":[1,1]/' "$tmp/data.gltf" > "$tmp/twice.gltf"
 bad "$tmp/twice.gltf" 'node 1 is not there, has two parents'
 text other.gltf '{"a": [1, 2, {"b": "c"}]}'
 bad "$tmp/other.gltf" 'it has no asset.version'
+text old.gltf '{"asset": {"version": "1.0"}, "meshes": {}}'
+bad "$tmp/old.gltf" 'this is glTF 1.0'
 text cut.gltf '{"asset": '
 bad "$tmp/cut.gltf" 'the file ends within its JSON'
 
