@@ -248,7 +248,10 @@ static void rays_cross_as_exact_numbers_say(void)
         int                 n = 2 + random_below(6);
         int                 kind = random_below(5);
         double              scale = kind == 2 ? 0.1 : kind == 3 ? 1e-30 : 1;
-        double              most = kind == 4 ? 1.6069380442589903e60 : 1; /* 2^200 */
+        double              most = 1;
+        for (k = 0; k < 200 && kind == 4; k++) {
+            most *= 2;
+        }
         for (k = 0; k < 12; k++) {
             double x = random_below(n) * scale;
             if (kind == 1) {
@@ -776,8 +779,8 @@ static void triangles_of_any_size_cross(void)
 /* The last indices there are, and origins far off; empty regions and points that are none answer nothing. */
 static void indices_reach_to_the_end_and_odd_regions_stay_as_they_are(void)
 {
-    static const double t[9] = {2147483600.25, 0, 0, 2147483600.25, 9, 0, 2147483600.25, 0, 9};
-    static const double far_off[3] = {2147483601.0, 1.0, 1.0};
+    static const double t[9] = {(double)2147483600 + 0.25, 0, 0, (double)2147483600 + 0.25, 9, 0, (double)2147483600 + 0.25, 0, 9};
+    static const double far_off[3] = {(double)2147483601, 1.0, 1.0};
     tribox_mesh_f64     mesh;
     tribox_mesh         floats;
     tribox_grid         grid;
