@@ -11422,9 +11422,12 @@ TBX_FORCED unsigned tbx_class_of(const tbx_quick *q, uint32_t more)
 /* A box, of lanes 0 to 2 and those of `more` that are extents, as a key. */
 TBX_FORCED uint64_t tbx_key_set(tbx_i4 box)
 {
+    const tbx_i4 half = tbx_splat_int(16);
+    const tbx_i4 turned = TBX_LANES(box, box, 3, 0, 1, 2);
     const uint32_t few = (uint32_t)(((uint32_t)box[3] & 0x030303u) * 0x04104000u) >> 26;
-    return (uint64_t)(uint16_t)box[0] << 16 | (uint64_t)(uint16_t)box[1] << 32 |
-           (uint64_t)(uint16_t)box[2] << 48 | few;
+    uint64_t key[2];
+    tbx_keys_of(key, (turned << half) >> half, turned);
+    return (key[0] & ~(uint64_t)65535) | few;
 }
 
 /* And back. */
@@ -11493,6 +11496,48 @@ TBX_NOINLINE void tbx_block_careful(tbx_block *b, const tbx_quick *q, const tbx_
         }
     }
     b->count[TBX_CLASS_OTHER] = left;
+}
+
+/* The corners of WIDE triangles, in rows. */
+typedef struct tbx_placed {
+    tbx_f4 row[3][TBX_WIDE];
+} TBX_ALIGNED tbx_placed;
+
+/* Lanes 1, 2, 3 of WIDE rows. */
+TBX_FORCED void tbx_points_of(tbx_points *out, const tbx_f4 *row)
+{
+    tbx_f4 x[TBX_WIDE / 4];
+    tbx_f4 y[TBX_WIDE / 4];
+    tbx_f4 z[TBX_WIDE / 4];
+    int i;
+    for (i = 0; i < TBX_WIDE / 4; i++, row += 4) {
+        const tbx_f4 a = TBX_LANES(row[0], row[1], 0, 4, 1, 5);
+        const tbx_f4 b = TBX_LANES(row[2], row[3], 0, 4, 1, 5);
+        const tbx_f4 c = TBX_LANES(row[0], row[1], 2, 6, 3, 7);
+        const tbx_f4 d = TBX_LANES(row[2], row[3], 2, 6, 3, 7);
+        x[i] = TBX_LANES(a, b, 2, 3, 6, 7);
+        y[i] = TBX_LANES(c, d, 0, 1, 4, 5);
+        z[i] = TBX_LANES(c, d, 2, 3, 6, 7);
+    }
+    out->x = tbx_wide_of(x);
+    out->y = tbx_wide_of(y);
+    out->z = tbx_wide_of(z);
+}
+
+/* Corners of the WIDE triangles of a block that are listed. */
+TBX_FORCED void tbx_points_listed(tbx_points out[3], const tbx_corners *corners, const unsigned char *list, int count)
+{
+    tbx_placed some;
+    int i;
+    for (i = 0; i < TBX_WIDE; i++) {
+        const tbx_f4 *row = corners->row[list[i < count ? i : 0]];
+        some.row[0][i] = row[0];
+        some.row[1][i] = row[1];
+        some.row[2][i] = row[2];
+    }
+    tbx_points_of(&out[0], some.row[0]);
+    tbx_points_of(&out[1], some.row[1]);
+    tbx_points_of(&out[2], some.row[2]);
 }
 
 /* ---- Boxes that take the careful way, WIDE at a time */
@@ -11579,8 +11624,8 @@ TBX_FORCED tbx_iw tbx_extents(const tbx_boxes *box)
 /* Boxes of the WIDE triangles listed. Lanes that are off the region, by the guess on that side, are OFF: X is
  * off by its bound at most within MARGIN, by 2^-20 of itself beyond; so are empty boxes, and triangles that
  * are not finite. */
-TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_source *source,
-                                    const size_t triangle[TBX_WIDE], tbx_i4 out[TBX_WIDE])
+TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_corners *corners, const unsigned char *list,
+                                    int count, tbx_i4 out[TBX_WIDE])
 {
     const tbx_iw none = tbx_wide_int(0);
     tbx_points v[3];
@@ -11592,7 +11637,7 @@ TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_source *source
     tbx_iw last;
     int i;
     int k;
-    tbx_load_corners(v, source, triangle);
+    tbx_points_listed(v, corners, list, count);
     for (i = 0; i < 3; i++) {
         v[i].x = tbx_box_tame(q, 0, v[i].x, &finite);
         v[i].y = tbx_box_tame(q, 1, v[i].y, &finite);
@@ -11715,7 +11760,7 @@ TBX_NOINLINE tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, c
 /* Boxes of the triangles that are not as simple as can be; those that are not known are LARGE. Returns how many
  * are on the lattice. */
 TBX_NOINLINE int tbx_block_special(tbx_block *b, const tribox_grid *grid, const tbx_quick *q,
-                                   const tbx_source *source)
+                                   const tbx_source *source, const tbx_corners *corners)
 {
     const unsigned char *list = b->list[TBX_CLASS_OTHER];
     const int count = b->count[TBX_CLASS_OTHER];
@@ -11731,15 +11776,11 @@ TBX_NOINLINE int tbx_block_special(tbx_block *b, const tribox_grid *grid, const 
     }
     for (i = 0; i < count; i += TBX_WIDE) {
         tbx_i4 box[TBX_WIDE];
-        size_t triangle[TBX_WIDE];
-        for (j = 0; j < TBX_WIDE; j++) {
-            triangle[j] = b->first + list[i + j < count ? i + j : i];
-        }
-        tbx_boxes_special(q, source, triangle, box);
+        tbx_boxes_special(q, corners, list + i, count - i, box);
         for (j = 0; j < TBX_WIDE && i + j < count; j++) {
             tbx_i4 one = box[j];
             if (one[3] == TBX_NOT_KNOWN) {
-                one = tbx_box_exact(grid, q, source, triangle[j]);
+                one = tbx_box_exact(grid, q, source, b->first + list[i + j]);
             }
             if (one[3] != TBX_OFF) {
                 tbx_block_add(b, q, list[i + j], one);
@@ -11774,7 +11815,7 @@ TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribo
         if (!*on_planes) {
             tbx_block_careful(b, q, corners);
         }
-        on_lattice = tbx_block_special(b, grid, q, source);
+        on_lattice = tbx_block_special(b, grid, q, source, corners);
     }
     *on_planes = 2 * on_lattice > count;
 }
@@ -11913,11 +11954,6 @@ typedef struct tbx_some {
     int count; /* 1 to WIDE */
 } tbx_some;
 
-/* The corners of WIDE triangles from the first inner plane of their boxes, lanes as in rows. */
-typedef struct tbx_placed {
-    tbx_f4 row[3][TBX_WIDE];
-} TBX_ALIGNED tbx_placed;
-
 /* Places one triangle. */
 TBX_FORCED void tbx_place_corners(tbx_placed *out, int lane, const tbx_quick *q, const tbx_f4 v[3],
                                   uint64_t key)
@@ -11971,27 +12007,6 @@ TBX_FORCED void tbx_place_doubles(tbx_placed *out, int lane, const tbx_quick *q,
         }
         out->row[c][lane] = r;
     }
-}
-
-/* Lanes 1, 2, 3 of WIDE rows. */
-TBX_FORCED void tbx_points_of(tbx_points *out, const tbx_f4 *row)
-{
-    tbx_f4 x[TBX_WIDE / 4];
-    tbx_f4 y[TBX_WIDE / 4];
-    tbx_f4 z[TBX_WIDE / 4];
-    int i;
-    for (i = 0; i < TBX_WIDE / 4; i++, row += 4) {
-        const tbx_f4 a = TBX_LANES(row[0], row[1], 0, 4, 1, 5);
-        const tbx_f4 b = TBX_LANES(row[2], row[3], 0, 4, 1, 5);
-        const tbx_f4 c = TBX_LANES(row[0], row[1], 2, 6, 3, 7);
-        const tbx_f4 d = TBX_LANES(row[2], row[3], 2, 6, 3, 7);
-        x[i] = TBX_LANES(a, b, 2, 3, 6, 7);
-        y[i] = TBX_LANES(c, d, 0, 1, 4, 5);
-        z[i] = TBX_LANES(c, d, 2, 3, 6, 7);
-    }
-    out->x = tbx_wide_of(x);
-    out->y = tbx_wide_of(y);
-    out->z = tbx_wide_of(z);
 }
 
 /* Notes that E = e at a point, and whether it is outside, as `bit`. */
@@ -12183,7 +12198,6 @@ TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_some *some,
     tbx_points *const a = &p->v[0];
     tbx_points *const b = &p->v[1];
     tbx_points *const c = &p->v[2];
-    tbx_placed corners;
     tbx_points v[3];
     tbx_points first;
     tbx_iw level_x;
@@ -12197,15 +12211,11 @@ TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_some *some,
     int i;
     int k;
     for (i = 0; i < TBX_WIDE; i++) {
-        const size_t triangle = some->list[i < some->count ? i : 0];
         for (k = 0; k < 3; k++) {
-            corners.row[k][i] = some->corners->row[triangle][k];
             at[k][i] = (int32_t)tbx_key_axis(key[i], k);
         }
     }
-    for (i = 0; i < 3; i++) {
-        tbx_points_of(&v[i], corners.row[i]);
-    }
+    tbx_points_listed(v, some->corners, some->list, some->count);
     TBX_COPY(&first.x, at[0], sizeof first.x);
     TBX_COPY(&first.y, at[1], sizeof first.y);
     TBX_COPY(&first.z, at[2], sizeof first.z);
@@ -12791,50 +12801,70 @@ TBX_FORCED size_t tbx_key_word(const tbx_bits *to, uint64_t key)
            (size_t)(tbx_key_axis(key, 0) >> 6);
 }
 
-/* Sets voxels, bits x + 4 y + 16 z, of a box of up to n^3. */
+/* ORs a layer's n rows, nibbles of v moved to where `run` is, and turns v to the next layer. */
+TBX_FORCED uint64_t tbx_layer_or(uint64_t *row, size_t y1, size_t y2, size_t y3, uint64_t v, uint64_t run, int n)
+{
+    row[0] |= v & run;
+    v = v >> 4 | v << 60;
+    row[y1] |= v & run;
+    if (n > 2) {
+        v = v >> 4 | v << 60;
+        row[y2] |= v & run;
+    }
+    if (n > 3) {
+        v = v >> 4 | v << 60;
+        row[y3] |= v & run;
+    }
+    return v >> 4 * (5 - n) | v << (64 - 4 * (5 - n));
+}
+
+/* Voxels of a box that may lie in two words of a row, in which then is some of it. */
+TBX_NOINLINE void tbx_voxels_set_two(const tbx_bits *to, uint64_t *row, uint64_t key, uint64_t voxels)
+{
+    const unsigned x = (unsigned)(key >> 16) & 63u;
+    const int more_y = (int)(key >> 2 & 3);
+    const int more_z = (int)(key >> 4 & 3);
+    int y;
+    int z;
+    for (z = 0; z <= more_z; z++, row += to->layer_words) {
+        uint64_t *word = row;
+        for (y = 0; y <= more_y; y++, word += to->row_words) {
+            const uint64_t run = voxels >> (4 * y + 16 * z) & 15;
+            const uint64_t beyond = x > 60 ? run >> (64 - x) : 0;
+            word[0] |= run << x;
+            if (beyond != 0) {
+                word[1] |= beyond;
+            }
+        }
+    }
+}
+
+/* Sets voxels, bits x + 4 y + 16 z, of a box of up to n^3; rows and layers not in the box have no bits, and go where
+ * others are. */
 TBX_FORCED void tbx_voxels_set(const tbx_bits *to, uint64_t key, uint64_t voxels, int n)
 {
     const size_t row_words = to->row_words;
     const size_t layer_words = to->layer_words;
     const unsigned x = (unsigned)(key >> 16) & 63u;
-    const int more_y = (int)(key >> 2 & 3);
-    const int more_z = (int)(key >> 4 & 3);
     uint64_t *row = to->bits + tbx_key_word(to, key);
-    int z;
-    if (TBX_RARELY(x > 64u - (unsigned)n)) { /* in two words, if they hold any of it */
-        for (z = 0; z <= more_z; z++, row += layer_words) {
-            int y;
-            for (y = 0; y < 4; y++, voxels >>= 4) {
-                if (y <= more_y) {
-                    uint64_t *word = row + (size_t)y * row_words;
-                    const uint64_t beyond = (voxels & 15) >> (64 - x);
-                    word[0] |= (voxels & 15) << x;
-                    if (beyond != 0) {
-                        word[1] |= beyond;
-                    }
-                }
-            }
-        }
+    if (TBX_RARELY(x > 64u - (unsigned)n)) {
+        tbx_voxels_set_two(to, row, key, voxels);
     } else {
         const uint64_t run = (((uint64_t)1 << n) - 1) << x;
-        const size_t y1 = more_y > 0 ? row_words : 0; /* rows not in the box: no bits, into row 0 */
-        const size_t y2 = more_y > 1 ? 2 * row_words : 0;
-        const size_t y3 = more_y > 2 ? 3 * row_words : 0;
+        const size_t y1 = (key & 12) != 0 ? row_words : 0;
+        const size_t y2 = (key & 8) != 0 ? 2 * row_words : 0;
+        const size_t y3 = (key & 12) == 12 ? 3 * row_words : 0;
         uint64_t v = voxels << x | voxels >> ((64 - x) & 63);
-        for (z = 0; z < n; z++) {
-            row[0] |= v & run;
-            v = v >> 4 | v << 60;
-            row[y1] |= v & run;
-            if (n > 2) {
-                v = v >> 4 | v << 60;
-                row[y2] |= v & run;
-            }
-            if (n > 3) {
-                v = v >> 4 | v << 60;
-                row[y3] |= v & run;
-            }
-            v = v >> 4 * (5 - n) | v << (64 - 4 * (5 - n));
-            row += z < more_z ? layer_words : 0;
+        v = tbx_layer_or(row, y1, y2, y3, v, run, n);
+        row += (key & 48) != 0 ? layer_words : 0;
+        v = tbx_layer_or(row, y1, y2, y3, v, run, n);
+        if (n > 2) {
+            row += (key & 32) != 0 ? layer_words : 0;
+            v = tbx_layer_or(row, y1, y2, y3, v, run, n);
+        }
+        if (n > 3) {
+            row += (key & 48) == 48 ? layer_words : 0;
+            (void)tbx_layer_or(row, y1, y2, y3, v, run, n);
         }
     }
 }
@@ -13658,9 +13688,9 @@ TBX_FN void tbx_block_decide(tbx_fill *fill, const tbx_block *b, const tbx_corne
         unsigned unsure;
         some.count = count < TBX_WIDE ? count : TBX_WIDE;
         unsure = tbx_decide_class(voxels, &fill->quick, &some, c);
-        if (c <= TBX_CLASS_2) {
+        if (c <= TBX_CLASS_2 || c == TBX_CLASS_ON_2) {
             tbx_some_set(fill, &some, 2, unsure, voxels);
-        } else if (c == TBX_CLASS_3) {
+        } else if (c == TBX_CLASS_3 || c == TBX_CLASS_ON_3) {
             tbx_some_set(fill, &some, 3, unsure, voxels);
         } else {
             tbx_some_set(fill, &some, 4, unsure, voxels);
