@@ -10866,7 +10866,9 @@ typedef struct tbx_quick {
     int lattice;    /* some step is not 0 */
     int upper_open; /* touching a voxel's upper faces does not count */
     int lower_open;
-    int fetch;   /* the bits exceed the caches */
+    int fetch;                   /* the bits exceed the caches */
+    uintptr_t bits;
+    size_t row_words;
     int is_wide; /* an index may need more than 15 bits */
     unsigned char
         class_of[256];      /* by extents of up to 4 voxels, 64: others; 128 more: the predecessor's box */
@@ -11023,7 +11025,9 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
         }
     }
     q->on &= q->delta < 1e-4;
-    q->fetch = q->layer_words > 131072 / (size_t)q->n[2]; /* 1 MiB */
+    q->fetch = t->bits != NULL && q->layer_words > 131072 / (size_t)q->n[2]; /* 1 MiB */
+    q->bits = (uintptr_t)t->bits;
+    q->row_words = t->row_words;
     for (k = 0; k < 3 && q->on; k++) {
         const double size = grid->size[k];
         const double origin = q->origin[k];
@@ -11402,6 +11406,14 @@ TBX_FORCED void tbx_block_boxes(tbx_block *b, const tbx_quick *q, const tbx_corn
         b->key[i] = key[0];
         c |= (uint64_t)(key[0] == previous) << 7;
         previous = key[0];
+        if (q->fetch) { /* asks for the memory of its voxels */
+            const size_t word = (size_t)tbx_key_axis(key[0], 2) * q->layer_words +
+                                (size_t)tbx_key_axis(key[0], 1) * q->row_words +
+                                (size_t)(tbx_key_axis(key[0], 0) >> 6);
+            TBX_PREFETCH(q->bits + sizeof(uint64_t) * word);
+            TBX_PREFETCH(q->bits + sizeof(uint64_t) * (word + q->layer_words));
+            TBX_PREFETCH(q->bits + sizeof(uint64_t) * (word + 2 * q->layer_words));
+        }
         c = q->class_of[c];
         at = end[c];
         *at = (unsigned char)i;
@@ -13698,22 +13710,6 @@ TBX_FN void tbx_block_decide(tbx_fill *fill, const tbx_block *b, const tbx_corne
     }
 }
 
-/* Asks for the memory of the voxels of boxes of up to 4^3. */
-TBX_FN void tbx_block_fetch(const tbx_block *b, const tbx_fill *fill)
-{
-    const tbx_bits to = tbx_bits_of(fill);
-    const uintptr_t bits = (uintptr_t)to.bits;
-    int c;
-    int j;
-    for (c = 0; c <= TBX_CLASS_LARGE; c++) {
-        for (j = 0; j < b->count[c]; j++) {
-            const size_t word = tbx_key_word(&to, b->key[b->list[c][j]]);
-            TBX_PREFETCH(bits + sizeof(uint64_t) * word);
-            TBX_PREFETCH(bits + sizeof(uint64_t) * (word + to.layer_words));
-        }
-    }
-}
-
 /* Sets boxes of one voxel or two. */
 TBX_FN void tbx_block_short(const tbx_block *b, const tbx_fill *fill)
 {
@@ -13763,9 +13759,6 @@ TBX_NOINLINE void tbx_fill_small(tbx_fill *fill, tbx_block *b, size_t t, int cou
     tbx_corners corners;
     unsigned c;
     tbx_block_find(b, &corners, fill->frame->grid, &fill->quick, fill->source, t, count, &fill->on_planes);
-    if (fill->quick.fetch) {
-        tbx_block_fetch(b, fill);
-    }
     tbx_block_short(b, fill);
     for (c = TBX_CLASS_FLAT; c < TBX_CLASS_LARGE; c++) {
         int left = b->count[c];
