@@ -10872,7 +10872,6 @@ typedef struct tbx_quick {
     int is_wide; /* an index may need more than 15 bits */
     unsigned char
         class_of[256];      /* by extents of up to 4 voxels, 64: others; 128 more: the predecessor's box */
-    uint64_t voxels_of[64]; /* of 4^3 those of a box */
 } tbx_quick;
 
 #define TBX_PIECES 40.0f /* of a voxel: eighths, tenths, twentieths, fortieths */
@@ -10920,8 +10919,6 @@ TBX_FN void tbx_classes_init(tbx_quick *q, int skips)
         const int z = i >> 4;
         const int most = x > y ? x > z ? x : z : y > z ? y : z;
         const int longer = (x > 0) + (y > 0) + (z > 0);
-        const uint64_t layers = (uint64_t)0x00010001u << 32 | 0x00010001u;
-        const uint64_t row = ((uint64_t)2 << x) - 1;
         int c = TBX_CLASS_SHORT;
         if (q->thin) {
             c = TBX_CLASS_OTHER;
@@ -10932,7 +10929,6 @@ TBX_FN void tbx_classes_init(tbx_quick *q, int skips)
         }
         q->class_of[i] = (unsigned char)c;
         q->class_of[i + 128] = (unsigned char)(c == TBX_CLASS_SHORT && skips ? (int)TBX_CLASS_SKIP : c);
-        q->voxels_of[i] = row * (0x1111u >> (12 - 4 * y)) * (layers >> (48 - 16 * z));
     }
     for (i = 64; i < 256; i += 128) {
         int j;
@@ -11086,18 +11082,16 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
 /* Boxes of WIDE triangles. */
 typedef struct tbx_group {
     tbx_i4 box[TBX_WIDE];
-    size_t word[TBX_WIDE]; /* of the first voxel */
     size_t triangle[TBX_WIDE];
     int n;
     int32_t lattice; /* not 0: some are on the lattice */
 } tbx_group;
 
 /* Returns 1 when the group is full. */
-TBX_FORCED int tbx_group_add(tbx_group *g, tbx_i4 box, size_t word, size_t triangle)
+TBX_FORCED int tbx_group_add(tbx_group *g, tbx_i4 box, size_t triangle)
 {
     const int n = g->n;
     g->box[n] = box;
-    g->word[n] = word;
     g->triangle[n] = triangle;
     g->lattice |= box[3] & TBX_ON_LATTICE;
     g->n = n + 1;
@@ -11114,7 +11108,7 @@ TBX_FN void tbx_group_pad(tbx_group *g)
     }
 }
 
-#define TBX_BLOCK 96 /* the stack stays below 16 KiB */
+#define TBX_BLOCK 80 /* the stack stays below 16 KiB */
 
 /* What a triangle leaves for the row walk: how many triangles before the next block's first it is, and its
  * rows and layers. */
@@ -11457,6 +11451,15 @@ TBX_FORCED tbx_i4 tbx_key_box(uint64_t key, int32_t more)
 TBX_FORCED int32_t tbx_key_more(uint64_t key)
 {
     return (int32_t)((key & 3) | (key >> 2 & 3) << 8 | (key >> 4 & 3) << 16);
+}
+
+/* The voxels of a box of up to 4^3, bits x + 4 y + 16 z. */
+TBX_FORCED uint64_t tbx_key_voxels(uint64_t key)
+{
+    const uint64_t row = ((uint64_t)2 << (key & 3)) - 1;
+    const uint64_t rows = row * (0x1111u >> (12 - (key & 12)));
+    const uint64_t layers = (uint64_t)0x00010001u << 32 | 0x00010001u;
+    return rows * (layers >> (48 - (key & 48)));
 }
 
 /* Puts triangle i of the block, with its box, into the list of its class. */
@@ -12358,7 +12361,7 @@ TBX_FORCED unsigned tbx_decide(uint64_t out[TBX_WIDE], const tbx_quick *q, const
         const uint64_t points = n == 2 ? 1 : n == 3 ? 0x330033u : (uint64_t)0x777 << 32 | 0x07770777u;
         const uint64_t over = lattice ? above[i] : below[i] ^ points;
         const uint64_t plane_missed = over << octant[i] | below[i] << (21u ^ octant[i]);
-        out[i] = ~(missed[i] | plane_missed) & q->voxels_of[key[i] & 63];
+        out[i] = ~(missed[i] | plane_missed) & tbx_key_voxels(key[i]);
     }
     return tbx_wide_signs(unsure);
 }
@@ -12411,7 +12414,7 @@ TBX_FORCED unsigned tbx_decide_flat(uint64_t out[TBX_WIDE], const tbx_quick *q, 
         const uint64_t m = missed[i]; /* bits 0, 1, 4, 5: cells b + 4 c */
         const uint64_t x_thin = (m & 1) | (m & 2) << 3 | (m & 16) << 12 | (m & 32) << 15;
         const uint64_t y_thin = (m & 1) | (m & 2) << 15 | (m & 16) >> 3 | (m & 32) << 12;
-        out[i] = ~(few == 5 ? m : few == 20 ? x_thin : y_thin) & q->voxels_of[few];
+        out[i] = ~(few == 5 ? m : few == 20 ? x_thin : y_thin) & tbx_key_voxels(few);
     }
     return tbx_wide_signs(least <= tbx_wide_all(12.0f * 2.0f * delta));
 }
@@ -13352,7 +13355,8 @@ TBX_FN void tbx_few_store(const tbx_few *few, const tbx_fill *fill, const tbx_gr
     const size_t layer_words = fill->quick.layer_words;
     const int x = g->box[i][0] & 63;
     const int layers = (g->box[i][3] >> 16 & 255) + 1;
-    uint64_t *layer = fill->target->bits + g->word[i];
+    const tbx_bits to = tbx_bits_of(fill);
+    uint64_t *layer = to.bits + tbx_key_word(&to, tbx_key_set(g->box[i]));
     int z;
     for (z = 0; z < layers; z++, layer += layer_words) {
         const int last_y = few->last_y[z][i];
@@ -13622,16 +13626,16 @@ TBX_NOINLINE void tbx_rows_flush(tbx_fill *fill, tbx_group *g)
 /* ---- All ways together */
 
 /* A box of any kind, by rows or exactly. */
-TBX_FN void tbx_fill_any(tbx_fill *fill, tbx_i4 box, size_t word, size_t triangle)
+TBX_FN void tbx_fill_any(tbx_fill *fill, tbx_i4 box, size_t triangle)
 {
     if (fill->source->is_double) { /* rows take corners for floats */
         tbx_fill_later(fill, triangle);
     } else if ((box[3] & ~(TBX_ON_LATTICE | 0x010101 * (TBX_FEW - 1))) == 0) {
-        if (tbx_group_add(&fill->rows[0], box, word, triangle)) {
+        if (tbx_group_add(&fill->rows[0], box, triangle)) {
             tbx_rows_flush_few(fill, &fill->rows[0]);
         }
     } else if ((box[3] & 0xc0c0c0) == 0) {
-        if (tbx_group_add(&fill->rows[1], box, word, triangle)) {
+        if (tbx_group_add(&fill->rows[1], box, triangle)) {
             tbx_rows_flush(fill, &fill->rows[1]);
         }
     } else {
@@ -13674,7 +13678,7 @@ TBX_FORCED void tbx_some_set(tbx_fill *fill, const tbx_some *some, int n, unsign
                 tbx_voxels_set(&to, key, voxels[j], 4);
             } else if (!fill->quick.precise) {
                 tbx_fill_later(fill, some->block->first + i);
-            } else if (tbx_group_add(&fill->again, tbx_key_box(key, tbx_key_more(key)), 0,
+            } else if (tbx_group_add(&fill->again, tbx_key_box(key, tbx_key_more(key)),
                                      some->block->first + i)) {
                 tbx_fill_again(fill, &fill->again);
             }
@@ -13772,15 +13776,12 @@ TBX_NOINLINE void tbx_fill_small(tbx_fill *fill, tbx_block *b, size_t t, int cou
 /* The same, and the larger ones by rows, when the corners are off the stack. */
 TBX_NOINLINE void tbx_fill_block(tbx_fill *fill, size_t t, int count)
 {
-    const tbx_bits to = tbx_bits_of(fill);
     tbx_block b;
     int j;
     tbx_fill_small(fill, &b, t, count);
     for (j = 0; j < b.count[TBX_CLASS_LARGE]; j++) {
         const int i = b.list[TBX_CLASS_LARGE][j];
-        const int32_t more = b.more[i];
-        const size_t word = (more & TBX_IS_CUT) != 0 ? 0 : tbx_key_word(&to, b.key[i]);
-        tbx_fill_any(fill, tbx_key_box(b.key[i], more), word, t + (size_t)i);
+        tbx_fill_any(fill, tbx_key_box(b.key[i], b.more[i]), t + (size_t)i);
     }
 }
 
