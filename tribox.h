@@ -1638,7 +1638,12 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
 
 enum { TBX_MISS = 0, TBX_HIT = 1, TBX_UNSURE = 2 };
 
-/* The touching rule of a one-box question; THIN means closed there. */
+/* The touching rule of a one-box question; THIN means closed there.
+ *
+ * A rule says which faces of a box are open. It moves exact zeros only, so floating-point bounds never see it. What a
+ * rule means stands in: tbx_exact_overlap (which zeros hold), tbx_clip_box and tbx_clip_axis (faces of one box),
+ * tbx_tri_start, tbx_tri_test and tbx_octant_faces (of prepared boxes), tbx_frame_init (of a grid, whose lo_is_open
+ * and hi_is_open the walk reads); and again, in section 11, tbx_tri_init_simd and tbx_quick_init. */
 TBX_FN unsigned tbx_rule(unsigned flags)
 {
     return (flags & TRIBOX_THIN) != 0 ? 0u : flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN);
