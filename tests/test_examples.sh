@@ -58,6 +58,7 @@ le0='\000\000\000\000' le1='\000\000\200\077' le2='\000\000\000\100'        # fl
 be0='\000\000\000\000' be1='\077\200\000\000' be2='\100\000\000\000'
 p0="$le0$le0$le0" p1="$le2$le0$le0" p2="$le2$le2$le0" p3="$le0$le2$le0" p4="$le1$le1$le2"
 
+: > "$tmp/x.mtl"      # what plain.obj names: empty
 printf 'mtllib x.mtl\n# a comment\nv 0 0 0\nv 2 0 0\nv 2 2 0 1.0\nv 0 2 0\nv 1 1 2\nvt 0 0\nvn 0 0 1
 o pyramid\nf 4 3 2 1
 f 1/1 2/1 5/1\nf 2//1 3//1 5//1\nf 3/1/1 4/1/1 5/1/1\nf 4 1 5 # the last\n' > "$tmp/plain.obj"

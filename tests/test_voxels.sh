@@ -168,13 +168,14 @@ if command -v python3 > /dev/null; then
 fi
 
 # The line of C holds: a missing voxel is touched by that triangle, an extra one is not.
+run 0 "$bin/voxelize" "$tmp/plain.obj" 20 -o "$tmp/whole.binvox"
 if command -v "${CC:-cc}" > /dev/null; then
     {
         echo '#include "tribox.h"'
         echo '#include <assert.h>'
         echo 'int main(void) {'
         "$check" "$tmp/plain.obj" "$tmp/fewer.binvox" --show 4 | grep '{ tribox_grid g'
-        "$check" "$tmp/fewer.obj" "$tmp/plain.binvox" --show 4 | grep '{ tribox_grid g'
+        "$check" "$tmp/fewer.obj" "$tmp/whole.binvox" --show 4 | grep '{ tribox_grid g'
         echo 'return 0; }'
     } > "$tmp/pasted.c"
     checks=$((checks + 1))
