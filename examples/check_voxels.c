@@ -4,9 +4,9 @@
  *   build/check_voxels mesh.obj other.mha --like itk           as ITK lays its grid and counts faces
  *   build/check_voxels mesh.obj other.npy --size .1 --origin 1,2,3 --guess
  *
- * Each difference is shown with its box, how far it is from touching, the triangle that decides, and a line of C for a
- * unit test; their totals by kind say what is wrong: rounding, a shift by half a voxel, one side of grid planes, lost
- * triangles, streaks. Exit status: 0 the same set, 1 a difference, 2 no answer.
+ * Each difference is shown with its box, how far it is from touching, the triangle that decides, and a line
+ * of C for a unit test; their totals by kind say what is wrong: rounding, a shift by half a voxel, one side
+ * of grid planes, lost triangles, streaks. Exit status: 0 the same set, 1 a difference, 2 no answer.
  */
 #include "program.h"
 #include "difference.h"
@@ -204,8 +204,8 @@ static int place_near(volume *v, const options *o, char *error) {
     for (a = 0; a < 3; a++) {
         double first = floor((v->origin[a] - o->origin[a]) / o->size[a] + 0.5);
         if (!(fabs(first) < 1e9)) {
-            snprintf(error, MESH_ERROR, "--size and --origin put the grid's first voxel at number %g along %c", first,
-                     'x' + a);
+            snprintf(error, MESH_ERROR,
+                     "--size and --origin put the grid's first voxel at number %g along %c", first, 'x' + a);
             return 0;
         }
         v->first[a] = (int)first;
@@ -225,8 +225,10 @@ static int place_fitted(volume *v, const mesh *m, char *error) {
     int a;
     longest = longest > v->n[2] ? longest : v->n[2];
     for (turns = 0; turns < 2; turns++) {
-        if ((m->exact ? tribox_grid_fit_f64(&grid, &exact, (int)longest) : tribox_grid_fit(&grid, &view, (int)longest))
-            && (size_t)grid.hi[0] == v->n[0] && (size_t)grid.hi[1] == v->n[1] && (size_t)grid.hi[2] == v->n[2]) {
+        if ((m->exact ? tribox_grid_fit_f64(&grid, &exact, (int)longest)
+                      : tribox_grid_fit(&grid, &view, (int)longest))
+            && (size_t)grid.hi[0] == v->n[0] && (size_t)grid.hi[1] == v->n[1]
+            && (size_t)grid.hi[2] == v->n[2]) {
             v->placed = VOLUME_CORNER;
             for (a = 0; a < 3; a++) {
                 v->origin[a] = grid.origin[a];
@@ -239,7 +241,8 @@ static int place_fitted(volume *v, const mesh *m, char *error) {
         }
         volume_turn(v);
     }
-    snprintf(error, MESH_ERROR, "the file does not say where its voxels lie, and it is not as voxelize frames this mesh: "
+    snprintf(error, MESH_ERROR,
+             "the file does not say where its voxels lie, and it is not as voxelize frames this mesh: "
              "give --size and --origin");
     return 0;
 }
@@ -293,8 +296,8 @@ static void print_line_of_c(const differences *d, const difference *one) {
     print_braces(g->origin);
     printf(", ");
     print_braces(g->size);
-    printf(", {%d,%d,%d}, {%d,%d,%d}, %u}; double v[3][3] = {", at[0], at[1], at[2], at[0] + 1, at[1] + 1, at[2] + 1,
-           d->c->flags);
+    printf(", {%d,%d,%d}, {%d,%d,%d}, %u}; double v[3][3] = {", at[0], at[1], at[2], at[0] + 1, at[1] + 1,
+           at[2] + 1, d->c->flags);
     for (a = 0; a < 3; a++) {
         print_braces(one->by.v[a]);
         printf("%s", a < 2 ? ", " : "");
@@ -317,9 +320,12 @@ static void print_difference(const differences *d, const difference *one) {
         printf(": no triangle\n");
         return;
     }
-    printf(": %s%.9g voxels %s triangle %lu (%s)\n          ", one->by.exact ? "" : "about ", fabs(one->voxels),
-           sample || one->voxels > 0 ? "from" : one->voxels < 0 ? "deep in" : "away, touches", (unsigned long)one->by.triangle,
-           kind_names[one->kind]);
+    printf(": %s%.9g voxels %s triangle %lu (%s)\n          ", one->by.exact ? "" : "about ",
+           fabs(one->voxels),
+           sample || one->voxels > 0 ? "from"
+           : one->voxels < 0         ? "deep in"
+                                     : "away, touches",
+           (unsigned long)one->by.triangle, kind_names[one->kind]);
     print_line_of_c(d, one);
     printf("\n");
 }
@@ -334,7 +340,8 @@ static void print_kinds(const differences *d) {
         size_t missing = d->kind[1][k];
         size_t extra = d->kind[0][k];
         if (missing + extra > 0) {
-            printf("  %-9s %lu missing, %lu extra: %s", kind_names[k], (unsigned long)missing, (unsigned long)extra, says[k]);
+            printf("  %-9s %lu missing, %lu extra: %s", kind_names[k], (unsigned long)missing,
+                   (unsigned long)extra, says[k]);
             if (k == KIND_SHIFTED) {
                 printf(" by %g,%g,%g voxels", 0.5 * d->shift[0], 0.5 * d->shift[1], 0.5 * d->shift[2]);
             }
@@ -362,8 +369,9 @@ static void print_fit(const char *before, const fit *f, const volume *v) {
     char names[160];
     char text[160];
     convention_programs(&f->c, names, sizeof names);
-    printf("%s%lu of %lu as %s%s%s", before, (unsigned long)f->common, (unsigned long)(f->common + f->missing + f->extra),
-           names, names[0] ? ": " : "", convention_says(&f->c, text));
+    printf("%s%lu of %lu as %s%s%s", before, (unsigned long)f->common,
+           (unsigned long)(f->common + f->missing + f->extra), names, names[0] ? ": " : "",
+           convention_says(&f->c, text));
     if (v->type.kind == 'f' || v->type.kind == 'i') {
         printf("; set is %s %g", f->below ? "below" : "above", f->level);
     }
@@ -413,9 +421,10 @@ static void print_result(const options *o, const differences *d, const volume *v
     char size[3][32];
     size_t shown;
     printf("grid     %lu x %lu x %lu voxels of %s x %s x %s, %s: %s\n", (unsigned long)exact->n[0],
-           (unsigned long)exact->n[1], (unsigned long)exact->n[2], program_shortest(exact->grid.size[0], 1, size[0]),
-           program_shortest(exact->grid.size[1], 1, size[1]), program_shortest(exact->grid.size[2], 1, size[2]), v->format,
-           convention_says(d->c, text));
+           (unsigned long)exact->n[1], (unsigned long)exact->n[2],
+           program_shortest(exact->grid.size[0], 1, size[0]),
+           program_shortest(exact->grid.size[1], 1, size[1]),
+           program_shortest(exact->grid.size[2], 1, size[2]), v->format, convention_says(d->c, text));
     printf("exact    %lu voxels\n", (unsigned long)voxels_count(exact));
     printf("other    %lu voxels\n", (unsigned long)voxels_count(d->given));
     for (shown = 0; shown < d->count && shown < (size_t)o->show; shown++) {
@@ -453,9 +462,9 @@ static void report_fit(const fit *f) {
     report_string("programs", text);
     printf(", ");
     report_string("as", convention_says(&f->c, text));
-    printf(", \"common\": %lu, \"missing\": %lu, \"extra\": %lu, \"order\": \"%s\", \"%s\": %.17g}", (unsigned long)f->common,
-           (unsigned long)f->missing, (unsigned long)f->extra, f->turned ? "xyz" : "zyx", f->below ? "below" : "above",
-           f->level);
+    printf(", \"common\": %lu, \"missing\": %lu, \"extra\": %lu, \"order\": \"%s\", \"%s\": %.17g}",
+           (unsigned long)f->common, (unsigned long)f->missing, (unsigned long)f->extra,
+           f->turned ? "xyz" : "zyx", f->below ? "below" : "above", f->level);
 }
 
 static void report_difference(const differences *d, const difference *one) {
@@ -464,18 +473,20 @@ static void report_difference(const differences *d, const difference *one) {
     double hi[3];
     difference_box(d->exact, sample, one->at, lo, hi);
     printf("{\"voxel\": [%lu, %lu, %lu], \"missing\": %s, \"kind\": \"%s\", ", (unsigned long)one->at[0],
-           (unsigned long)one->at[1], (unsigned long)one->at[2], one->missing ? "true" : "false", kind_names[one->kind]);
-    printf("\"min\": [%.17g, %.17g, %.17g], \"max\": [%.17g, %.17g, %.17g], ", lo[0], lo[1], lo[2], hi[0], hi[1], hi[2]);
+           (unsigned long)one->at[1], (unsigned long)one->at[2], one->missing ? "true" : "false",
+           kind_names[one->kind]);
+    printf("\"min\": [%.17g, %.17g, %.17g], \"max\": [%.17g, %.17g, %.17g], ", lo[0], lo[1], lo[2], hi[0],
+           hi[1], hi[2]);
     if (one->by.triangle == SIZE_MAX) {
         printf("\"triangle\": null}");
         return;
     }
-    printf("\"voxels\": %.17g, \"exact\": %s, \"triangle\": %lu}", one->voxels, one->by.exact ? "true" : "false",
-           (unsigned long)one->by.triangle);
+    printf("\"voxels\": %.17g, \"exact\": %s, \"triangle\": %lu}", one->voxels,
+           one->by.exact ? "true" : "false", (unsigned long)one->by.triangle);
 }
 
-static void report_result(const options *o, const differences *d, const volume *v, const fit *fits, int fit_count,
-                        size_t around) {
+static void report_result(const options *o, const differences *d, const volume *v, const fit *fits,
+                          int fit_count, size_t around) {
     const tribox_grid *g = &d->exact->grid;
     char text[160];
     size_t i;
@@ -488,12 +499,13 @@ static void report_result(const options *o, const differences *d, const volume *
     report_string("format", v->format);
     printf(", \"n\": [%lu, %lu, %lu], \"origin\": [%.17g, %.17g, %.17g], \"size\": [%.17g, %.17g, %.17g], ",
            (unsigned long)d->exact->n[0], (unsigned long)d->exact->n[1], (unsigned long)d->exact->n[2],
-           g->origin[0] + g->lo[0] * g->size[0], g->origin[1] + g->lo[1] * g->size[1], g->origin[2] + g->lo[2] * g->size[2],
-           g->size[0], g->size[1], g->size[2]);
+           g->origin[0] + g->lo[0] * g->size[0], g->origin[1] + g->lo[1] * g->size[1],
+           g->origin[2] + g->lo[2] * g->size[2], g->size[0], g->size[1], g->size[2]);
     report_string("as", convention_says(d->c, text));
-    printf(", \"exact\": %lu, \"other\": %lu, \"missing\": %lu, \"extra\": %lu, \"around\": %lu, \"kinds\": {",
-           (unsigned long)voxels_count(d->exact), (unsigned long)voxels_count(d->given), (unsigned long)d->missing,
-           (unsigned long)d->extra, (unsigned long)around);
+    printf(
+        ", \"exact\": %lu, \"other\": %lu, \"missing\": %lu, \"extra\": %lu, \"around\": %lu, \"kinds\": {",
+        (unsigned long)voxels_count(d->exact), (unsigned long)voxels_count(d->given),
+        (unsigned long)d->missing, (unsigned long)d->extra, (unsigned long)around);
     for (k = 0; k < KINDS; k++) {
         printf("%s\"%s\": [%lu, %lu]", k ? ", " : "", kind_names[k], (unsigned long)d->kind[1][k],
                (unsigned long)d->kind[0][k]);
@@ -601,7 +613,8 @@ static int compare(options *o, const mesh *m, volume *v, char *error) {
                     }
                     print_result(o, &d, v, around);
                     if (convention_rounds(&file, c.shift)) {
-                        printf("note     the boxes' corners, half a voxel from the file's origin, are rounded\n");
+                        printf("note     the boxes' corners, half a voxel from the file's origin, are "
+                               "rounded\n");
                     }
                 }
                 status = d.missing + d.extra > 0 ? 1 : 0;

@@ -1,9 +1,9 @@
 /* convention.h - what a voxelizer's set means: where its voxel i lies, and when it is set
  *
- * Voxelizers differ in three things. Where: the file's origin is a corner of the first voxel, or the place of the first
- * sample, the voxel's middle. What: a voxel is set where its box touches the mesh, where its sample lies inside, or
- * where the nearest point of some triangle lies in the box. Which faces: what of the border counts. A `convention`
- * names the three; convention_set computes exactly the voxels that it sets.
+ * Voxelizers differ in three things. Where: the file's origin is a corner of the first voxel, or the place of
+ * the first sample, the voxel's middle. What: a voxel is set where its box touches the mesh, where its sample
+ * lies inside, or where the nearest point of some triangle lies in the box. Which faces: what of the border
+ * counts. A `convention` names the three; convention_set computes exactly the voxels that it sets.
  */
 #ifndef EXAMPLES_CONVENTION_H
 #define EXAMPLES_CONVENTION_H
@@ -12,7 +12,8 @@
 
 enum { CONVENTION_TOUCHED, CONVENTION_FILLED, CONVENTION_SAMPLES, CONVENTION_NEAREST, CONVENTION_VERTICES };
 
-/* Of the samples that lie on a face across an axis: those on a solid's lower face are in it, on its upper face, both, none. */
+/* Of the samples that lie on a face across an axis: those on a solid's lower face are in it, on its upper
+   face, both, none. */
 enum { FACE_LOWER, FACE_UPPER, FACE_BOTH, FACE_NONE };
 
 typedef struct convention {
@@ -31,16 +32,26 @@ typedef struct convention {
 
 /* Measured: tests/peers/README.md has versions and meshes. */
 static const convention conventions[] = {
-    {"ours", "tribox.h's voxelize", 0, CONVENTION_TOUCHED, 0, 0, FACES(LOWER, LOWER, LOWER), 0, 0},
-    {"ours-solid", "tribox.h's voxelize --solid", 0, CONVENTION_SAMPLES, 0, 0, FACES(LOWER, LOWER, LOWER), 0, 0},
-    {"open3d-0.16", "Open3D 0.16 VoxelGrid of a mesh", -1, CONVENTION_TOUCHED, 0, 0, FACES(LOWER, LOWER, LOWER), 0, 0},
-    {"vtk-modeller", "VTK 9.1 vtkVoxelModeller", -1, CONVENTION_NEAREST, 0, 0, FACES(LOWER, LOWER, LOWER), 0, 0},
-    {"vtk-stencil", "VTK 9.1 vtkPolyDataToImageStencil", -1, CONVENTION_SAMPLES, 0, 0, FACES(BOTH, BOTH, LOWER), 0, 0},
-    {"vtk-stencil-0", "the same with tolerance 0", -1, CONVENTION_SAMPLES, 0, 0, FACES(UPPER, UPPER, LOWER), 0, 0},
-    {"itk", "ITK 5.2 TriangleMeshToBinaryImageFilter", -1, CONVENTION_SAMPLES, 0, 0, FACES(BOTH, LOWER, LOWER), 0, 0},
-    {"openvdb", "OpenVDB 10.0 meshToLevelSet", -1, CONVENTION_SAMPLES, 0, 0, FACES(BOTH, BOTH, BOTH), 1, 0},
-    {"mrtrix", "MRtrix 3.0 mesh2voxel, shares of volume above 1/2", -1, CONVENTION_SAMPLES, 0, 0, FACES(NONE, NONE, NONE), 0, 0.5},
-    {"binvox", "a binvox file of surface voxels", 0, CONVENTION_TOUCHED, 0, 0, FACES(LOWER, LOWER, LOWER), 0, 0},
+    {"ours", "tribox.h's voxelize", 0, CONVENTION_TOUCHED, 0, 0,
+     FACES(LOWER, LOWER, LOWER), 0, 0},
+    {"ours-solid", "tribox.h's voxelize --solid", 0, CONVENTION_SAMPLES, 0, 0,
+     FACES(LOWER, LOWER, LOWER), 0, 0},
+    {"open3d-0.16", "Open3D 0.16 VoxelGrid of a mesh", -1, CONVENTION_TOUCHED, 0, 0,
+     FACES(LOWER, LOWER, LOWER), 0, 0},
+    {"vtk-modeller", "VTK 9.1 vtkVoxelModeller", -1, CONVENTION_NEAREST, 0, 0,
+     FACES(LOWER, LOWER, LOWER), 0, 0},
+    {"vtk-stencil", "VTK 9.1 vtkPolyDataToImageStencil", -1, CONVENTION_SAMPLES, 0, 0,
+     FACES(BOTH, BOTH, LOWER), 0, 0},
+    {"vtk-stencil-0", "the same with tolerance 0", -1, CONVENTION_SAMPLES, 0, 0,
+     FACES(UPPER, UPPER, LOWER), 0, 0},
+    {"itk", "ITK 5.2 TriangleMeshToBinaryImageFilter", -1, CONVENTION_SAMPLES, 0, 0,
+     FACES(BOTH, LOWER, LOWER), 0, 0},
+    {"openvdb", "OpenVDB 10.0 meshToLevelSet", -1, CONVENTION_SAMPLES, 0, 0,
+     FACES(BOTH, BOTH, BOTH), 1, 0},
+    {"mrtrix", "MRtrix 3.0 mesh2voxel, shares of volume above 1/2", -1, CONVENTION_SAMPLES, 0, 0,
+     FACES(NONE, NONE, NONE), 0, 0.5},
+    {"binvox", "a binvox file of surface voxels", 0, CONVENTION_TOUCHED, 0, 0,
+     FACES(LOWER, LOWER, LOWER), 0, 0},
     {"pcl", "PCL's and OctoMap's voxels of points", 0, CONVENTION_VERTICES, TRIBOX_HALF_OPEN, 0,
      FACES(LOWER, LOWER, LOWER), 0, 0},
 };
@@ -66,16 +77,26 @@ static inline int convention_same(const convention *a, const convention *b) {
 static inline const char *convention_says(const convention *c, char out[160]) {
     static const char *const sides[] = {"lower", "upper", "both", "none"};
     const char *box = c->shift < 0 ? "[i-1/2, i+1/2]" : c->shift > 0 ? "[i+1/2, i+3/2]" : "[i, i+1]";
-    const char *rule = c->flags & TRIBOX_THIN ? "thin" : c->flags & TRIBOX_OPEN ? "open" : c->mirrored ? "upper half-open"
-                     : c->flags & TRIBOX_HALF_OPEN ? "half-open" : "closed";
+    const char *rule = c->flags & TRIBOX_THIN        ? "thin"
+                       : c->flags & TRIBOX_OPEN      ? "open"
+                       : c->mirrored                 ? "upper half-open"
+                       : c->flags & TRIBOX_HALF_OPEN ? "half-open"
+                                                     : "closed";
     switch (c->kind) {
     case CONVENTION_SAMPLES:
-        snprintf(out, 160, "samples at %s inside, faces: x %s, y %s, z %s", c->shift < 0 ? "i" : c->shift > 0 ? "i+1"
-                 : "i+1/2", sides[c->face[0]], sides[c->face[1]], sides[c->face[2]]);
+        snprintf(out, 160, "samples at %s inside, faces: x %s, y %s, z %s",
+                 c->shift < 0   ? "i"
+                 : c->shift > 0 ? "i+1"
+                                : "i+1/2",
+                 sides[c->face[0]], sides[c->face[1]], sides[c->face[2]]);
         break;
-    case CONVENTION_NEAREST: snprintf(out, 160, "boxes %s that hold the nearest point of a triangle", box); break;
+    case CONVENTION_NEAREST:
+        snprintf(out, 160, "boxes %s that hold the nearest point of a triangle", box);
+        break;
     case CONVENTION_VERTICES: snprintf(out, 160, "boxes %s that hold a vertex, %s", box, rule); break;
-    case CONVENTION_FILLED: snprintf(out, 160, "boxes %s touched, %s, and the inside filled", box, rule); break;
+    case CONVENTION_FILLED:
+        snprintf(out, 160, "boxes %s touched, %s, and the inside filled", box, rule);
+        break;
     default: snprintf(out, 160, "boxes %s touched, %s", box, rule); break;
     }
     return out;
@@ -176,8 +197,9 @@ static inline void voxels_mirror(const voxels *from, int mirror, voxels *to) {
     }
 }
 
-/* The touched boxes, or the solid's samples, of space seen in a mirror: [min, max) is (min, max] there, and a sample on
-   a lower face lies on an upper one. The mirror negates numbers, so nothing is rounded. `out` is cleared before. */
+/* The touched boxes, or the solid's samples, of space seen in a mirror: [min, max) is (min, max] there, and a
+   sample on a lower face lies on an upper one. The mirror negates numbers, so nothing is rounded. `out` is
+   cleared before. */
 static inline int convention_mirrored(const mesh *m, int inside, int mirror, voxels *out, char *error) {
     tribox_mesh_f64 view;
     tribox_grid grid = out->grid;
@@ -224,8 +246,8 @@ static inline int convention_plain(const mesh *m, int inside, voxels *out, char 
     return 1;
 }
 
-/* Sets the boxes that hold the nearest point of some triangle to their middle, or, `on_it`, whose middle is such a
-   point. Only a touched box can. */
+/* Sets the boxes that hold the nearest point of some triangle to their middle, or, `on_it`, whose middle is
+   such a point. Only a touched box can. */
 typedef struct nearest_walk {
     const tribox_mesh_f64 *mesh;
     voxels                *out;
@@ -248,7 +270,8 @@ static inline int nearest_holds(const double v[3][3], const tribox_grid *g, int 
     }
     tribox_closest_f64(v[0], v[1], v[2], middle, weight);
     for (a = 0; a < 3; a++) {
-        double away = weight[0] * (v[0][a] - middle[a]) + weight[1] * (v[1][a] - middle[a]) + weight[2] * (v[2][a] - middle[a]);
+        double away = weight[0] * (v[0][a] - middle[a]) + weight[1] * (v[1][a] - middle[a])
+                      + weight[2] * (v[2][a] - middle[a]);
         if (!(fabs(away) <= 0.5 * g->size[a])) {
             return 0;
         }
@@ -263,7 +286,8 @@ static inline void nearest_span(void *user, size_t triangle, int x0, int x1, int
     double v[3][3];
     int i;
     for (i = 0; i < 3; i++) {
-        size_t vertex = w->mesh->indices ? w->mesh->indices[3 * triangle + (size_t)i] : 3 * triangle + (size_t)i;
+        size_t vertex =
+            w->mesh->indices ? w->mesh->indices[3 * triangle + (size_t)i] : 3 * triangle + (size_t)i;
         memcpy(v[i], w->mesh->positions + 3 * vertex, sizeof v[i]);
     }
     for (; x0 <= x1; x0++) {
@@ -290,9 +314,9 @@ static inline int convention_nearest(const mesh *m, int on_it, voxels *out, char
     return 1;
 }
 
-/* Eight sets of samples: each moved a little up or down along each axis, down where the bit of its number is set. A
-   sample that lies on no face is in all of them or in none. And those that lie on the surface: of a corner all eight may
-   miss. */
+/* Eight sets of samples: each moved a little up or down along each axis, down where the bit of its number is
+   set. A sample that lies on no face is in all of them or in none. And those that lie on the surface: of a
+   corner all eight may miss. */
 typedef struct samples {
     voxels set[8];
     voxels surface;
@@ -318,7 +342,8 @@ static inline int samples_needed(const int face[3], int number) {
 }
 
 /* The sets that these faces need; face NULL: all. The others stay empty. */
-static inline int samples_make(samples *s, const mesh *m, const tribox_grid *grid, const int face[3], char *error) {
+static inline int samples_make(samples *s, const mesh *m, const tribox_grid *grid, const int face[3],
+                               char *error) {
     int i;
     memset(s, 0, sizeof *s);
     for (i = 0; i < 8; i++) {
@@ -326,7 +351,8 @@ static inline int samples_make(samples *s, const mesh *m, const tribox_grid *gri
             continue;
         }
         if (!voxels_make(&s->set[i], grid, error)
-            || !(i ? convention_mirrored(m, 1, i, &s->set[i], error) : convention_plain(m, 1, &s->set[i], error))) {
+            || !(i ? convention_mirrored(m, 1, i, &s->set[i], error)
+                   : convention_plain(m, 1, &s->set[i], error))) {
             samples_free(s);
             return 0;
         }
@@ -339,8 +365,8 @@ static inline int samples_make(samples *s, const mesh *m, const tribox_grid *gri
     return 1;
 }
 
-/* One word of the set by these faces: both is one or the other, none is one and the other; both along all axes is the whole
-   surface, none nothing of it. */
+/* One word of the set by these faces: both is one or the other, none is one and the other; both along all
+   axes is the whole surface, none nothing of it. */
 static inline uint64_t samples_word(const samples *s, const int face[3], size_t word) {
     uint64_t w[8];
     int a;
@@ -352,7 +378,10 @@ static inline uint64_t samples_word(const samples *s, const int face[3], size_t 
         for (i = 0; i < 1 << a; i++) {
             uint64_t low = w[i];
             uint64_t high = w[i | 1 << a];
-            w[i] = face[a] == FACE_LOWER ? low : face[a] == FACE_UPPER ? high : face[a] == FACE_BOTH ? low | high : low & high;
+            w[i] = face[a] == FACE_LOWER   ? low
+                   : face[a] == FACE_UPPER ? high
+                   : face[a] == FACE_BOTH  ? low | high
+                                           : low & high;
         }
     }
     if (face[0] == face[1] && face[1] == face[2] && face[0] >= FACE_BOTH) {
@@ -373,8 +402,10 @@ static inline int convention_vertices(const mesh *m, voxels *out, char *error) {
     return ok;
 }
 
-/* The voxels that the convention sets in the file's grid. Returns 1, or 0 with a sentence in `error`; out is to be freed. */
-static inline int convention_set(const mesh *m, const tribox_grid *file, const convention *c, voxels *out, char *error) {
+/* The voxels that the convention sets in the file's grid. Returns 1, or 0 with a sentence in `error`; out is
+   to be freed. */
+static inline int convention_set(const mesh *m, const tribox_grid *file, const convention *c, voxels *out,
+                                 char *error) {
     tribox_grid grid = convention_grid(file, c->shift);
     samples s;
     size_t inside;

@@ -1,8 +1,9 @@
 /* decide.h - which triangle decides whether a box is touched, and how far it is from touching
  *
- * Triangles are listed in coarse cells. For a box that is touched the one that reaches deepest decides; for one that is
- * not, the one that is nearest. The measure is tribox_gap's: above 0 the two are apart by at least that, below 0 no
- * shorter move parts them; 0 is exact touching. Where corners or faces are no floats, the same is computed in double.
+ * Triangles are listed in coarse cells. For a box that is touched the one that reaches deepest decides; for
+ * one that is not, the one that is nearest. The measure is tribox_gap's: above 0 the two are apart by at
+ * least that, below 0 no shorter move parts them; 0 is exact touching. Where corners or faces are no floats,
+ * the same is computed in double.
  */
 #ifndef EXAMPLES_DECIDE_H
 #define EXAMPLES_DECIDE_H
@@ -97,7 +98,8 @@ static inline int decide_floats(const double *x, size_t count, float *out) {
     return 1;
 }
 
-/* tribox_gap in double, rounded: the largest, over 13 axes and their opposites, of the box's least less the triangle's most. */
+/* tribox_gap in double, rounded: the largest, over 13 axes and their opposites, of the box's least less the
+   triangle's most. */
 static inline double decide_gap_rounded(const double v[3][3], const double lo[3], const double hi[3]) {
     double edge[3][3];
     double best = -HUGE_VAL;
@@ -170,7 +172,8 @@ static inline double decide_distance(const double v[3][3], const double q[3]) {
     }
     tribox_closest_f64(v[0], v[1], v[2], q, weight);
     for (a = 0; a < 3; a++) {
-        double away = weight[0] * (v[0][a] - q[a]) + weight[1] * (v[1][a] - q[a]) + weight[2] * (v[2][a] - q[a]);
+        double away =
+            weight[0] * (v[0][a] - q[a]) + weight[1] * (v[1][a] - q[a]) + weight[2] * (v[2][a] - q[a]);
         sum += away * away;
     }
     return sqrt(sum);
@@ -192,8 +195,8 @@ static inline int decide_is_far(const double v[3][3], const double lo[3], const 
 }
 
 /* Takes the triangles of the cells within `reach` of the box. Returns 1 if that were all cells. */
-static inline int decide_within(const decider *d, const double lo[3], const double hi[3], double reach, int sample,
-                                decision *best) {
+static inline int decide_within(const decider *d, const double lo[3], const double hi[3], double reach,
+                                int sample, decision *best) {
     const tribox_grid *g = &d->cells;
     int first[3];
     int last[3];
@@ -239,9 +242,11 @@ static inline int decide_within(const decider *d, const double lo[3], const doub
     return all;
 }
 
-/* The triangle that decides about a box, or with `sample` about the point lo. `near_only` looks no farther than a cell
-   away: it may find none (SIZE_MAX, infinitely far), or one that is not the nearest, but never misses one that touches. */
-static inline decision decide(const decider *d, const double lo[3], const double hi[3], int sample, int near_only) {
+/* The triangle that decides about a box, or with `sample` about the point lo. `near_only` looks no farther
+   than a cell away: it may find none (SIZE_MAX, infinitely far), or one that is not the nearest, but never
+   misses one that touches. */
+static inline decision decide(const decider *d, const double lo[3], const double hi[3], int sample,
+                              int near_only) {
     decision best;
     double reach = 0;
     memset(&best, 0, sizeof best);

@@ -13,9 +13,20 @@
 #define EXAMPLES_DIFFERENCE_H
 #include "decide.h"
 
-enum { KIND_TOUCHING, KIND_PLANES, KIND_ROUNDING, KIND_SHIFTED, KIND_LOST, KIND_STREAK, KIND_OTHER, KIND_UNSEEN, KINDS };
+enum {
+    KIND_TOUCHING,
+    KIND_PLANES,
+    KIND_ROUNDING,
+    KIND_SHIFTED,
+    KIND_LOST,
+    KIND_STREAK,
+    KIND_OTHER,
+    KIND_UNSEEN,
+    KINDS
+};
 
-static const char *const kind_names[KINDS] = {"touching", "planes", "rounding", "shifted", "lost", "streak", "other", "unseen"};
+static const char *const kind_names[KINDS] = {"touching", "planes", "rounding", "shifted",
+                                              "lost",     "streak", "other",    "unseen"};
 
 typedef struct difference {
     size_t   at[3];
@@ -56,7 +67,8 @@ static inline size_t voxels_differ(const voxels *a, const voxels *b) {
 
 /* ---- 1. Shifts of the whole ------------------------------------------------------------------------ */
 
-/* Looks at the 26 moves of the grid by half voxels. Kept is the best if it leaves a tenth of the differences. */
+/* Looks at the 26 moves of the grid by half voxels. Kept is the best if it leaves a tenth of the
+   differences. */
 static inline int differences_find_shift(differences *d, const tribox_grid *file, char *error) {
     size_t best = (d->missing + d->extra) / 10;
     int move;
@@ -91,7 +103,8 @@ static inline int differences_find_shift(differences *d, const tribox_grid *file
 
 /* ---- 2. Lost triangles ------------------------------------------------------------------------------ */
 
-/* How many triangles touch each voxel, up to 2; then, of each triangle, how many voxels are its alone, and in the file. */
+/* How many triangles touch each voxel, up to 2; then, of each triangle, how many voxels are its alone, and in
+   the file. */
 typedef struct lost_walk {
     const differences *d;
     unsigned char     *touched;
@@ -101,7 +114,8 @@ typedef struct lost_walk {
 
 static inline size_t lost_at(const lost_walk *w, int x, int y, int z) {
     const voxels *v = w->d->exact;
-    return ((size_t)(z - v->grid.lo[2]) * v->n[1] + (size_t)(y - v->grid.lo[1])) * v->n[0] + (size_t)(x - v->grid.lo[0]);
+    return ((size_t)(z - v->grid.lo[2]) * v->n[1] + (size_t)(y - v->grid.lo[1])) * v->n[0]
+           + (size_t)(x - v->grid.lo[0]);
 }
 
 static inline void lost_count_span(void *user, size_t triangle, int x0, int x1, int y, int z) {
@@ -119,8 +133,8 @@ static inline void lost_own_span(void *user, size_t triangle, int x0, int x1, in
     for (; x0 <= x1; x0++) {
         if (w->touched[lost_at(w, x0, y, z)] == 1) {
             w->own[triangle] += 1;
-            w->kept[triangle] += (uint32_t)voxels_get(w->d->given, (size_t)(x0 - g->lo[0]), (size_t)(y - g->lo[1]),
-                                                      (size_t)(z - g->lo[2]));
+            w->kept[triangle] += (uint32_t)voxels_get(w->d->given, (size_t)(x0 - g->lo[0]),
+                                                      (size_t)(y - g->lo[1]), (size_t)(z - g->lo[2]));
         }
     }
 }
@@ -161,7 +175,8 @@ static inline int differences_find_lost(differences *d, const tribox_mesh_f64 *v
 /* ---- 3. Kinds --------------------------------------------------------------------------------------- */
 
 static inline int differences_at(const differences *d, size_t x, size_t y, size_t z, int missing) {
-    return voxels_get(d->exact, x, y, z) != voxels_get(d->given, x, y, z) && voxels_get(d->exact, x, y, z) == missing;
+    return voxels_get(d->exact, x, y, z) != voxels_get(d->given, x, y, z)
+           && voxels_get(d->exact, x, y, z) == missing;
 }
 
 /* How many differences of this sign follow each other along an axis, through this one. */
@@ -171,7 +186,8 @@ static inline size_t differences_run(const differences *d, const difference *one
     int side;
     for (side = -1; side <= 1; side += 2) {
         memcpy(at, one->at, sizeof at);
-        for (at[axis] += (size_t)side; differences_at(d, at[0], at[1], at[2], one->missing); at[axis] += (size_t)side) {
+        for (at[axis] += (size_t)side; differences_at(d, at[0], at[1], at[2], one->missing);
+             at[axis] += (size_t)side) {
             run += 1;
         }
     }
@@ -222,7 +238,8 @@ static inline int difference_kind(const differences *d, const difference *one) {
 }
 
 /* The corners of a voxel, rounded; of samples both are the sample. */
-static inline void difference_box(const voxels *v, int sample, const size_t at[3], double lo[3], double hi[3]) {
+static inline void difference_box(const voxels *v, int sample, const size_t at[3], double lo[3],
+                                  double hi[3]) {
     int a;
     for (a = 0; a < 3; a++) {
         double i = (double)v->grid.lo[a] + (double)at[a];
@@ -231,7 +248,8 @@ static inline void difference_box(const voxels *v, int sample, const size_t at[3
     }
 }
 
-static inline void differences_take(differences *d, const decider *triangles, const size_t at[3], int missing) {
+static inline void differences_take(differences *d, const decider *triangles, const size_t at[3],
+                                    int missing) {
     int sample = d->c->kind == CONVENTION_SAMPLES;
     const double *size = d->exact->grid.size;
     difference one;
@@ -278,10 +296,11 @@ static inline void differences_free(differences *d) {
     free(d->list);
 }
 
-/* Compares; `file` is the file's grid, from which the convention shifts; `shown` differences will be shown. Returns 1, or 0 with a sentence in `error`; then
-   there is nothing to free. */
-static inline int differences_find(differences *d, const mesh *m, const convention *c, const tribox_grid *file,
-                                   const voxels *exact, const voxels *given, size_t shown, char *error) {
+/* Compares; `file` is the file's grid, from which the convention shifts; `shown` differences will be shown.
+   Returns 1, or 0 with a sentence in `error`; then there is nothing to free. */
+static inline int differences_find(differences *d, const mesh *m, const convention *c,
+                                   const tribox_grid *file, const voxels *exact, const voxels *given,
+                                   size_t shown, char *error) {
     mesh points;
     decider triangles;
     size_t i;
@@ -310,8 +329,10 @@ static inline int differences_find(differences *d, const mesh *m, const conventi
         return 0;
     }
     i = d->missing + d->extra;
-    d->list = (difference *)malloc((i < DIFFERENCES_LISTED ? i : DIFFERENCES_LISTED) * sizeof *d->list);
-    ok = d->list && differences_find_shift(d, file, error) && differences_find_lost(d, &triangles.mesh, error);
+    d->list = (difference *)malloc((i < (size_t)DIFFERENCES_LISTED ? i : (size_t)DIFFERENCES_LISTED)
+                                   * sizeof *d->list);
+    ok =
+        d->list && differences_find_shift(d, file, error) && differences_find_lost(d, &triangles.mesh, error);
     if (ok) {
         differences_walk(d, &triangles);
     } else {

@@ -1,8 +1,9 @@
-/* guess.h - which convention fits a file best: all of them are tried, and the number of different voxels tells
+/* guess.h - which convention fits a file best: all of them are tried, and the number of different voxels
+ * tells
  *
- * Boxes and samples, moved by no and by half a voxel, all touching rules, all 64 ways to take the faces of a solid, and
- * where the format leaves it open, which index is x and which numbers mean "set". Conventions that set the same
- * voxels for this mesh cannot be told apart: they share a place.
+ * Boxes and samples, moved by no and by half a voxel, all touching rules, all 64 ways to take the faces of a
+ * solid, and where the format leaves it open, which index is x and which numbers mean "set". Conventions that
+ * set the same voxels for this mesh cannot be told apart: they share a place.
  */
 #ifndef EXAMPLES_GUESS_H
 #define EXAMPLES_GUESS_H

@@ -1,7 +1,7 @@
 /* inflate.h - undoes the compression of zlib, gzip and bare deflate streams (RFC 1950, 1952, 1951)
  *
- * Volumes come compressed: VTK's .vti by default, .nrrd with "encoding: gzip", .mha with "CompressedData = True".
- * A damaged stream gives 0 and never more output than there is room for. Checksums are not compared.
+ * Volumes come compressed: VTK's .vti by default, .nrrd with "encoding: gzip", .mha with "CompressedData =
+ * True". A damaged stream gives 0 and never more output than there is room for. Checksums are not compared.
  */
 #ifndef EXAMPLES_INFLATE_H
 #define EXAMPLES_INFLATE_H
@@ -102,8 +102,9 @@ static inline void inflate_repeat(inflate *s, size_t length, size_t back) {
 static inline void inflate_block(inflate *s, const inflate_code *literals, const inflate_code *distances) {
     static const uint16_t length_base[29] = {3,  4,  5,  6,  7,  8,  9,  10, 11,  13,  15,  17,  19,  23, 27,
                                              31, 35, 43, 51, 59, 67, 83, 99, 115, 131, 163, 195, 227, 258};
-    static const uint16_t back_base[30] = {1,   2,   3,   4,   5,   7,    9,    13,   17,   25,   33,   49,   65,    97,    129,
-                                           193, 257, 385, 513, 769, 1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289, 16385, 24577};
+    static const uint16_t back_base[30] = {1,    2,    3,    4,    5,    7,    9,    13,    17,    25,
+                                           33,   49,   65,   97,   129,  193,  257,  385,   513,   769,
+                                           1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289, 16385, 24577};
     while (!s->bad) {
         int symbol = inflate_symbol(s, literals);
         size_t length;

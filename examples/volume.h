@@ -1,11 +1,12 @@
-/* volume.h - arrays of numbers in space, as other programs write them: .npy, .nrrd, .mha, .vti, .vox, .binvox, bits
+/* volume.h - arrays of numbers in space, as other programs write them: .npy, .nrrd, .mha, .vti, .vox,
+ * .binvox, bits
  *
  *   volume v;
  *   if (!volume_read(&v, "out.vti", NULL, error)) { ... }
  *   volume_set(&v, VOLUME_ABOVE, 0, &voxels, error);      the voxels with a number above 0
  *
- * The format is told by the name's ending. A file that cannot be read gives one sentence; no size that it claims
- * is believed before the bytes are seen to be there.
+ * The format is told by the name's ending. A file that cannot be read gives one sentence; no size that it
+ * claims is believed before the bytes are seen to be there.
  */
 #ifndef EXAMPLES_VOLUME_H
 #define EXAMPLES_VOLUME_H
@@ -188,7 +189,8 @@ static inline int volume_check_sides(const volume_file *f, const size_t n[3]) {
     return (double)n[0] * (double)n[1] * (double)n[2] < 1e15 ? 1 : volume_fail(f, "too many voxels");
 }
 
-/* Takes the numbers from the bytes data[at..]: as they are, or compressed. Nothing is read past the file's end. */
+/* Takes the numbers from the bytes data[at..]: as they are, or compressed. Nothing is read past the file's
+   end. */
 static inline int volume_take(volume *v, const volume_file *f, size_t at, int compressed) {
     size_t bytes = volume_size(v->type, volume_count(v));
     size_t left = at <= f->size ? f->size - at : 0;
@@ -247,7 +249,8 @@ static inline int volume_open_beside(const volume_file *header, const char *name
         return volume_fail(header, "the numbers' own file must lie beside the header");
     }
     used = snprintf(path, sizeof path, "%.*s%s", folder, header->path, name);
-    out->data = used > 0 && (size_t)used < sizeof path ? mesh_load_bytes(path, &out->size, header->error) : NULL;
+    out->data =
+        used > 0 && (size_t)used < sizeof path ? mesh_load_bytes(path, &out->size, header->error) : NULL;
     return out->data != NULL;
 }
 
@@ -283,7 +286,8 @@ static inline int npy_read(volume *v, const volume_file *f) {
     type = strstr(header, "'descr': '");
     order = strstr(header, "'fortran_order': ");
     shape = strstr(header, "'shape': (");
-    if (!type || !order || !shape || sscanf(shape + 10, "%lu, %lu, %lu)", &side[0], &side[1], &side[2]) != 3) {
+    if (!type || !order || !shape
+        || sscanf(shape + 10, "%lu, %lu, %lu)", &side[0], &side[1], &side[2]) != 3) {
         return volume_fail(f, "an array of three dimensions expected");
     }
     if (!npy_type(type + 10, v)) {
@@ -322,7 +326,8 @@ static inline int raw_read(volume *v, const volume_file *f) {
             v->stride[1] = row;
             v->stride[2] = row * v->n[1];
         } else if (f->size != (count + 7) / 8) {
-            return volume_fail(f, "neither a byte nor a bit for each voxel of --dims, nor rows of 64-bit words");
+            return volume_fail(f,
+                               "neither a byte nor a bit for each voxel of --dims, nor rows of 64-bit words");
         }
     }
     v->bytes = (unsigned char *)malloc(f->size + 1);
@@ -335,7 +340,8 @@ static inline int raw_read(volume *v, const volume_file *f) {
 
 /* ---- 5. MagicaVoxel ---------------------------------------------------------------------------------- */
 
-/* Where a model stands: the translation of the last transform node before its shape, in a scene that only moves. */
+/* Where a model stands: the translation of the last transform node before its shape, in a scene that only
+   moves. */
 typedef struct vox_scan {
     const volume_file *f;
     upright            turn;
@@ -408,7 +414,8 @@ static inline int vox_walk(vox_scan *s) {
     return s->models > 0 ? 1 : volume_fail(s->f, "no model in the file");
 }
 
-/* The translation "_t" of the transform node that holds the shape of model `number`; 0,0,0 without a scene. */
+/* The translation "_t" of the transform node that holds the shape of model `number`; 0,0,0 without a
+   scene. */
 static inline int vox_model_at(const vox_scan *s, int number, int place[3]) {
     const unsigned char *d = s->f->data;
     int last[3] = {0, 0, 0};
@@ -428,7 +435,8 @@ static inline int vox_model_at(const vox_scan *s, int number, int place[3]) {
                 }
             }
         }
-        if (memcmp(d + at, "nSHP", 4) == 0 && end - at >= 32 && mesh_u32(d + at + 24, 0) == (uint32_t)number) {
+        if (memcmp(d + at, "nSHP", 4) == 0 && end - at >= 32
+            && mesh_u32(d + at + 24, 0) == (uint32_t)number) {
             memcpy(place, last, sizeof last);
             return 1;
         }
@@ -493,9 +501,10 @@ static inline int volume_read_binvox(volume *v, const char *path, char *error) {
     return 1;
 }
 
-/* A file's bytes, which end with two zero bytes that `size` does not count; `path` names the format, and errors. */
-static inline int volume_read_memory(volume *v, const char *path, unsigned char *data, size_t size, const size_t dims[3],
-                                     char up, char *error) {
+/* A file's bytes, which end with two zero bytes that `size` does not count; `path` names the format, and
+   errors. */
+static inline int volume_read_memory(volume *v, const char *path, unsigned char *data, size_t size,
+                                     const size_t dims[3], char up, char *error) {
     volume_file f;
     int ok;
     memset(v, 0, sizeof *v);
@@ -517,7 +526,8 @@ static inline int volume_read_memory(volume *v, const char *path, unsigned char 
     } else if (mesh_name_ends(path, ".vox")) {
         ok = vox_read(v, &f, up);
     } else {
-        ok = volume_fail(&f, "should end in .binvox, .vox, .npy, .nrrd, .vti or .mha; other files need --dims");
+        ok = volume_fail(&f,
+                         "should end in .binvox, .vox, .npy, .nrrd, .vti or .mha; other files need --dims");
     }
     if (!ok) {
         volume_free(v);

@@ -10,21 +10,57 @@ static inline int volume_type_named(const char *name, volume_type *out) {
         const char *name;
         volume_type type;
     } names[] = {
-        {"signed char", {'i', 1}}, {"int8", {'i', 1}}, {"int8_t", {'i', 1}}, {"MET_CHAR", {'i', 1}}, {"Int8", {'i', 1}},
-        {"uchar", {'u', 1}}, {"unsigned char", {'u', 1}}, {"uint8", {'u', 1}}, {"uint8_t", {'u', 1}},
-        {"MET_UCHAR", {'u', 1}}, {"UInt8", {'u', 1}},
-        {"short", {'i', 2}}, {"int16", {'i', 2}}, {"int16_t", {'i', 2}}, {"MET_SHORT", {'i', 2}}, {"Int16", {'i', 2}},
-        {"ushort", {'u', 2}}, {"unsigned short", {'u', 2}}, {"uint16", {'u', 2}}, {"uint16_t", {'u', 2}},
-        {"MET_USHORT", {'u', 2}}, {"UInt16", {'u', 2}},
-        {"int", {'i', 4}}, {"int32", {'i', 4}}, {"int32_t", {'i', 4}}, {"MET_INT", {'i', 4}}, {"Int32", {'i', 4}},
-        {"uint", {'u', 4}}, {"unsigned int", {'u', 4}}, {"uint32", {'u', 4}}, {"uint32_t", {'u', 4}},
-        {"MET_UINT", {'u', 4}}, {"UInt32", {'u', 4}},
-        {"longlong", {'i', 8}}, {"long long", {'i', 8}}, {"int64", {'i', 8}}, {"int64_t", {'i', 8}},
-        {"MET_LONG_LONG", {'i', 8}}, {"Int64", {'i', 8}},
-        {"ulonglong", {'u', 8}}, {"unsigned long long", {'u', 8}}, {"uint64", {'u', 8}}, {"uint64_t", {'u', 8}},
-        {"MET_ULONG_LONG", {'u', 8}}, {"UInt64", {'u', 8}},
-        {"float", {'f', 4}}, {"MET_FLOAT", {'f', 4}}, {"Float32", {'f', 4}},
-        {"double", {'f', 8}}, {"MET_DOUBLE", {'f', 8}}, {"Float64", {'f', 8}},
+        {"signed char", {'i', 1}},
+        {"int8", {'i', 1}},
+        {"int8_t", {'i', 1}},
+        {"MET_CHAR", {'i', 1}},
+        {"Int8", {'i', 1}},
+        {"uchar", {'u', 1}},
+        {"unsigned char", {'u', 1}},
+        {"uint8", {'u', 1}},
+        {"uint8_t", {'u', 1}},
+        {"MET_UCHAR", {'u', 1}},
+        {"UInt8", {'u', 1}},
+        {"short", {'i', 2}},
+        {"int16", {'i', 2}},
+        {"int16_t", {'i', 2}},
+        {"MET_SHORT", {'i', 2}},
+        {"Int16", {'i', 2}},
+        {"ushort", {'u', 2}},
+        {"unsigned short", {'u', 2}},
+        {"uint16", {'u', 2}},
+        {"uint16_t", {'u', 2}},
+        {"MET_USHORT", {'u', 2}},
+        {"UInt16", {'u', 2}},
+        {"int", {'i', 4}},
+        {"int32", {'i', 4}},
+        {"int32_t", {'i', 4}},
+        {"MET_INT", {'i', 4}},
+        {"Int32", {'i', 4}},
+        {"uint", {'u', 4}},
+        {"unsigned int", {'u', 4}},
+        {"uint32", {'u', 4}},
+        {"uint32_t", {'u', 4}},
+        {"MET_UINT", {'u', 4}},
+        {"UInt32", {'u', 4}},
+        {"longlong", {'i', 8}},
+        {"long long", {'i', 8}},
+        {"int64", {'i', 8}},
+        {"int64_t", {'i', 8}},
+        {"MET_LONG_LONG", {'i', 8}},
+        {"Int64", {'i', 8}},
+        {"ulonglong", {'u', 8}},
+        {"unsigned long long", {'u', 8}},
+        {"uint64", {'u', 8}},
+        {"uint64_t", {'u', 8}},
+        {"MET_ULONG_LONG", {'u', 8}},
+        {"UInt64", {'u', 8}},
+        {"float", {'f', 4}},
+        {"MET_FLOAT", {'f', 4}},
+        {"Float32", {'f', 4}},
+        {"double", {'f', 8}},
+        {"MET_DOUBLE", {'f', 8}},
+        {"Float64", {'f', 8}},
         {"Bit", {'m', 0}},
     };
     size_t i;
@@ -37,8 +73,8 @@ static inline int volume_type_named(const char *name, volume_type *out) {
     return 0;
 }
 
-/* A line of a header into `line`, cut to its room, without blanks at its end. Returns where the next begins, 0 at the
-   file's end. */
+/* A line of a header into `line`, cut to its room, without blanks at its end. Returns where the next begins,
+   0 at the file's end. */
 static inline size_t volume_line(const volume_file *f, size_t at, char *line, size_t room) {
     size_t used = 0;
     if (at >= f->size) {
@@ -167,9 +203,12 @@ static inline int nrrd_line(volume *v, const volume_file *f, const char *line, v
     } else if ((text = volume_field(line, "endian", ':')) != NULL) {
         v->big_endian = strcmp(text, "big") == 0;
     } else if ((text = volume_field(line, "encoding", ':')) != NULL) {
-        snprintf(h->encoding, sizeof h->encoding, "%s", strcmp(text, "gz") == 0 ? "gzip" : strcmp(text, "txt") == 0
-                 || strcmp(text, "ascii") == 0 ? "text" : text);
-        if (strcmp(h->encoding, "raw") != 0 && strcmp(h->encoding, "gzip") != 0 && strcmp(h->encoding, "text") != 0) {
+        snprintf(h->encoding, sizeof h->encoding, "%s",
+                 strcmp(text, "gz") == 0                                  ? "gzip"
+                 : strcmp(text, "txt") == 0 || strcmp(text, "ascii") == 0 ? "text"
+                                                                          : text);
+        if (strcmp(h->encoding, "raw") != 0 && strcmp(h->encoding, "gzip") != 0
+            && strcmp(h->encoding, "text") != 0) {
             return volume_fail(f, "of the encodings raw, gzip and text are read");
         }
     } else if ((text = volume_field(line, "space directions", ':')) != NULL) {
@@ -180,7 +219,9 @@ static inline int nrrd_line(volume *v, const volume_file *f, const char *line, v
         return volume_numbers(text, v->size, 3) == 3 ? 1 : volume_fail(f, "three spacings expected");
     } else if ((text = volume_field(line, "space origin", ':')) != NULL
                || (text = volume_field(line, "axis mins", ':')) != NULL) {
-        return volume_numbers(text, v->origin, 3) == 3 ? 1 : volume_fail(f, "three coordinates of the origin expected");
+        return volume_numbers(text, v->origin, 3) == 3
+                   ? 1
+                   : volume_fail(f, "three coordinates of the origin expected");
     } else if ((text = volume_field(line, "centerings", ':')) != NULL
                || (text = volume_field(line, "centers", ':')) != NULL) {
         h->cells = strncmp(text, "cell", 4) == 0;
@@ -193,8 +234,8 @@ static inline int nrrd_line(volume *v, const volume_file *f, const char *line, v
     return 1;
 }
 
-/* The origin is the middle of the first sample. Where the header says that samples are cells, it is given as the corner
-   of the first. */
+/* The origin is the middle of the first sample. Where the header says that samples are cells, it is given as
+   the corner of the first. */
 static inline int nrrd_read(volume *v, const volume_file *f) {
     volume_header h;
     char line[1024] = "";
@@ -204,7 +245,8 @@ static inline int nrrd_read(volume *v, const volume_file *f) {
     if (strncmp(line, "NRRD000", 7) != 0) {
         return volume_fail(f, "a .nrrd file begins with NRRD000");
     }
-    for (at = volume_line(f, at, line, sizeof line); at && line[0]; at = volume_line(f, at, line, sizeof line)) {
+    for (at = volume_line(f, at, line, sizeof line); at && line[0];
+         at = volume_line(f, at, line, sizeof line)) {
         if (line[0] != '#' && !nrrd_line(v, f, line, &h)) {
             return 0;
         }
@@ -232,9 +274,12 @@ static inline int mha_line(volume *v, const volume_file *f, const char *line, vo
                || (text = volume_field(line, "ElementSize", '=')) != NULL) {
         v->placed = VOLUME_SAMPLE;
         return volume_numbers(text, v->size, 3) == 3 ? 1 : volume_fail(f, "three spacings expected");
-    } else if ((text = volume_field(line, "Offset", '=')) != NULL || (text = volume_field(line, "Position", '=')) != NULL
+    } else if ((text = volume_field(line, "Offset", '=')) != NULL
+               || (text = volume_field(line, "Position", '=')) != NULL
                || (text = volume_field(line, "Origin", '=')) != NULL) {
-        return volume_numbers(text, v->origin, 3) == 3 ? 1 : volume_fail(f, "three coordinates of the origin expected");
+        return volume_numbers(text, v->origin, 3) == 3
+                   ? 1
+                   : volume_fail(f, "three coordinates of the origin expected");
     } else if ((text = volume_field(line, "TransformMatrix", '=')) != NULL
                || (text = volume_field(line, "Rotation", '=')) != NULL) {
         return volume_directions(v, f, text, 0);
@@ -286,7 +331,8 @@ static inline int mha_read(volume *v, const volume_file *f) {
 
 /* ---- 7. VTK XML image data ------------------------------------------------------------------------- */
 
-/* The value of an attribute of the tag at `tag`, into out. Returns 1, or 0 if the tag has none of that name. */
+/* The value of an attribute of the tag at `tag`, into out. Returns 1, or 0 if the tag has none of that
+   name. */
 static inline int vti_attribute(const char *tag, const char *name, char *out, size_t room) {
     size_t length = strlen(name);
     size_t used = 0;
@@ -366,7 +412,8 @@ static inline uint64_t vti_length(const vti_array *a, const unsigned char *p) {
     return value < 1e15 ? (uint64_t)value : (uint64_t)1 << 50;
 }
 
-/* Blocks that are compressed each for itself: how many, their size, the last one's, then their compressed sizes. */
+/* Blocks that are compressed each for itself: how many, their size, the last one's, then their compressed
+   sizes. */
 static inline int vti_blocks(vti_array *a, unsigned char *out, size_t bytes) {
     unsigned char head[24];
     size_t word = (size_t)a->word;

@@ -7,10 +7,10 @@
  *   voxel_test t = voxel_test_run(&grid, &mesh, set, &my_voxels, stderr);
  *   assert(t.missing == 0 && t.extra == 0);
  *
- * Every voxel of the grid is asked once and compared with the exact set. The first differences are printed, each with a
- * triangle that touches the voxel: for a missing one it proves the fault, for an extra one there is none. Where your
- * voxels are [i-1/2, i+1/2], as samples often are, move grid.origin by half a voxel. `solid` instead compares samples at the
- * voxels' middles with the inside.
+ * Every voxel of the grid is asked once and compared with the exact set. The first differences are printed,
+ * each with a triangle that touches the voxel: for a missing one it proves the fault, for an extra one there
+ * is none. Where your voxels are [i-1/2, i+1/2], as samples often are, move grid.origin by half a voxel.
+ * voxel_test_solid compares samples at the voxels' middles with the inside.
  */
 #ifndef VOXEL_TEST_H
 #define VOXEL_TEST_H
@@ -28,7 +28,8 @@ typedef struct voxel_test {
     int    valid;               /* 0: the grid is empty or out of memory; nothing was compared */
 } voxel_test;
 
-static inline void voxel_test_show(const tribox_grid *grid, const tribox_mesh *mesh, int missing, int x, int y, int z, FILE *say) {
+static inline void voxel_test_show(const tribox_grid *grid, const tribox_mesh *mesh, int missing, int x,
+                                   int y, int z, FILE *say) {
     tribox_grid one = *grid;
     size_t stride = mesh->stride ? mesh->stride : 3 * sizeof(float);
     size_t t;
@@ -40,7 +41,10 @@ static inline void voxel_test_show(const tribox_grid *grid, const tribox_mesh *m
         const float *v[3];
         size_t i;
         for (i = 0; i < 3; i++) {
-            v[i] = (const float *)(const void *)(base + stride * (mesh->indices ? mesh->indices[3 * t + i] : 3 * t + i));
+            v[i] =
+                (const float *)(const void *)(base
+                                              + stride
+                                                    * (mesh->indices ? mesh->indices[3 * t + i] : 3 * t + i));
         }
         if (tribox_grid_spans(&one, v[0], v[1], v[2], NULL, NULL)) {
             fprintf(say, ": triangle %lu touches it", (unsigned long)t);
@@ -52,7 +56,8 @@ static inline void voxel_test_show(const tribox_grid *grid, const tribox_mesh *m
 
 /* Fills `bits` exactly and asks for every voxel; `say` NULL prints nothing. */
 static inline voxel_test voxel_test_compare(const tribox_grid *grid, const tribox_mesh *mesh, int solid,
-                                            int (*set)(void *user, int x, int y, int z), void *user, FILE *say) {
+                                            int (*set)(void *user, int x, int y, int z), void *user,
+                                            FILE *say) {
     voxel_test result = {0, 0, 0, 0};
     size_t words = tribox_grid_words(grid);
     uint64_t *bits = words ? (uint64_t *)calloc(words, sizeof *bits) : NULL;
@@ -90,7 +95,8 @@ static inline voxel_test voxel_test_run(const tribox_grid *grid, const tribox_me
 }
 
 static inline voxel_test voxel_test_solid(const tribox_grid *grid, const tribox_mesh *mesh,
-                                          int (*set)(void *user, int x, int y, int z), void *user, FILE *say) {
+                                          int (*set)(void *user, int x, int y, int z), void *user,
+                                          FILE *say) {
     return voxel_test_compare(grid, mesh, 1, set, user, say);
 }
 
