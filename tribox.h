@@ -4029,56 +4029,80 @@ typedef struct tbx_small {
     uint64_t missed; /* voxels, bit x + 4 y + 16 z */
 } tbx_small;
 
-/* An edge with E = e at the first inner point, d, and the area's sign. free: the bits of all voxels of index 0 on b and c. */
-TBX_FN void tbx_small_edge(tbx_small *m, double e, double d_b, double d_c, int negative, uint64_t free, int b,
-                           int c)
+/* How far the cell that an edge misses is from the point, in bits: d, of the area's sign. */
+TBX_FN int tbx_small_cell(double d_b, double d_c, int up_b, int up_c)
 {
-    const int up_b = 2 * b;
-    const int up_c = 2 * c;
-    const int more_b = m->more[b];
-    const int more_c = m->more[c];
-    double sign = negative ? -1.0 : 1.0;
-    int i;
-    int j;
-    e *= sign;
-    d_b *= sign;
-    d_c *= sign;
-    free <<= (d_c > 0.0 ? 1 << up_b : 0) + (d_b < 0.0 ? 1 << up_c : 0);
-    for (j = 0; j < more_c; j++) {
-        double at = e;
-        uint64_t cell = free;
-        for (i = 0; i < more_b; i++) {
-            const double size = tbx_abs(at);
-            m->least = size < m->least ? size : m->least;
-            m->missed |= at < 0.0 ? cell : 0;
-            at -= d_c;
-            cell <<= 1 << up_b;
-        }
-        e += d_b;
-        free <<= 1 << up_c;
-    }
+    return (d_c > 0.0 ? 1 << up_b : 0) + (d_b < 0.0 ? 1 << up_c : 0);
 }
 
-/* The edges in the plane of b and c. Returns twice the area there. */
+/* The edges in the plane of b and c. Returns twice the area there. free: the bits of all voxels of index 0 on b
+ * and c. */
 TBX_FN double tbx_small_edges(tbx_small *m, int b, int c, uint64_t free)
 {
     const double *v0 = m->v[0];
     const double *v1 = m->v[1];
     const double *v2 = m->v[2];
+    const int up_b = 2 * b;
+    const int up_c = 2 * c;
+    const int more_b = m->more[b];
+    const int more_c = m->more[c];
     double e0 = v0[b] * v1[c] - v0[c] * v1[b];
     double e1 = v1[b] * v2[c] - v1[c] * v2[b];
     double e2 = v2[b] * v0[c] - v2[c] * v0[b];
+    double least = m->least;
     double area;
-    int negative;
+    double sign;
+    double b0;
+    double b1;
+    double b2;
+    double c0;
+    double c1;
+    double c2;
+    uint64_t missed0 = 0;
+    uint64_t missed1 = 0;
+    uint64_t missed2 = 0;
+    int i;
+    int j;
     TBX_KEEP_SCALAR(e0);
     TBX_KEEP_SCALAR(e1);
     TBX_KEEP_SCALAR(e2);
     area = (e0 + e1) + e2;
-    negative = area < 0.0;
-    m->least = tbx_abs(area) < m->least ? tbx_abs(area) : m->least;
-    tbx_small_edge(m, e0, v1[b] - v0[b], v1[c] - v0[c], negative, free, b, c);
-    tbx_small_edge(m, e1, v2[b] - v1[b], v2[c] - v1[c], negative, free, b, c);
-    tbx_small_edge(m, e2, v0[b] - v2[b], v0[c] - v2[c], negative, free, b, c);
+    sign = area < 0.0 ? -1.0 : 1.0;
+    least = tbx_abs(area) < least ? tbx_abs(area) : least;
+    e0 *= sign;
+    e1 *= sign;
+    e2 *= sign;
+    b0 = (v1[b] - v0[b]) * sign;
+    b1 = (v2[b] - v1[b]) * sign;
+    b2 = (v0[b] - v2[b]) * sign;
+    c0 = (v1[c] - v0[c]) * sign;
+    c1 = (v2[c] - v1[c]) * sign;
+    c2 = (v0[c] - v2[c]) * sign;
+    for (j = 0; j < more_c; j++) {
+        double at0 = e0;
+        double at1 = e1;
+        double at2 = e2;
+        uint64_t cell = free;
+        for (i = 0; i < more_b; i++) {
+            least = tbx_abs(at0) < least ? tbx_abs(at0) : least;
+            least = tbx_abs(at1) < least ? tbx_abs(at1) : least;
+            least = tbx_abs(at2) < least ? tbx_abs(at2) : least;
+            missed0 |= at0 < 0.0 ? cell : 0;
+            missed1 |= at1 < 0.0 ? cell : 0;
+            missed2 |= at2 < 0.0 ? cell : 0;
+            at0 -= c0;
+            at1 -= c1;
+            at2 -= c2;
+            cell <<= 1 << up_b;
+        }
+        e0 += b0;
+        e1 += b1;
+        e2 += b2;
+        free <<= 1 << up_c;
+    }
+    m->missed |= missed0 << tbx_small_cell(b0, c0, up_b, up_c) | missed1 << tbx_small_cell(b1, c1, up_b, up_c) |
+                 missed2 << tbx_small_cell(b2, c2, up_b, up_c);
+    m->least = least;
     return area;
 }
 
