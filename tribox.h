@@ -14335,6 +14335,15 @@ TBX_FN unsigned tbx_gap_not_units(unsigned mask, tbx_i4 zero0, tbx_i4 zero1, tbx
 #define TBX_GAP_ROOT 6.103515625e-05f        /* 2^-14 */
 #define TBX_GAP_VOID 8.8817841970012523e-16f /* 2^-50 */
 
+/* The error of the normal's s, in lane 3. All lanes are kept, as compilers put what they like, however large, in
+ * those that nobody reads. */
+TBX_FN tbx_f4 tbx_gap_of_normal(tbx_f4 squares, tbx_f4 nothing, tbx_f4 root0)
+{
+    tbx_f4 terms = TBX_LANES(squares, squares, 1, 1, 1, 1);
+    TBX_KEEP_VECTOR(terms);
+    return (terms * tbx_splat(TBX_GAP_ERROR4) + nothing) * root0;
+}
+
 TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float v2[3],
                                const float box_min[3], const float box_max[3], tbx_gap_roots *out_roots)
 {
@@ -14398,9 +14407,7 @@ TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float
         const tbx_f4 root0 = tbx_inverse_root4(TBX_JOIN(a1 * a1 + a1_yzx * a1_yzx, squares, 0));
         const tbx_f4 root1 = tbx_inverse_root4(e1 * e1 + e1_yzx * e1_yzx);
         const tbx_f4 root2 = tbx_inverse_root4(a2 * a2 + a2_yzx * a2_yzx);
-        const tbx_f4 of_n =
-            (TBX_LANES(squares, squares, 1, 1, 1, 1) * tbx_splat(TBX_GAP_ERROR4) + nothing) * root0;
-        const tbx_f4 error0 = TBX_JOIN(error, of_n, 3);
+        const tbx_f4 error0 = TBX_JOIN(error, tbx_gap_of_normal(squares, nothing, root0), 3);
         const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
         const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
         const tbx_f4 apart = tbx_max4(lo - t_max, t_min - hi);
