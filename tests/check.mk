@@ -24,7 +24,7 @@ $(B)/verify: tests/verify.c $(wildcard tests/verify_*.h tests/companions*.h) tri
 verify: $(B)/verify ## every answer against GMP, by two methods, on millions of hard cases
 	$(B)/verify $(VERIFY_THOUSANDS) $(VERIFY_SEED) $(VERIFY_JOBS)
 
-$(B)/gen_golden: tests/gen_golden.c tests/golden_cases.h tests/verify_exact.h tests/verify_solid.h $(wildcard tests/companions*.h)
+$(B)/gen_golden: tests/gen_golden.c tests/golden_cases.h tests/verify_exact.h tests/verify_solid.h tests/contact_exact.h $(wildcard tests/companions*.h)
 	@mkdir -p $(B)
 	$(CC_C99) -o $@ tests/gen_golden.c -lgmp
 

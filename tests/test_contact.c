@@ -1538,7 +1538,7 @@ static int pierce_is_right(const quadratic *f, int got, float t_min, float t_max
         return got == truth;
     }
     if (is_outside(f, t_min, 0)) {
-        const float next = float_order(t0) == float_order(-FLT_MAX) - 1 ? -FLT_MAX : nudge_float(t0, float_order(t0) == 0 ? 1 : 1);
+        const float next = float_order(t0) == float_order(-FLT_MAX) - 1 ? -FLT_MAX : nudge_float(t0, 1);
         int slope;
         const int sign = float_is_finite(t0) ? quadratic_sign(f, t0, &slope) : 1;
         if (!(is_outside(f, t0, 0) || (sign == 0 && slope <= 0)) || (is_outside(f, next, 0)) ) {
