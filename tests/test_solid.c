@@ -297,6 +297,35 @@ static void rays_cross_as_exact_numbers_say(void)
     }
 }
 
+/* Points that lie on an edge or on the plane but for the last bits of doubles: what rounds is asked exactly. */
+static void points_beside_edges_and_planes_of_doubles(void)
+{
+    int i;
+
+    random_seed(1209);
+    for (i = 0; i < TEST_LOOPS(2000); i++) {
+        static const double no_step[3] = {0, 0, 0};
+        double              v[3][3];
+        double              p[3];
+        double              a = 0.5 + 0.4 * random_signed();
+        double              b = i % 2 ? 0 : (1 - a) * 0.5;
+        tribox_mesh_f64     mesh;
+        int                 k;
+        for (k = 0; k < 9; k++) {
+            v[k / 3][k % 3] = random_signed();
+        }
+        for (k = 0; k < 3; k++) {
+            p[k] = v[0][k] * (1 - a - b) + v[1][k] * a + v[2][k] * b;
+        }
+        p[0] += i % 2;
+        mesh.positions = v[0];
+        mesh.stride = 0;
+        mesh.indices = 0;
+        mesh.triangles = 1;
+        CHECK(tribox_mesh_contains_f64(&mesh, p) == solid_crosses(v, p, no_step, solid_no_half));
+    }
+}
+
 /* A slab writes its part, whatever is cut off: the first and last layers, rows and columns alone. */
 static void parts_of_a_region_have_the_bits_of_the_whole(void)
 {
@@ -832,6 +861,7 @@ int main(void)
     RUN(fill_flips_the_voxels_whose_centre_is_inside);
     RUN(centres_are_no_doubles);
     RUN(rays_cross_as_exact_numbers_say);
+    RUN(points_beside_edges_and_planes_of_doubles);
     RUN(parts_of_a_region_have_the_bits_of_the_whole);
     RUN(the_solid_depends_on_the_set_of_triangles_alone);
     RUN(powers_of_two_change_nothing);
