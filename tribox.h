@@ -8585,7 +8585,7 @@ TBX_FN void tbx_segment_times(tbx_segment *s, int k)
         s->error = s->error < TBX_SEGMENT_ERROR * error ? TBX_SEGMENT_ERROR * error : s->error;
     } else {
         s->from[k] = s->step[k] = 0.0;
-        s->error = 4.0; /* integers alone */
+        s->error = s->error < 4.0 ? 4.0 : s->error; /* integers alone */
     }
 }
 

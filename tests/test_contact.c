@@ -1170,6 +1170,19 @@ static void segments_pass_voxels_in_order(void)
     CHECK(hits > i / 4 && hits < i - i / 8);
 }
 
+/* Where one axis is left to the integers, the others' larger error still counts. */
+static void segments_of_any_magnitude_are_in_order(void)
+{
+    const tribox_grid grid = {{-9.75, -58, 15}, {.25, 2, .5}, {30, 20, -40}, {50, 40, -20}, 0};
+    const double p[3] = {-power_of_two(-271), power_of_two(-519), power_of_two(-468)};
+    const double q[3] = {power_of_two(-65), -power_of_two(-178), power_of_two(-230)};
+    walked got;
+    got.count = 0;
+    got.stop_at = -1;
+    CHECK(tribox_grid_segment(&grid, p, q, walk, &got) == 3);
+    CHECK(got.at[0][0] == 38 && got.at[0][1] == 29 && got.at[1][0] == 38 && got.at[1][1] == 28 && got.at[2][0] == 39);
+}
+
 /* What lies outside of the region costs nothing, and INT_MAX voxels are counted; what is no number is nothing. */
 static void segments_far_and_none(void)
 {
@@ -1688,6 +1701,7 @@ int main(void)
     RUN(gaps_without_a_question);
     RUN(segments_pass_voxels_in_order);
     RUN(segments_far_and_none);
+    RUN(segments_of_any_magnitude_are_in_order);
     RUN(segments_are_thin_triangles);
     RUN(spheres_are_exact);
     RUN(spheres_and_triangles_are_exact);
