@@ -10250,7 +10250,7 @@ typedef struct tbx_edge_lanes {
     tbx_f4 extent;
     tbx_f4 reach;
     tbx_f4 size;
-} tbx_edge_lanes;
+} TBX_ALIGNED tbx_edge_lanes;
 
 /* 1, and 3 for edges along an axis. */
 TBX_FN tbx_f4 tbx_one_or_three(tbx_i4 is_along_axis)
@@ -10679,7 +10679,7 @@ typedef struct tbx_points {
     tbx_fw x;
     tbx_fw y;
     tbx_fw z;
-} tbx_points;
+} TBX_ALIGNED tbx_points;
 
 /* A wide vector of parts of four lanes, and its part i: through memory gcc would write twice and read once,
  * which stalls. */
@@ -11122,7 +11122,7 @@ typedef struct tbx_group {
     size_t triangle[TBX_WIDE];
     int n;
     int32_t lattice; /* not 0: some are on the lattice */
-} tbx_group;
+} TBX_ALIGNED tbx_group;
 
 /* Returns 1 when the group is full. */
 TBX_FORCED int tbx_group_add(tbx_group *g, tbx_i4 box, size_t triangle)
@@ -11157,17 +11157,17 @@ typedef struct tbx_doubt {
 
 /* What the ways of a fill share. Doubts wait until the stack is free of all else. */
 typedef struct tbx_fill {
+    tbx_group rows[2]; /* boxes of up to FEW^3, ROWS^3 */
+    tbx_group again;   /* of up to 4^3, unsure in floats */
     const tbx_frame *frame;
     const tbx_source *source;
     const tbx_target *target;
     tbx_quick quick;
-    tbx_group rows[2]; /* boxes of up to FEW^3, ROWS^3 */
-    tbx_group again;   /* of up to 4^3, unsure in floats */
     size_t next;       /* the first triangle of the next block */
     int on_planes;     /* the last block's boxes were mostly beside grid planes */
     int doubts;        /* a block's, and of what waited in groups, at most */
     tbx_doubt doubt[TBX_BLOCK + 3 * TBX_WIDE];
-} tbx_fill;
+} TBX_ALIGNED tbx_fill;
 
 TBX_FN tbx_doubt *tbx_fill_later(tbx_fill *fill, size_t triangle)
 {
@@ -11374,7 +11374,7 @@ typedef struct tbx_fixed {
     tbx_f4 steps;
     tbx_u4 bias;
     tbx_u4 limit;
-} tbx_fixed;
+} TBX_ALIGNED tbx_fixed;
 
 TBX_FORCED tbx_fixed tbx_fixed_of(const tbx_quick *q)
 {
@@ -11600,7 +11600,7 @@ typedef struct tbx_boxes {
     tbx_iw cut;     /* negative: not all in the region, by the guess */
     tbx_iw unsure;  /* not 0: a face is too near to a grid plane */
     tbx_iw lattice; /* not 0: on some axis all corners are on the lattice */
-} tbx_boxes;
+} TBX_ALIGNED tbx_boxes;
 
 TBX_FORCED tbx_iw tbx_box_round(tbx_fw x)
 {
@@ -11917,7 +11917,7 @@ typedef struct tbx_missed {
     tbx_fw least_plane; /* of |D| */
     tbx_fw touch_plane; /* |D| up to which the plane touches */
     tbx_iw unsure;      /* of the precise way */
-} tbx_missed;
+} TBX_ALIGNED tbx_missed;
 
 #define TBX_STRIDE(n, k) ((k) == 0 ? 1 : (k) == 1 ? (n) : (n) * (n))
 
@@ -12142,7 +12142,7 @@ typedef struct tbx_sides {
     tbx_uw above[2];
     tbx_fw least; /* of |D| */
     tbx_fw touch; /* |D| up to which the plane touches */
-} tbx_sides;
+} TBX_ALIGNED tbx_sides;
 
 TBX_FORCED void tbx_note_side(tbx_sides *p, tbx_fw d, int lattice, int x, int y, int z)
 {
@@ -12205,7 +12205,7 @@ typedef struct tbx_group_placed {
     tbx_fw touch[3];
     tbx_fw touch_plane;
     tbx_iw plane_sure;
-} tbx_group_placed;
+} TBX_ALIGNED tbx_group_placed;
 
 /* Corners of a group's triangles, and their boxes. */
 TBX_FORCED void tbx_group_corners(tbx_points out_v[3], tbx_points *out_first, tbx_iw *out_extents,
@@ -12972,7 +12972,7 @@ typedef struct tbx_row_parts {
     tbx_iw flat_y;
     tbx_iw flat_z;
     int on_lattice; /* 0: all of step and flat are 0 */
-} tbx_row_parts;
+} TBX_ALIGNED tbx_row_parts;
 
 /* A line for each edge in the plane of axes b and r: its bounds in row r are those in row 0 plus slope * r;
  * NOWHERE where it does not bound. Voxels are counted from 1, so that truncation is floor. */
@@ -12983,7 +12983,7 @@ typedef struct tbx_row_lines {
     tbx_fw hi_least[3];
     tbx_fw hi_most[3];
     tbx_fw hi_slope[3];
-} tbx_row_lines;
+} TBX_ALIGNED tbx_row_lines;
 
 /* The plane's middle in row (y, z) is at + y * slope_y + z * slope_z, voxels counted from 1; its bounds are
  * these more. */
@@ -13000,7 +13000,7 @@ typedef struct tbx_rows {
     tbx_fw hi_most;
     tbx_iw extents;
     tbx_iw unsure;
-} tbx_rows;
+} TBX_ALIGNED tbx_rows;
 
 /* The first two edges on one axis, and all three in floats. */
 TBX_FORCED void tbx_row_axis(tbx_dw out[2], tbx_fw *e0, tbx_fw *e1, tbx_fw *e2, tbx_fw x0, tbx_fw x1,
@@ -13267,7 +13267,7 @@ typedef struct tbx_row_bounds {
     tbx_fw lo_most;
     tbx_fw hi_least;
     tbx_fw hi_most;
-} tbx_row_bounds;
+} TBX_ALIGNED tbx_row_bounds;
 
 TBX_FORCED tbx_fw tbx_row_most(const tbx_fw at[3], const tbx_fw step[3])
 {
@@ -13332,7 +13332,7 @@ typedef struct tbx_few {
     tbx_iw first_y[TBX_FEW];
     tbx_iw last_y[TBX_FEW];
     tbx_iw unsure;
-} tbx_few;
+} TBX_ALIGNED tbx_few;
 
 TBX_FORCED void tbx_few_set(tbx_few *out, const tbx_rows *r, int rows, int layers)
 {
@@ -13478,7 +13478,7 @@ typedef struct tbx_layer {
     tbx_f4 lo_least, lo_most, hi_least, hi_most;
     tbx_f4 plane_lo_least, plane_lo_most, plane_hi_least, plane_hi_most;
     tbx_f4 slope;
-} tbx_layer;
+} TBX_ALIGNED tbx_layer;
 
 /* Voxels of rows y..y + 3. Returns the lanes that are unsure. */
 TBX_FORCED tbx_i4 tbx_layer_rows(const tbx_layer *l, const tbx_lane_bounds *x_of_y, int y, tbx_i4 *out_first,
@@ -14951,7 +14951,7 @@ typedef struct tbx_solid_placed {
     tbx_iw x_first;
     tbx_iw unsure;
     tbx_iw on_lattice;
-} tbx_solid_placed;
+} TBX_ALIGNED tbx_solid_placed;
 
 /* The corners on axis k, from the centre i. */
 TBX_FORCED void tbx_solid_place(const tbx_solid_quick *q, int k, tbx_iw i, tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
@@ -15106,7 +15106,7 @@ typedef struct tbx_solid_rows_of {
     tbx_uw within;
     tbx_iw unsure;
     tbx_iw voxel[TBX_SOLID_ROWS * TBX_SOLID_ROWS];
-} tbx_solid_rows_of;
+} TBX_ALIGNED tbx_solid_rows_of;
 
 TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *q, const tbx_solid_placed *p,
                                  int n)
