@@ -2584,6 +2584,7 @@ TBX_FN int tbx_setup_start(tbx_setup *s, tribox_tri *tri)
     for (k = 0; k < 3 && in_range; k++) {
         const int has_ref = tbx_in_range(&tri->v[0][k], -100, 41); /* else a float subnormal might come out */
         tri->ref[k] = (float)(has_ref ? tri->v[0][k] : 0.0);
+        TBX_KEEP(tri->ref[k]); /* gcc's -Ofast leaves the rounding out of what follows, on x87 */
         s->size[k] = tri->size[k];
         s->offset[k] = tri->v[0][k] - (double)tri->ref[k];
         s->extent[k] = tri->t_max[k] - tri->t_min[k];
