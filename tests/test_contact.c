@@ -1176,11 +1176,15 @@ static void segments_of_any_magnitude_are_in_order(void)
     const tribox_grid grid = {{-9.75, -58, 15}, {.25, 2, .5}, {30, 20, -40}, {50, 40, -20}, 0};
     const double p[3] = {-power_of_two(-271), power_of_two(-519), power_of_two(-468)};
     const double q[3] = {power_of_two(-65), -power_of_two(-178), power_of_two(-230)};
+    const tribox_grid part = {{-9.75, -58, 15}, {.25, 2, .5}, {35, 29, -34}, {40, 34, -29}, 0};
+    const double from[3] = {-0x1.1c1f190158a51p-271, 0x1.51714e012436p-519, 0x1.264524f363dabp-468};
+    const double to[3] = {0x1.2a91dc2da2ed9p-65, -0x1.00332edf9c1abp-178, 0x1.fea57ea9f10d2p-230};
     walked got;
     got.count = 0;
     got.stop_at = -1;
     CHECK(tribox_grid_segment(&grid, p, q, walk, &got) == 3);
     CHECK(got.at[0][0] == 38 && got.at[0][1] == 29 && got.at[1][0] == 38 && got.at[1][1] == 28 && got.at[2][0] == 39);
+    CHECK(tribox_grid_segment(&part, from, to, NULL, NULL) == 1); /* an axis left to integers keeps the others' error */
 }
 
 /* What lies outside of the region costs nothing, and INT_MAX voxels are counted; what is no number is nothing. */
