@@ -5533,12 +5533,17 @@ TBX_FN double tbx_take(const float *x)
 }
 
 /* Three numbers, likewise. */
+TBX_FOR_FORMAT void tbx_take3_float(double out[3], const void *x)
+{
+    out[0] = tbx_take((const float *)x);
+    out[1] = tbx_take((const float *)x + 1);
+    out[2] = tbx_take((const float *)x + 2);
+}
+
 TBX_FOR_FORMAT void tbx_take3(double out[3], const void *x, int format)
 {
     if (format == TBX_FLOAT) {
-        out[0] = tbx_take((const float *)x);
-        out[1] = tbx_take((const float *)x + 1);
-        out[2] = tbx_take((const float *)x + 2);
+        tbx_take3_float(out, x);
     } else {
         TBX_COPY(out, x, 3 * sizeof *out);
     }
@@ -7220,8 +7225,9 @@ TBX_FN void tbx_motion_contact(tbx_motion *m, float out_axis[3])
     }
 }
 
-/* Everything about the sweep in one of the two runs. */
-TBX_FN int tbx_sweep_run(tbx_motion *m, int64_t out_t[2], float out_axis[3])
+/* Everything about the sweep in one of the two runs. The exact one is never unsure, and has no room for a second
+ * store of integers. */
+TBX_FOR_FORMAT int tbx_sweep_run(tbx_motion *m, int exact, int64_t out_t[2], float out_axis[3])
 {
     const int hit = tbx_motion_run(m);
     int e;
@@ -7230,7 +7236,7 @@ TBX_FN int tbx_sweep_run(tbx_motion *m, int64_t out_t[2], float out_axis[3])
     }
     for (e = 0; e < 2 && hit && !m->calc.unsure; e++) {
         out_t[e] = tbx_motion_round(m, e, TBX_FLOAT);
-        if (m->calc.unsure) { /* of the last digit only */
+        if (!exact && m->calc.unsure) { /* of the last digit only */
             out_t[e] = tbx_motion_round_exact(m, e, TBX_FLOAT);
             m->calc.unsure = 0;
         }
@@ -7243,7 +7249,7 @@ TBX_NOINLINE int tbx_sweep_exact(tbx_motion *m, int64_t out_t[2], float out_axis
     tbx_limb store[TBX_STORE];
     m->calc.exact = 1;
     m->calc.store = store;
-    return tbx_sweep_run(m, out_t, out_axis);
+    return tbx_sweep_run(m, 1, out_t, out_axis);
 }
 
 /* Both runs as far as needed, by the first so many axes; what the caller wants of the outputs. */
@@ -7257,7 +7263,7 @@ TBX_NOINLINE int tbx_sweep_answer(tbx_motion *m, int axes, float *out_t0, float 
     m->axes = axes;
     m->calc.exact = 0;
     m->calc.store = NULL;
-    hit = tbx_sweep_run(m, key, axis);
+    hit = tbx_sweep_run(m, 0, key, axis);
     if (m->calc.unsure) {
         hit = tbx_sweep_exact(m, key, axis);
     }
@@ -8847,8 +8853,8 @@ TRIBOX_FN int tribox_sphere_sphere(const float a[3], float a_radius, const float
         double p[3];
         double q[3];
         int verdict;
-        tbx_take3(p, a, TBX_FLOAT);
-        tbx_take3(q, b, TBX_FLOAT);
+        tbx_take3_float(p, a);
+        tbx_take3_float(q, b);
         verdict = tbx_ball_less(tbx_square_distance(p, q), r * r);
         if (!TBX_RARELY(verdict == TBX_UNSURE)) {
             return verdict;
@@ -8916,8 +8922,8 @@ TBX_FN int tbx_plane_sphere_filter(const float n[3], double d, const float cente
     double least;
     double most;
     int k;
-    tbx_take3(x, n, TBX_FLOAT);
-    tbx_take3(c, center, TBX_FLOAT);
+    tbx_take3_float(x, n);
+    tbx_take3_float(c, center);
     for (k = 0; k < 3; k++) {
         const double term = x[k] * c[k];
         v += term;
@@ -9009,9 +9015,9 @@ TBX_FN int tbx_sphere_box_filter(const float center[3], double r, const float bo
     double x;
     double y;
     double z;
-    tbx_take3(c, center, TBX_FLOAT);
-    tbx_take3(lo, box_min, TBX_FLOAT);
-    tbx_take3(hi, box_max, TBX_FLOAT);
+    tbx_take3_float(c, center);
+    tbx_take3_float(lo, box_min);
+    tbx_take3_float(hi, box_max);
     x = tbx_outside(c[0], lo[0], hi[0]);
     y = tbx_outside(c[1], lo[1], hi[1]);
     z = tbx_outside(c[2], lo[2], hi[2]);
@@ -9213,10 +9219,10 @@ TBX_FN int tbx_touch_filter(const float center[3], double r, const float *const 
     double of_b = 0.0;
     double error;
     int k;
-    tbx_take3(x[0], v[0], TBX_FLOAT);
-    tbx_take3(x[1], v[1], TBX_FLOAT);
-    tbx_take3(x[2], v[2], TBX_FLOAT);
-    tbx_take3(x[3], center, TBX_FLOAT);
+    tbx_take3_float(x[0], v[0]);
+    tbx_take3_float(x[1], v[1]);
+    tbx_take3_float(x[2], v[2]);
+    tbx_take3_float(x[3], center);
     for (k = 0; k < 3; k++) {
         a[k] = x[1][k] - x[0][k];
         b[k] = x[2][k] - x[0][k];
@@ -9425,8 +9431,8 @@ TBX_FN int tbx_pierce_end(double t, double error, int e, int64_t *out)
  * and 4 of itself. Returns MISS, HIT with the ends as keys, or UNSURE. */
 #define TBX_PIERCE_ERROR (16.0 * TBX_U64)
 
-TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const double ends[2],
-                             const float center[3], double r, int64_t out[2])
+TBX_FN int tbx_pierce_filter(const float *origin, const float *dir, const double ends[2], const float *center,
+                             double r, int64_t out[2])
 {
     const double from = ends[0];
     const double to = ends[1];
@@ -9443,9 +9449,9 @@ TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const do
     double inverse;
     double t[2];
     int k;
-    tbx_take3(o, origin, TBX_FLOAT);
-    tbx_take3(w, dir, TBX_FLOAT);
-    tbx_take3(c, center, TBX_FLOAT);
+    tbx_take3_float(o, origin);
+    tbx_take3_float(w, dir);
+    tbx_take3_float(c, center);
     for (k = 0; k < 3; k++) {
         const double m = o[k] - c[k];
         a += w[k] * w[k];
@@ -11289,8 +11295,8 @@ TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_quick *q)
     tbx_i4 bits = tbx_splat_int(0x7f800000);
     double x[3];
     TBX_COPY(x, from, sizeof x);
-    if (!TBX_RARELY(((tbx_bits64(&x[0]) & magnitude) > most) | ((tbx_bits64(&x[1]) & magnitude) > most) |
-                    ((tbx_bits64(&x[2]) & magnitude) > most))) {
+    if (!TBX_RARELY((int)((tbx_bits64(&x[0]) & magnitude) > most) | (int)((tbx_bits64(&x[1]) & magnitude) > most) |
+                    (int)((tbx_bits64(&x[2]) & magnitude) > most))) {
         r[1] = (float)(x[0] - (double)q->centre[1]);
         r[2] = (float)(x[1] - (double)q->centre[2]);
         r[3] = (float)(x[2] - (double)q->centre[3]);

@@ -8,7 +8,7 @@ set -u
 out=$CHECK_DIR/header
 mkdir -p "$out"
 warn="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wundef -Wcast-qual"
-warn="$warn -Wdouble-promotion -Werror"
+warn="$warn -Wdouble-promotion -Werror -Wno-unused-command-line-argument"
 warn_c="$warn -Wstrict-prototypes -Wmissing-prototypes"
 
 # The header alone, its functions as real symbols: what a user of another language would build.

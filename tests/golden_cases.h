@@ -594,7 +594,7 @@ GOLDEN_FN void golden_make_segment(uint64_t index, int hard, companion *c)
         c->x[3 + k] = g.size[k];
         c->x[6 + k] = (uint64_t)(uint32_t)(g.lo[k] + 0x800000);
         c->x[COMPANION_W + k] = g.v[k];
-        c->x[COMPANION_O + k] = g.v[3 + (index >> 8 & 1) * 3 + k];
+        c->x[COMPANION_O + k] = g.v[3 + (int)(index >> 8 & 1) * 3 + k];
     }
     if ((index >> 9 & 3) == 0) { /* along a plane, perhaps */
         k = (int)(index >> 11 & 0xffff) % 3;
