@@ -39,8 +39,8 @@
  *
  * LIMITS           Answers do not depend on compiler, optimisation, fast-math, FMA, rounding mode, x87, or
  *                  flush-to-zero (subnormals still count). A caller compiled with -ffinite-math-only cannot
- *                  pass a NaN or an infinity by value (t_min, t_max, d, radii). Voxel indices are int,
- *                  INT_MAX excluded. Functions raise "inexact" and "underflow"; others only from some
+ *                  pass a NaN or an infinity by value (t_min, t_max, d, radii), nor read tribox_gap's infinity.
+ *                  Voxel indices are int, INT_MAX excluded. Functions raise "inexact" and "underflow"; others only from some
  *                  compilers under -ffast-math or where subnormals are flushed. Needs IEEE 754 formats.
  *
  * REFERENCES       [AM01] Akenine-Moller, Fast 3D triangle-box overlap testing, JGT 6(1), 2001
@@ -12572,6 +12572,7 @@ TBX_FN void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, tbx_
     const tbx_dw low = TBX_ALL(q->low[k]);
     const tbx_dw round = TBX_ALL(6755399441055744.0); /* 3 * 2^51: what is added to it becomes whole */
     const tbx_dw tiny = TBX_ALL(1.0 / 1048576.0);
+    const tbx_dw zero = TBX_ALL(0.0);
     const tbx_dw base = __builtin_convertvector(first + tbx_wide_int(q->lo[k] + 1), tbx_dw) * pieces;
     const tbx_iw magnitude = tbx_wide_int(0x7fffffff);
     int i;
@@ -12606,14 +12607,14 @@ TBX_FN void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, tbx_
             const tbx_dw most = lows * tiny;
             *unsure |= __builtin_convertvector((rest < most) & (rest > -most), tbx_iw) |
                        __builtin_convertvector((rest < -most) & (rest > most), tbx_iw) |
-                       __builtin_convertvector(rest == lows - lows, tbx_iw);
+                       __builtin_convertvector(rest == zero, tbx_iw);
         }
         a->v[i] = v[i];
         a->rest[i] = __builtin_convertvector(rest * units, tbx_fw);
         a->place[i] = __builtin_convertvector(at - base, tbx_fw);
-        a->whole &= __builtin_convertvector(rest == origin - origin, tbx_iw);
+        a->whole &= __builtin_convertvector(rest == zero, tbx_iw);
         *unsure |= (tbx_wide_abs(a->rest[i]) < tbx_wide_all(TBX_PRECISE_LEAST)) &
-                   ~__builtin_convertvector(rest == origin - origin, tbx_iw);
+                   ~__builtin_convertvector(rest == zero, tbx_iw);
     }
     a->extent = extent;
     a->origin = q->whole_origin[k];
@@ -13672,13 +13673,12 @@ TBX_NOINLINE void tbx_rows_flush(tbx_fill *fill, tbx_group *g)
 /* A box of any kind, by rows or exactly. */
 TBX_FN void tbx_fill_any(tbx_fill *fill, tbx_i4 box, size_t triangle)
 {
-    if (fill->source->is_double) { /* rows take corners for floats */
-        tbx_fill_later(fill, triangle);
-    } else if ((box[3] & ~(TBX_ON_LATTICE | 0x010101 * (TBX_FEW - 1))) == 0) {
+    const int by_rows = !fill->source->is_double; /* rows take corners for floats */
+    if (by_rows && (box[3] & ~(TBX_ON_LATTICE | 0x010101 * (TBX_FEW - 1))) == 0) {
         if (tbx_group_add(&fill->rows[0], box, triangle)) {
             tbx_rows_flush_few(fill, &fill->rows[0]);
         }
-    } else if ((box[3] & 0xc0c0c0) == 0) {
+    } else if (by_rows && (box[3] & 0xc0c0c0) == 0) {
         if (tbx_group_add(&fill->rows[1], box, triangle)) {
             tbx_rows_flush(fill, &fill->rows[1]);
         }
