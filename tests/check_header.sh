@@ -175,6 +175,8 @@ export -f tidy check_cpp
 have clang-tidy && job "clang-tidy" tidy "$tidy_checks"
 have clang-tidy && job "clang-tidy, scalar" tidy "$tidy_checks" -DTRIBOX_SIMD=0
 have cppcheck && job "cppcheck" check_cpp
-have gcc && job "gcc -fanalyzer" quiet gcc c99 "-O1 -fanalyzer -Werror" "$alone" tests/golden.c
+# the specification alone: of all of it the analyser is not done in ten minutes
+have gcc && job "gcc -fanalyzer" quiet gcc c99 \
+    "-O1 -fanalyzer -Werror -DTRIBOX_NO_COMPANIONS -DTRIBOX_SIMD=0" "$alone"
 
 check_end
