@@ -795,22 +795,25 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
  *     TBX_KEEP(object)        an object in memory: a number, an array, a struct,
  *     TBX_KEEP_SCALAR(x)      a float or double, in a register where there is a way,
  *     TBX_KEEP_VECTOR(v)      a vector of floats, doubles or integers, likewise,
+ *     TBX_STAY_VECTOR(v)      the same, behind a test: what follows is not computed before the test either,
  * they know nothing of its value but take it as it stands; what is read from a number's bits by the functions
  * below is unknown to them in the same way. */
 #if TBX_GNU && !defined(__CUDA_ARCH__) && !defined(__HIP_DEVICE_COMPILE__)
 #define TBX_HAS_ASM 1
 #define TBX_KEEP(object) __asm__("" : "+m"(object))
 #if defined(__SSE2__)
-#define TBX_KEEP_VECTOR(v) __asm__("" : "+x"(v))
+#define TBX_VECTOR_PLACE "+x"
 #elif defined(__aarch64__)
-#define TBX_KEEP_VECTOR(v) __asm__("" : "+w"(v))
+#define TBX_VECTOR_PLACE "+w"
 #elif defined(__VSX__)
-#define TBX_KEEP_VECTOR(v) __asm__("" : "+wa"(v))
+#define TBX_VECTOR_PLACE "+wa"
 #elif defined(__wasm_simd128__)
-#define TBX_KEEP_VECTOR(v) __asm__("" : "+r"(v))
+#define TBX_VECTOR_PLACE "+r"
 #else
-#define TBX_KEEP_VECTOR(v) __asm__("" : "+m"(v))
+#define TBX_VECTOR_PLACE "+m"
 #endif
+#define TBX_KEEP_VECTOR(v) __asm__("" : TBX_VECTOR_PLACE(v))
+#define TBX_STAY_VECTOR(v) __asm__ volatile("" : TBX_VECTOR_PLACE(v))
 #if defined(__SSE2_MATH__)
 #define TBX_KEEP_SCALAR(x) __asm__("" : "+x"(x))
 #elif defined(__aarch64__)
@@ -9823,11 +9826,11 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
     if (TBX_RARELY(tbx_any(tbx_splat_int(0x52ffffff) - greatest))) {
         return TBX_UNSURE;
     }
-    TBX_KEEP_VECTOR(p0);
-    TBX_KEEP_VECTOR(p1);
-    TBX_KEEP_VECTOR(p2);
-    TBX_KEEP_VECTOR(lo);
-    TBX_KEEP_VECTOR(hi);
+    TBX_STAY_VECTOR(p0);
+    TBX_STAY_VECTOR(p1);
+    TBX_STAY_VECTOR(p2);
+    TBX_STAY_VECTOR(lo);
+    TBX_STAY_VECTOR(hi);
     {
         const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
         const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
@@ -15843,6 +15846,8 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_KEEP
 #undef TBX_KEEP_SCALAR
 #undef TBX_KEEP_VECTOR
+#undef TBX_STAY_VECTOR
+#undef TBX_VECTOR_PLACE
 #undef TBX_HAS_ASM
 #undef TBX_HAS_VECTORS
 #undef TBX_GNU
