@@ -795,12 +795,13 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
  *     TBX_KEEP(object)        an object in memory: a number, an array, a struct,
  *     TBX_KEEP_SCALAR(x)      a float or double, in a register where there is a way,
  *     TBX_KEEP_VECTOR(v)      a vector of floats, doubles or integers, likewise,
- *     TBX_STAY_VECTOR(v)      the same, behind a test: what follows is not computed before the test either,
+ *     TBX_KEEP_POINTER(p)     a pointer, and so what is read through it,
  * they know nothing of its value but take it as it stands; what is read from a number's bits by the functions
- * below is unknown to them in the same way. */
+ * below is unknown to them in the same way. All are volatile: gcc moves other assembly above the test that it
+ * stands behind, and the arithmetic with it, whose flags the test was to prevent. */
 #if TBX_GNU && !defined(__CUDA_ARCH__) && !defined(__HIP_DEVICE_COMPILE__)
 #define TBX_HAS_ASM 1
-#define TBX_KEEP(object) __asm__("" : "+m"(object))
+#define TBX_KEEP(object) __asm__ volatile("" : "+m"(object))
 #if defined(__SSE2__)
 #define TBX_VECTOR_PLACE "+x"
 #elif defined(__aarch64__)
@@ -812,19 +813,20 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #else
 #define TBX_VECTOR_PLACE "+m"
 #endif
-#define TBX_KEEP_VECTOR(v) __asm__("" : TBX_VECTOR_PLACE(v))
-#define TBX_STAY_VECTOR(v) __asm__ volatile("" : TBX_VECTOR_PLACE(v))
+#define TBX_KEEP_VECTOR(v) __asm__ volatile("" : TBX_VECTOR_PLACE(v))
+#define TBX_KEEP_POINTER(p) __asm__ volatile("" : "+r"(p))
 #if defined(__SSE2_MATH__)
-#define TBX_KEEP_SCALAR(x) __asm__("" : "+x"(x))
+#define TBX_KEEP_SCALAR(x) __asm__ volatile("" : "+x"(x))
 #elif defined(__aarch64__)
-#define TBX_KEEP_SCALAR(x) __asm__("" : "+w"(x))
+#define TBX_KEEP_SCALAR(x) __asm__ volatile("" : "+w"(x))
 #else
-#define TBX_KEEP_SCALAR(x) __asm__("" : "+m"(x))
+#define TBX_KEEP_SCALAR(x) __asm__ volatile("" : "+m"(x))
 #endif
 #else
 #define TBX_HAS_ASM 0
 #define TBX_KEEP(object) tbx_keep(&(object), sizeof(object))
 #define TBX_KEEP_SCALAR(x) TBX_KEEP(x)
+#define TBX_KEEP_POINTER(p) TBX_KEEP(p)
 #endif
 
 /* ---- 4. Bits of floating-point numbers ------------------------------------------------------------------
@@ -5538,9 +5540,11 @@ TBX_FN double tbx_take(const float *x)
 /* Three numbers, likewise. */
 TBX_FOR_FORMAT void tbx_take3_float(double out[3], const void *x)
 {
-    out[0] = tbx_take((const float *)x);
-    out[1] = tbx_take((const float *)x + 1);
-    out[2] = tbx_take((const float *)x + 2);
+    const float *there = (const float *)x;
+    TBX_KEEP_POINTER(there);
+    out[0] = (double)there[0];
+    out[1] = (double)there[1];
+    out[2] = (double)there[2];
 }
 
 TBX_FOR_FORMAT void tbx_take3(double out[3], const void *x, int format)
@@ -9826,11 +9830,11 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
     if (TBX_RARELY(tbx_any(tbx_splat_int(0x52ffffff) - greatest))) {
         return TBX_UNSURE;
     }
-    TBX_STAY_VECTOR(p0);
-    TBX_STAY_VECTOR(p1);
-    TBX_STAY_VECTOR(p2);
-    TBX_STAY_VECTOR(lo);
-    TBX_STAY_VECTOR(hi);
+    TBX_KEEP_VECTOR(p0);
+    TBX_KEEP_VECTOR(p1);
+    TBX_KEEP_VECTOR(p2);
+    TBX_KEEP_VECTOR(lo);
+    TBX_KEEP_VECTOR(hi);
     {
         const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
         const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
@@ -15846,7 +15850,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_KEEP
 #undef TBX_KEEP_SCALAR
 #undef TBX_KEEP_VECTOR
-#undef TBX_STAY_VECTOR
+#undef TBX_KEEP_POINTER
 #undef TBX_VECTOR_PLACE
 #undef TBX_HAS_ASM
 #undef TBX_HAS_VECTORS
