@@ -75,7 +75,7 @@ golden() { build golden "$@"; }
 # shellcheck disable=SC2086 # flags are lists of words
 c() { golden "" "$1" "$2" -I. tests/golden.c ${3:-} -lm; } # arguments, compiler, flags
 # shellcheck disable=SC2086
-traps() { build traps "" "$1" "$2" -I. -w tests/traps.c ${3:-} -lm; }
+traps() { build traps "" "$1" "$2" -w -I. tests/traps.c ${3:-} -lm; }
 
 cpu_has() {
     grep -qw "$1" /proc/cpuinfo 2>/dev/null
