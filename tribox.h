@@ -755,6 +755,17 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #error "TRIBOX_SIMD=1 needs the vector extensions of gcc (9 or later) or clang, and no device code"
 #endif
 
+/* How to get at the processor's square root, which calls no library: 0 not at all, 1 and 2 by builtins. */
+#if !TBX_HAS_VECTORS || !defined(__SSE2_MATH__)
+#define TBX_ROOT 0
+#elif !defined(__clang__)
+#define TBX_ROOT 1
+#elif __has_builtin(__builtin_elementwise_sqrt)
+#define TBX_ROOT 2
+#else
+#define TBX_ROOT 1
+#endif
+
 /* -fpack-struct packs structs in spite of `#pragma pack`: those of vectors ask for their alignment themselves,
  * and have vectors first. */
 #if TBX_GNU
@@ -6377,22 +6388,21 @@ TBX_NOINLINE int64_t tbx_slabs_end_exact(const tbx_slabs *s, int e, int format)
  * below 2^130. */
 #define TBX_SLAB_INVERSE_ERROR 3.552713678800501e-15 /* 2^-48 */
 #define TBX_SLAB_ERROR 1.4210854715202004e-14        /* 2^-46 */
-#define TBX_SLAB_ERROR_ULPS 64u                      /* the same, in bits of a double */
 
-/* The key of the float at or below (up = 0) or above (1) every number within SLAB_ERROR of t; 0 where these
- * have several, or t is not within the floats' normal range. */
-TBX_FN int64_t tbx_slab_round(double t, int up)
+/* The key of the float at or below (up = 0) or above (1) every number nearer to t than error; 0 where these have
+ * several, or t is not within the floats' normal range: the bits that a float has not are cut off. */
+TBX_FN int64_t tbx_round_outward(double t, double error, int up)
 {
-    const uint64_t bits = tbx_bits64(&t);
-    const uint64_t rest = bits & 0x1fffffffu;
+    const double x = t - error;
+    const double y = t + error;
+    const uint64_t bits = tbx_bits64(&x);
     const uint64_t magnitude = bits & 0x7fffffffffffffffu;
     const int64_t key = (int64_t)(magnitude >> 29) - ((int64_t)(1023 - 127) << 23);
-    const int negative = (int)(bits >> 63);
-    if (TBX_RARELY(rest - TBX_SLAB_ERROR_ULPS > 0x1fffffffu - 2u * TBX_SLAB_ERROR_ULPS ||
+    if (TBX_RARELY((bits ^ tbx_bits64(&y)) >> 29 != 0 ||
                    magnitude - ((uint64_t)(1023 - 120) << 52) > (uint64_t)240 << 52)) {
         return 0;
     }
-    return negative ? -(key + !up) : key + up;
+    return bits >> 63 != 0 ? -(key + !up) : key + up;
 }
 
 #define TBX_SLAB_BEYOND TBX_POW2(300) /* past every time */
@@ -6566,7 +6576,7 @@ TBX_NOINLINE int tbx_ray_box(const tbx_ray_ask *a, void *out_t0, void *out_t1)
         if (out[e] != NULL) {
             int64_t key = 0;
             if (sure && axis[e] >= 0 && a->format == TBX_FLOAT) {
-                key = tbx_slab_round(t[e], e);
+                key = tbx_round_outward(t[e], TBX_SLAB_ERROR * tbx_abs(t[e]), e);
             }
             tbx_write(out[e], 0, a->format, key != 0 ? key : tbx_slabs_round(a, axis[e], e));
         }
@@ -7186,6 +7196,21 @@ TBX_FN double tbx_inverse_root(double x)
         y = y * (1.5 - 0.5 * x * y * y);
     }
     return y;
+}
+
+/* sqrt(x), x > 0, to 5 u: by the processor where compilers have a name for that, which calls no library. */
+TBX_FN double tbx_root(double x)
+{
+#if TBX_ROOT == 2
+    return __builtin_elementwise_sqrt(x);
+#elif TBX_ROOT == 1
+    typedef double tbx_pair __attribute__((vector_size(16)));
+    tbx_pair both = { x, x };
+    both = __builtin_ia32_sqrtsd(both);
+    return both[0];
+#else
+    return x * tbx_inverse_root(x);
+#endif
 }
 
 /* side * x / |x|. Squares of degree 2 neither overflow nor underflow. */
@@ -8765,6 +8790,8 @@ TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const 
 TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const float b[3],
                               const float *b_radius);
 TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius);
+TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3],
+                           const float box_max[3]);
 #else
 TBX_FN unsigned tbx_odd3(const float x[3])
 {
@@ -8796,12 +8823,16 @@ TBX_FN int tbx_ball_less(double a, double b)
     return a < b - error ? TBX_HIT : a > b + error ? TBX_MISS : TBX_UNSURE;
 }
 
-TBX_FN double tbx_square_distance(const double a[3], const double b[3])
+TBX_FN void tbx_minus3(double out[3], const double a[3], const double b[3])
 {
-    const double x = a[0] - b[0];
-    const double y = a[1] - b[1];
-    const double z = a[2] - b[2];
-    return x * x + y * y + z * z;
+    out[0] = a[0] - b[0];
+    out[1] = a[1] - b[1];
+    out[2] = a[2] - b[2];
+}
+
+TBX_FN double tbx_dot3(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* The sign of |x|^2 - r^2 in integers. */
@@ -8817,8 +8848,7 @@ TBX_FN int tbx_ball_compare(tbx_calc *c, const tbx_num x[3], const tbx_num *r)
     return tbx_num_sign(c, &a);
 }
 
-TBX_COLD int tbx_sphere_sphere_exact(const float a[3], const float *a_radius, const float b[3],
-                                     const float *b_radius)
+TBX_COLD int tbx_sphere_sphere_exact(const float a[3], const float b[3], const float radius[2])
 {
     tbx_limb store[TBX_STORE];
     tbx_calc c = { 1, 0, 0, NULL };
@@ -8832,8 +8862,7 @@ TBX_COLD int tbx_sphere_sphere_exact(const float a[3], const float *a_radius, co
     c.store = store;
     tbx_read(x[0], a, 3, TBX_FLOAT);
     tbx_read(x[1], b, 3, TBX_FLOAT);
-    tbx_read(&r[0], a_radius, 1, TBX_FLOAT);
-    tbx_read(&r[1], b_radius, 1, TBX_FLOAT);
+    tbx_read(r, radius, 2, TBX_FLOAT);
     kind_a = tbx_ball_kind(x[0], &r[0]);
     kind_b = tbx_ball_kind(x[1], &r[1]);
     if (kind_a != TBX_BALL || kind_b != TBX_BALL) {
@@ -8846,6 +8875,36 @@ TBX_COLD int tbx_sphere_sphere_exact(const float a[3], const float *a_radius, co
     return tbx_ball_compare(&c, d, &sum) <= 0;
 }
 
+/* A float that came by value, and may be anything, goes out of line as its bits: kept in a register until here. */
+TBX_FN void tbx_float_of(float *out, uint32_t bits)
+{
+    TBX_COPY(out, &bits, sizeof bits);
+}
+
+/* In double, then in integers. */
+TBX_NOINLINE int tbx_sphere_sphere_wide(const float a[3], uint32_t a_bits, const float b[3], uint32_t b_bits)
+{
+    float radius[2];
+    tbx_float_of(&radius[0], a_bits);
+    tbx_float_of(&radius[1], b_bits);
+#if TBX_DOUBLE_IS_53_BITS
+    if (!TBX_RARELY(tbx_odd4(a, a, b, b) || (tbx_odd_radius(&radius[0]) | tbx_odd_radius(&radius[1])) != 0)) {
+        const double r = tbx_take(&radius[0]) + tbx_take(&radius[1]);
+        double p[3];
+        double q[3];
+        int verdict;
+        tbx_take3_float(p, a);
+        tbx_take3_float(q, b);
+        tbx_minus3(p, p, q);
+        verdict = tbx_ball_less(tbx_dot3(p, p), r * r);
+        if (!TBX_RARELY(verdict == TBX_UNSURE)) {
+            return verdict;
+        }
+    }
+#endif
+    return tbx_sphere_sphere_exact(a, b, radius);
+}
+
 TRIBOX_FN int tribox_sphere_sphere(const float a[3], float a_radius, const float b[3], float b_radius)
 {
 #if TRIBOX_SIMD
@@ -8854,21 +8913,7 @@ TRIBOX_FN int tribox_sphere_sphere(const float a[3], float a_radius, const float
         return quick;
     }
 #endif
-#if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY(tbx_odd4(a, a, b, b) || (tbx_odd_radius(&a_radius) | tbx_odd_radius(&b_radius)) != 0)) {
-        const double r = tbx_take(&a_radius) + tbx_take(&b_radius);
-        double p[3];
-        double q[3];
-        int verdict;
-        tbx_take3_float(p, a);
-        tbx_take3_float(q, b);
-        verdict = tbx_ball_less(tbx_square_distance(p, q), r * r);
-        if (!TBX_RARELY(verdict == TBX_UNSURE)) {
-            return verdict;
-        }
-    }
-#endif
-    return tbx_sphere_sphere_exact(a, &a_radius, b, &b_radius);
+    return tbx_sphere_sphere_wide(a, tbx_bits32(&a_radius), b, tbx_bits32(&b_radius));
 }
 
 /* By the sign of v = n.c + d, and of v^2 - r^2 |n|^2. */
@@ -8914,9 +8959,9 @@ TBX_COLD int tbx_plane_sphere_exact(const float n[3], const float *d, const floa
     return tbx_ball_compare(&c, normal, &v) < 0 ? sign : 0;
 }
 
-/* v errs by 4 u of the magnitudes of its four terms; its square and r^2 |n|^2 are compared with that taken off,
- * or put on. */
-#define TBX_PLANE_SPHERE_ERROR (4.0 * TBX_U64)
+/* v errs by 4 u of the magnitudes of its four terms, whose sum errs by as much of itself; its square and r^2 |n|^2
+ * are compared with that taken off, or put on. */
+#define TBX_PLANE_SPHERE_ERROR (5.0 * TBX_U64)
 
 /* What tribox_plane_sphere returns, or UNSURE. */
 TBX_FN int tbx_plane_sphere_filter(const float n[3], double d, const float center[3], double r)
@@ -8949,14 +8994,12 @@ TBX_FN int tbx_plane_sphere_filter(const float n[3], double d, const float cente
     return TBX_UNSURE;
 }
 
-TRIBOX_FN int tribox_plane_sphere(const float n[3], float d, const float c[3], float radius)
+TBX_NOINLINE int tbx_plane_sphere_wide(const float n[3], uint32_t d_bits, const float c[3], uint32_t radius_bits)
 {
-#if TRIBOX_SIMD
-    const int quick = tbx_plane_sphere4(n, &d, c, &radius);
-    if (!TBX_RARELY(quick == TBX_UNSURE)) {
-        return quick;
-    }
-#endif
+    float d;
+    float radius;
+    tbx_float_of(&d, d_bits);
+    tbx_float_of(&radius, radius_bits);
 #if TBX_DOUBLE_IS_53_BITS
     if (!TBX_RARELY(tbx_odd4(n, n, c, c) || (tbx_odd1(&d) | tbx_odd_radius(&radius)) != 0)) {
         const int verdict = tbx_plane_sphere_filter(n, tbx_take(&d), c, tbx_take(&radius));
@@ -8966,6 +9009,17 @@ TRIBOX_FN int tribox_plane_sphere(const float n[3], float d, const float c[3], f
     }
 #endif
     return tbx_plane_sphere_exact(n, &d, c, &radius);
+}
+
+TRIBOX_FN int tribox_plane_sphere(const float n[3], float d, const float c[3], float radius)
+{
+#if TRIBOX_SIMD
+    const int quick = tbx_plane_sphere4(n, &d, c, &radius);
+    if (!TBX_RARELY(quick == TBX_UNSURE)) {
+        return quick;
+    }
+#endif
+    return tbx_plane_sphere_wide(n, tbx_bits32(&d), c, tbx_bits32(&radius));
 }
 
 /* The point of the box that is nearest to the centre is known by comparisons alone. */
@@ -9034,9 +9088,11 @@ TBX_FN int tbx_sphere_box_filter(const float center[3], double r, const float bo
     return tbx_ball_less(x * x + y * y + z * z, r * r);
 }
 
-TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_min[3],
-                                const float box_max[3])
+TBX_NOINLINE int tbx_sphere_box_wide(const float c[3], uint32_t radius_bits, const float box_min[3],
+                                     const float box_max[3])
 {
+    float radius;
+    tbx_float_of(&radius, radius_bits);
 #if TBX_DOUBLE_IS_53_BITS
     if (!TBX_RARELY(tbx_odd4(c, c, box_min, box_max) || tbx_odd_radius(&radius) != 0)) {
         const int verdict = tbx_sphere_box_filter(c, tbx_take(&radius), box_min, box_max);
@@ -9046,6 +9102,18 @@ TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_
     }
 #endif
     return tbx_sphere_box_exact(c, &radius, box_min, box_max);
+}
+
+TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_min[3],
+                                const float box_max[3])
+{
+#if TRIBOX_SIMD
+    const int quick = tbx_sphere_box4(c, &radius, box_min, box_max);
+    if (!TBX_RARELY(quick == TBX_UNSURE)) {
+        return quick;
+    }
+#endif
+    return tbx_sphere_box_wide(c, tbx_bits32(&radius), box_min, box_max);
 }
 
 /* ---- sphere and triangle
@@ -9163,11 +9231,11 @@ TBX_COLD int tbx_sphere_triangle_exact(const float center[3], const float *radiu
  * point is a little farther, and decides a little less. */
 TBX_FN void tbx_touch_weights(const double a[3], const double b[3], const double p[3], double out[2])
 {
-    const double aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
-    const double ab = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    const double bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2];
-    const double a0 = a[0] * p[0] + a[1] * p[1] + a[2] * p[2]; /* a.(centre - v0), then from v1, v2 */
-    const double b0 = b[0] * p[0] + b[1] * p[1] + b[2] * p[2];
+    const double aa = tbx_dot3(a, a);
+    const double ab = tbx_dot3(a, b);
+    const double bb = tbx_dot3(b, b);
+    const double a0 = tbx_dot3(a, p); /* a.(centre - v0), then from v1, v2 */
+    const double b0 = tbx_dot3(b, p);
     const double a1 = a0 - aa;
     const double b1 = b0 - ab;
     const double a2 = a0 - ab;
@@ -9201,8 +9269,16 @@ TBX_FN void tbx_touch_weights(const double a[3], const double b[3], const double
     w = w > 0.0 ? w : 0.0;
     size = size > v + w ? size : v + w;
     size = size > 0.0 ? size : 1.0;
-    out[0] = v / size;
-    out[1] = w / size;
+    TBX_KEEP_SCALAR(size); /* divides only if it is not 0 */
+    size = 1.0 / size;
+    out[0] = v * size;
+    out[1] = w * size;
+}
+
+/* The sum of three magnitudes. */
+TBX_FN double tbx_size3(const double x[3])
+{
+    return tbx_abs(x[0]) + tbx_abs(x[1]) + tbx_abs(x[2]);
 }
 
 /* In double: a point of T within r is a hit; a plane across the way from the nearest point to the centre, with T
@@ -9218,33 +9294,30 @@ TBX_FN int tbx_touch_filter(const float center[3], double r, const float *const 
     double p[3];
     double g[3];
     double weight[2];
-    double mag = 0.0;
-    double size = 0.0;
-    double square = 0.0;
-    double least = 0.0;
-    double of_a = 0.0;
-    double of_b = 0.0;
+    double mag;
+    double size;
+    double square;
+    double least;
+    double of_a;
+    double of_b;
     double error;
-    int k;
     tbx_take3_float(x[0], v[0]);
     tbx_take3_float(x[1], v[1]);
     tbx_take3_float(x[2], v[2]);
     tbx_take3_float(x[3], center);
-    for (k = 0; k < 3; k++) {
-        a[k] = x[1][k] - x[0][k];
-        b[k] = x[2][k] - x[0][k];
-        p[k] = x[3][k] - x[0][k];
-        mag += tbx_abs(a[k]) + tbx_abs(b[k]) + tbx_abs(p[k]);
-    }
+    tbx_minus3(a, x[1], x[0]);
+    tbx_minus3(b, x[2], x[0]);
+    tbx_minus3(p, x[3], x[0]);
+    mag = tbx_size3(a) + tbx_size3(b) + tbx_size3(p);
     tbx_touch_weights(a, b, p, weight);
-    for (k = 0; k < 3; k++) {
-        g[k] = p[k] - (weight[0] * a[k] + weight[1] * b[k]);
-        size += tbx_abs(g[k]);
-        square += g[k] * g[k];
-        least += g[k] * p[k];
-        of_a += g[k] * a[k];
-        of_b += g[k] * b[k];
-    }
+    g[0] = p[0] - (weight[0] * a[0] + weight[1] * b[0]);
+    g[1] = p[1] - (weight[0] * a[1] + weight[1] * b[1]);
+    g[2] = p[2] - (weight[0] * a[2] + weight[1] * b[2]);
+    size = tbx_size3(g);
+    square = tbx_dot3(g, g);
+    least = tbx_dot3(g, p);
+    of_a = tbx_dot3(g, a);
+    of_b = tbx_dot3(g, b);
     error = mag * TBX_TOUCH_ERROR;
     if (square + 4.0 * error * (r + error) < r * r * (1.0 - TBX_BALL_ERROR)) {
         return TBX_HIT;
@@ -9407,99 +9480,8 @@ TBX_COLD int tbx_ray_sphere_exact(const float origin[3], const float dir[3], con
     return tbx_pierce_run(&x, out);
 }
 
-/* The key of the float at or below t, 2^-100 < |t| < 2^100. */
-TBX_FN int64_t tbx_floor_key(double t)
-{
-    float narrow = (float)t;
-    TBX_KEEP_SCALAR(narrow);
-    return (int64_t)tbx_key32(&narrow) - ((double)narrow > t);
-}
-
-/* End e about t, sure to within error: rounded outward, if that is one float only; else 0. */
-TBX_FN int tbx_pierce_end(double t, double error, int e, int64_t *out)
-{
-    const double x = e == 0 ? t : -t;
-    double before = x - error;
-    double after = x + error;
-    int64_t key;
-    if (!(tbx_abs(t) > 7.888609052210118e-31 + error &&
-          tbx_abs(t) < 1.2676506002282294e+30)) { /* 2^-100, 2^100 */
-        return 0;
-    }
-    TBX_KEEP_SCALAR(before); /* to floats only if in range */
-    TBX_KEEP_SCALAR(after);
-    key = tbx_floor_key(before);
-    *out = e == 0 ? key : -key;
-    return key == tbx_floor_key(after);
-}
-
-/* In double. In units of u: B errs by 5 of the magnitudes b of its terms, C by 8 of c = m.m + r^2, so D = B^2 - A
- * C by 12 b^2 + 12 A c, its root by half of that over the root, and a root of f by what both add up to, over A,
- * and 4 of itself. Returns MISS, HIT with the ends as keys, or UNSURE. */
-#define TBX_PIERCE_ERROR (16.0 * TBX_U64)
-
-TBX_FN int tbx_pierce_filter(const float *origin, const float *dir, const double ends[2], const float *center,
-                             double r, int64_t out[2])
-{
-    const double from = ends[0];
-    const double to = ends[1];
-    double o[3];
-    double w[3];
-    double c[3];
-    double a = 0.0;
-    double b = 0.0;
-    double mm = 0.0;
-    double mag = 0.0;
-    double d;
-    double error;
-    double root;
-    double inverse;
-    double t[2];
-    int k;
-    tbx_take3_float(o, origin);
-    tbx_take3_float(w, dir);
-    tbx_take3_float(c, center);
-    for (k = 0; k < 3; k++) {
-        const double m = o[k] - c[k];
-        a += w[k] * w[k];
-        b += w[k] * m;
-        mm += m * m;
-        mag += tbx_abs(w[k] * m);
-    }
-    d = b * b - a * (mm - r * r);
-    error = (mag * mag + a * (mm + r * r)) * TBX_PIERCE_ERROR;
-    if (d < -error) {
-        return TBX_MISS;
-    }
-    if (!(d > 1024.0 * error && a > 0.0)) {
-        return TBX_UNSURE;
-    }
-    TBX_KEEP_SCALAR(a); /* divides only if it is not 0 */
-    inverse = tbx_inverse_root(d);
-    root = d * inverse;
-    error *= inverse;
-    inverse = 1.0 / a;
-    error = (error + (mag + root) * TBX_PIERCE_ERROR) * inverse;
-    t[0] = (-b - root) * inverse;
-    t[1] = (root - b) * inverse;
-    if (t[1] + error < from || t[0] - error > to) {
-        return TBX_MISS;
-    }
-    if (!(t[1] - error > from && t[0] + error < to)) {
-        return TBX_UNSURE;
-    }
-    for (k = 0; k < 2; k++) {
-        const double end = k == 0 ? from - t[0] : t[1] - to; /* > 0: the ray's own end */
-        if (end > error) {
-            out[k] = 0; /* the caller knows it */
-        } else if (end > -error || !tbx_pierce_end(t[k], error, k, &out[k])) {
-            return TBX_UNSURE;
-        }
-    }
-    return TBX_HIT;
-}
-
-/* A ray's ends in double; an infinite one is past every time, |B| / A < 2^256. 0 for NaN, subnormals, and what is no ray. */
+/* A ray's ends in double; an infinite one is past every time, |B| / A < 2^256. 0 for NaN, subnormals, and what is no
+ * ray. */
 TBX_FN int tbx_pierce_ends(const float t[2], double out[2])
 {
     const int32_t infinity = 0x7f800000;
@@ -9507,8 +9489,7 @@ TBX_FN int tbx_pierce_ends(const float t[2], double out[2])
     const int32_t to = tbx_key32(&t[1]);
     const int from_infinite = from == -infinity;
     const int to_infinite = to == infinity;
-    if (from > to || from < -infinity || to > infinity || from == infinity || to == -infinity ||
-        (!from_infinite && tbx_odd1(&t[0]) != 0) || (!to_infinite && tbx_odd1(&t[1]) != 0)) {
+    if (from > to || (!from_infinite && tbx_odd1(&t[0]) != 0) || (!to_infinite && tbx_odd1(&t[1]) != 0)) {
         return 0;
     }
     out[0] = from_infinite ? -TBX_SLAB_BEYOND : tbx_take(&t[0]);
@@ -9516,29 +9497,93 @@ TBX_FN int tbx_pierce_ends(const float t[2], double out[2])
     return 1;
 }
 
+/* Where the ray enters (e = 0) or leaves (1), as a key: at t, or at its own end. */
+TBX_FN int64_t tbx_pierce_end(double t, double error, int e, double own, const float *own_float, int *unsure)
+{
+    const double beyond = e == 0 ? own - t : t - own;
+    const int64_t key = tbx_round_outward(t, error, e);
+    if (beyond > error) {
+        return (int64_t)tbx_key32(own_float);
+    }
+    *unsure |= (beyond > -error) | (key == 0);
+    return key;
+}
+
+/* In double. In units of u: B errs by 4 of the magnitudes b of its terms, C by 6 of c = m.m + r^2, so D = B^2 - A
+ * C by 10 b^2 + 11 A c, its root by half of that over the root and by 5 of itself, and a root of f by what both add
+ * up to, over A, and 6 of itself. Most rays miss: where D < 0; from t >= 0 on also where C > 0 and B > 0. Returns MISS,
+ * HIT with the ends as keys, or UNSURE. */
+#define TBX_PIERCE_ERROR (16.0 * TBX_U64)
+
+TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const float t[2], const float center[3],
+                             double r, int64_t out[2])
+{
+    double w[3];
+    double m[3];
+    double ends[2];
+    double a;
+    double b;
+    double c;
+    double b_error;
+    double c_error;
+    double error;
+    double root;
+    double inverse;
+    double first;
+    double last;
+    int unsure = 0;
+    tbx_take3_float(w, center);
+    tbx_take3_float(m, origin);
+    tbx_minus3(m, m, w);
+    tbx_take3_float(w, dir);
+    a = tbx_dot3(w, w);
+    b = tbx_dot3(w, m);
+    c = tbx_dot3(m, m);
+    r = r * r;
+    b_error = tbx_abs(w[0] * m[0]) + tbx_abs(w[1] * m[1]) + tbx_abs(w[2] * m[2]);
+    c_error = (c + r) * TBX_PIERCE_ERROR;
+    c -= r;
+    error = b_error * b_error * TBX_PIERCE_ERROR + a * c_error;
+    root = b * b - a * c;
+    if ((root < -error) |
+        ((tbx_bits32(t) >> 31 == 0) & (c > c_error) & (b > b_error * TBX_PIERCE_ERROR))) { /* NaN is no ray, too */
+        return TBX_MISS;
+    }
+    if (!(root > 1024.0 * error && a > 0.0) || !tbx_pierce_ends(t, ends)) {
+        return TBX_UNSURE;
+    }
+    TBX_KEEP_SCALAR(a); /* divides only if it is not 0 */
+    TBX_KEEP_SCALAR(root);
+    root = tbx_root(root);
+    inverse = 1.0 / (a * root);
+    error = (error + (b_error + root) * TBX_PIERCE_ERROR * root) * inverse;
+    inverse *= root;
+    first = (-b - root) * inverse;
+    last = (root - b) * inverse;
+    if ((last + error < ends[0]) | (first - error > ends[1])) {
+        return TBX_MISS;
+    }
+    out[0] = tbx_pierce_end(first, error, 0, ends[0], &t[0], &unsure);
+    out[1] = tbx_pierce_end(last, error, 1, ends[1], &t[1], &unsure);
+    unsure |= !((last - error > ends[0]) & (first + error < ends[1]));
+    return unsure ? TBX_UNSURE : TBX_HIT;
+}
+
 TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float t_min, float t_max,
                                 const float c[3], float radius, float *out_t0, float *out_t1)
 {
-    float ends[2];
-    double near_ends[2];
+    float t[2];
     int64_t key[2];
     int hit = TBX_UNSURE;
-    int k;
-    (void)k;
-    (void)near_ends;
-    TBX_COPY(&ends[0], &t_min, sizeof t_min);
-    TBX_COPY(&ends[1], &t_max, sizeof t_max);
+    TBX_COPY(&t[0], &t_min, sizeof t_min);
+    TBX_COPY(&t[1], &t_max, sizeof t_max);
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY(tbx_odd4(origin, dir, c, c) || tbx_odd_radius(&radius) != 0) &&
-        tbx_pierce_ends(ends, near_ends)) {
-        hit = tbx_pierce_filter(origin, dir, near_ends, c, tbx_take(&radius), key);
-        for (k = 0; k < 2 && hit == TBX_HIT; k++) {
-            key[k] = key[k] == 0 ? (int64_t)tbx_key32(&ends[k]) : key[k];
-        }
+    if (!TBX_RARELY(tbx_odd4(origin, dir, c, c) || tbx_odd_radius(&radius) != 0)) {
+        hit = tbx_pierce_filter(origin, dir, t, c, tbx_take(&radius), key);
     }
 #endif
     if (TBX_RARELY(hit == TBX_UNSURE)) {
-        hit = tbx_ray_sphere_exact(origin, dir, ends, c, &radius, key);
+        hit = tbx_ray_sphere_exact(origin, dir, t, c, &radius, key);
     }
     if (hit && out_t0 != NULL) {
         tbx_write(out_t0, 0, TBX_FLOAT, key[0]);
@@ -14035,7 +14080,7 @@ TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const floa
     TBX_KEEP_SCALAR(a);
     t = a / d;
     TBX_KEEP_SCALAR(t);
-    key = tbx_slab_round(t, e);
+    key = tbx_round_outward(t, TBX_SLAB_ERROR * tbx_abs(t), e);
     if (TBX_RARELY(key == 0 ||
                    !(tbx_abs(t * d - a) < tbx_abs(a) * TBX_SLAB_INVERSE_ERROR && tbx_abs(t) > 1e-6))) {
         return tbx_ray_end_again(origin, dir, box_min, box_max, k, e);
@@ -14222,9 +14267,23 @@ TBX_FN int tbx_within(const float *x, uint32_t least, uint32_t most)
     return tbx_bits32(x) - least < most - least;
 }
 
-/* Both sides err by less than 6 u of themselves, u = 2^-23. Centres are below 2^60 and radii at least 2^-40, so
- * that what is flushed, 2^-126 of a difference or of a square, is nothing to 2^-19 of their squares. */
+/* Both sides err by less than 6 u of themselves, u = 2^-23, and are compared with another u of them. Centres are
+ * below 2^60 and radii at least 2^-40, so that what is flushed, 2^-126 of a difference or of a square, is nothing to
+ * 2^-19 of their squares. */
 #define TBX_BALL_ERROR4 1.9073486328125e-06f /* 2^-19 */
+
+/* Is |d| <= r? */
+TBX_FN int tbx_ball4(tbx_f4 d, float r)
+{
+    float apart;
+    float error;
+    TBX_KEEP_VECTOR(d);
+    d = d * d;
+    apart = (d[0] + d[1]) + d[2];
+    error = (apart + r * r) * TBX_BALL_ERROR4;
+    apart -= r * r;
+    return TBX_RARELY(!(tbx_absf(apart) > error)) ? TBX_UNSURE : (int)(apart < 0.0f);
+}
 
 TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const float b[3], const float *b_radius)
 {
@@ -14241,22 +14300,68 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
     TBX_KEEP_VECTOR(q);
     TBX_KEEP_SCALAR(of_a);
     TBX_KEEP_SCALAR(of_b);
+    return tbx_ball4(p - q, of_a + of_b);
+}
+
+/* No coordinate of the box is subnormal, so lo > hi is what it says. */
+TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3], const float box_max[3])
+{
+    const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
+    tbx_f4 p = tbx_load3(c);
+    tbx_f4 lo = tbx_load3(box_min);
+    tbx_f4 hi = tbx_load3(box_max);
+    float r = *radius;
+    const tbx_f4 size_lo = tbx_abs4(lo);
+    const tbx_f4 size_hi = tbx_abs4(hi);
+    const tbx_i4 outside = tbx_above(tbx_abs4(p), 0x5d800000) | tbx_above(size_lo, 0x5d800000) |
+                           tbx_above(size_hi, 0x5d800000) | tbx_below(size_lo, 0x00800000) |
+                           tbx_below(size_hi, 0x00800000);
+    if (TBX_RARELY(tbx_any(outside) || !tbx_within(radius, 0x2b800000u, 0x5d800000u))) {
+        return TBX_UNSURE;
+    }
+    TBX_KEEP_VECTOR(p);
+    TBX_KEEP_VECTOR(lo);
+    TBX_KEEP_VECTOR(hi);
+    TBX_KEEP_SCALAR(r);
+    if (TBX_RARELY(tbx_any(lo > hi))) {
+        return TBX_MISS;
+    }
     {
-        tbx_f4 d = p - q;
-        const float r = of_a + of_b;
-        float apart;
-        float error;
-        TBX_KEEP_VECTOR(d);
-        d = d * d;
-        apart = (d[0] + d[1]) + d[2];
-        error = (apart + r * r) * TBX_BALL_ERROR4;
-        apart -= r * r;
-        return TBX_RARELY(!(tbx_absf(apart) > error)) ? TBX_UNSURE : (int)(apart < 0.0f);
+        tbx_f4 below = lo - p;
+        tbx_f4 above = p - hi;
+        TBX_KEEP_VECTOR(below);
+        TBX_KEEP_VECTOR(above);
+        return tbx_ball4(tbx_max4(tbx_max4(below, above), zero), r);
     }
 }
 
-/* v errs by 4 u of the magnitudes of its terms; |n|^2 is at least 2^-40 and r at least 2^-30. Returns what
- * tribox_plane_sphere does, or UNSURE. */
+/* x.y, x.x, and the sum of the magnitudes of x.y's terms. */
+typedef struct tbx_dots {
+    float xy;
+    float xx;
+    float size;
+} tbx_dots;
+
+TBX_FN tbx_dots tbx_dots4(tbx_f4 x, tbx_f4 y)
+{
+    const tbx_f4 xy = x * y;
+    const tbx_f4 xx = x * x;
+    const tbx_f4 low = TBX_LANES(xy, xx, 0, 4, 1, 5);
+    const tbx_f4 high = TBX_LANES(xy, xx, 2, 6, 3, 7);
+    const tbx_f4 sums = low + TBX_LANES(low, low, 2, 3, 2, 3) + high;
+    const tbx_f4 sizes = tbx_abs4(low) + tbx_abs4(TBX_LANES(low, low, 2, 3, 2, 3)) + tbx_abs4(high);
+    tbx_dots r;
+    r.xy = sums[0];
+    r.xx = sums[1];
+    r.size = sizes[0];
+    return r;
+}
+
+/* v errs by 4 u of the magnitudes of its terms, and their sum by as much of itself: error is 8 u. Sure beyond (|v| +
+ * error)^2 - v^2, with 2^-19 = 16 u of |v| more in each factor for the roundings of v^2, 2 u, and of r^2 |n|^2, 6
+ * u of itself: where that is above 3 v^2, and its error more than what the factor adds, it is far from |v| + error / 2,
+ * which v is not beyond. |n|^2 is at least 2^-40 and r at least 2^-30, so what is flushed or read as 0, 2^-94 of v, is
+ * nothing to that. Returns what tribox_plane_sphere does, or UNSURE. */
 #define TBX_PLANE_SPHERE_ERROR4 9.5367431640625e-07f /* 2^-20 */
 
 TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius)
@@ -14275,18 +14380,16 @@ TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3],
     TBX_KEEP_SCALAR(of_d);
     TBX_KEEP_SCALAR(r);
     {
-        const tbx_f4 product = x * y;
-        const tbx_f4 sums = tbx_sums3(product, x * x);
-        const tbx_f4 sizes = tbx_sums3(tbx_abs4(product), x);
-        const float v = sums[0] + of_d;
-        const float error = (sizes[0] + tbx_absf(of_d)) * TBX_PLANE_SPHERE_ERROR4;
-        const float square = r * r * sums[1];
-        const float apart = v * v - square; /* sure beyond (|v| + error)^2 - v^2, and their own errors */
-        const float band = (2.0f * tbx_absf(v) + error) * error + (v * v + square) * TBX_BALL_ERROR4;
-        if (TBX_RARELY(!(tbx_absf(apart) > band)) || TBX_RARELY(!(sums[1] > 9.094947017729282e-13f))) {
+        const tbx_dots dots = tbx_dots4(x, y);
+        const float v = dots.xy + of_d;
+        const float size = tbx_absf(v);
+        const float error = (dots.size + tbx_absf(of_d)) * TBX_PLANE_SPHERE_ERROR4;
+        const float apart = v * v - r * r * dots.xx;
+        const float band = (size + size + error) * (error + size * TBX_BALL_ERROR4);
+        if (TBX_RARELY(!(tbx_absf(apart) > band)) || TBX_RARELY(!(dots.xx > 9.094947017729282e-13f))) {
             return TBX_UNSURE; /* 2^-40 */
         }
-        return ((v > 0.0f) - (v < 0.0f)) & -(int)(apart > 0.0f);
+        return (1 - (int)(tbx_bits32(&v) >> 31 << 1)) & ((int)(tbx_bits32(&apart) >> 31) - 1);
     }
 }
 
@@ -15846,6 +15949,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_NOINLINE
 #undef TBX_RARELY
 #undef TBX_PREFETCH
+#undef TBX_ROOT
 #undef TBX_COPY
 #undef TBX_KEEP
 #undef TBX_KEEP_SCALAR
@@ -15958,7 +16062,6 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_RAY_NOTHING
 #undef TBX_SLAB_BEYOND
 #undef TBX_SLAB_ERROR
-#undef TBX_SLAB_ERROR_ULPS
 #undef TBX_SLAB_INVERSE_ERROR
 #undef TBX_SOLID_MIDDLE_ERROR
 #undef TBX_STEPS
