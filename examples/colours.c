@@ -268,7 +268,7 @@ int main(int argc, char **argv) {
     path = argc > 3 ? argv[3] : NULL;
     if (argc > 4 || (argc > 2 && !program_int(argv[2], 1, 512, &resolution))
         || (path && !mesh_name_ends(path, ".ply") && !mesh_name_ends(path, ".vox"))
-        || (path && !voxels_check(path, error)) || !program_mesh(&m, argc > 1 ? argv[1] : "teapot", error)) {
+        || (path && !voxels_check(path, argc > 1 ? argv[1] : "teapot", error)) || !program_mesh(&m, argc > 1 ? argv[1] : "teapot", error)) {
         return program_fails("colours", error);
     }
     memset(&p, 0, sizeof p);

@@ -37,4 +37,11 @@ mpi: ## fill in 1, 2 and 4 processes with MPI: the same file, byte by byte
 	    $(MPIRUN) -n $$ranks $(B)/slabs_mpi teapot 256 $(B)/slabs_$$ranks.binvox || exit 1; \
 	done && \
 	cmp $(B)/slabs_1.binvox $(B)/slabs_2.binvox && cmp $(B)/slabs_1.binvox $(B)/slabs_4.binvox && \
-	echo 'mpi: 3 passed, 0 failed'
+	test "$$($(MPIRUN) -n 2 $(B)/slabs_mpi --help | grep -c '^usage: slabs_mpi')" = 1 && \
+	$(MPIRUN) -n 2 $(B)/slabs_mpi --version | grep -q '^slabs_mpi, tribox.h ' && \
+	if $(MPIRUN) -n 2 $(B)/slabs_mpi --sideways > $(B)/slabs_mpi.log 2>&1; then exit 1; fi && \
+	grep -q "unknown option '--sideways'" $(B)/slabs_mpi.log && \
+	if $(MPIRUN) -n 2 $(B)/slabs_mpi teapot 16 $(B)/no/such/folder.binvox > $(B)/slabs_mpi.log 2>&1; then exit 1; fi && \
+	grep -q 'No such file or directory' $(B)/slabs_mpi.log && \
+	if ls $(B)/slabs_?.binvox.* 2> /dev/null; then exit 1; fi && \
+	echo 'mpi: 7 passed, 0 failed'

@@ -1554,8 +1554,9 @@ static inline int mesh_read_memory(mesh *out, const char *path, const unsigned c
     r.line = 1;
     ok = mesh_parse(&r);
     if (ok && out->indices && r.largest >= out->vertices) {
-        ok = mesh_fail_at(&r, r.largest_place, "vertex number %lu (from 0), but the file has %lu vertices",
-                          (unsigned long)r.largest, (unsigned long)out->vertices);
+        int from = strcmp(out->format, "OBJ") == 0;     /* where the file begins to count */
+        ok = mesh_fail_at(&r, r.largest_place, "vertex number %lu (from %d), but the file has %lu vertices",
+                          (unsigned long)r.largest + (unsigned long)from, from, (unsigned long)out->vertices);
     }
     if (ok && out->triangles == 0) {
         ok = mesh_fail_file(&r, "no triangles");

@@ -16,6 +16,7 @@ enum { RENDER_FINE = 2 };                               /* samples of a pixel, e
 enum { RENDER_COLUMNS = RENDER_FINE * RENDER_WIDTH, RENDER_ROWS = RENDER_FINE * RENDER_HEIGHT };
 enum { RENDER_LIGHTS = 4096, RENDER_RAYS = 24 };
 enum { RENDER_VOXELS, RENDER_BRICKS, RENDER_CRATES, RENDER_LEVELS };
+enum { RENDER_REACH = 3 };                              /* voxels around one that make its normal */
 enum { RENDER_FLOOR = 8 };                              /* pixels between the points where the floor is lit */
 
 typedef struct vec { double x[3]; } vec;
@@ -93,6 +94,7 @@ typedef struct render {
     uint64_t      *seen;                /* of each sample, the key of the face; 0: none */
     float         *depth;
     unsigned char  byte[4097];          /* sRGB of light in 4096ths */
+    unsigned char  weight[RENDER_REACH * RENDER_REACH + 1][1 << (2 * RENDER_REACH + 1)];     /* see render_weights_make */
     vec           *floor;               /* light on the floor, at every RENDER_FLOOR-th pixel */
     int            block;               /* log2 of the voxels of a block with one light, each way */
     render_light  *lights;
@@ -127,13 +129,14 @@ typedef struct render_walk {
 
 static inline void walk_begin(render_walk *w, const render_ray *ray, double t, int level, const long lo[3],
                               const long hi[3], int axis) {
-    double side = (double)(1 << 3 * level);
+    const double side = (double)(1 << 3 * level);
+    const double cells = 1 / side;                      /* a power of two, so nothing rounds */
     int a;
     w->t = t;
     w->axis = axis;
     for (a = 0; a < 3; a++) {
         double d = ray->d.x[a];
-        double at = (ray->o.x[a] + t * d) / side;
+        double at = (ray->o.x[a] + t * d) * cells;
         w->cell[a] = at < (double)lo[a] ? lo[a] : at >= (double)hi[a] ? hi[a] - 1 : (long)at;
         w->step[a] = d > 0 ? 1 : -1;
         w->next[a] = d == 0 ? HUGE_VAL : (side * (double)(w->cell[a] + (d > 0)) - ray->o.x[a]) * ray->inverse.x[a];
@@ -308,10 +311,30 @@ static inline unsigned render_window(const render *r, size_t x, size_t y, size_t
     return (unsigned)bits & 511u;
 }
 
+/* What the voxels of a row count for the normal of the one at its middle: the nearer the more, none beyond
+ * RENDER_REACH. Of 7 bits, and by the square of the row's distance. */
+static inline void render_weights_make(render *r) {
+    int square;
+    int x;
+    unsigned bits;
+    for (square = 0; square <= RENDER_REACH * RENDER_REACH; square++) {
+        for (bits = 0; bits < 1u << (2 * RENDER_REACH + 1); bits++) {
+            int sum = 0;
+            for (x = -RENDER_REACH; x <= RENDER_REACH; x++) {
+                int distance = x * x + square;
+                int counts = distance <= RENDER_REACH * RENDER_REACH ? (int)(bits >> (x + RENDER_REACH) & 1u) : 0;
+                sum += counts * (RENDER_REACH * RENDER_REACH + 2 - distance);
+            }
+            r->weight[square][bits] = (unsigned char)sum;
+        }
+    }
+}
+
 /* The surface's normal: exposed faces that look at the camera, counted around the voxel, stand for its
    components. */
 static inline vec render_smooth_normal(const render *r, const size_t voxel[3]) {
-    enum { REACH = 3 };
+    enum { SIDE = 2 * RENDER_REACH + 3, BITS = (1 << (2 * RENDER_REACH + 1)) - 1 };
+    unsigned window[SIDE][SIDE];        /* of the rows around it, one more on each side */
     int sum[3] = {0, 0, 0};
     int step[3];
     int a;
@@ -320,28 +343,27 @@ static inline vec render_smooth_normal(const render *r, const size_t voxel[3]) {
     for (a = 0; a < 3; a++) {
         step[a] = r->forward.x[a] > 0 ? -1 : 1;
     }
-    for (z = -REACH; z <= REACH; z++) {
-        for (y = -REACH; y <= REACH; y++) {
-            size_t at_y = (size_t)((long)voxel[1] + y);
-            size_t at_z = (size_t)((long)voxel[2] + z);
-            unsigned set = render_window(r, voxel[0], at_y, at_z);
-            unsigned open[3];
-            int x;
-            if (y * y + z * z > REACH * REACH || set == 0) {
-                continue;
-            }
-            open[0] = set & ~(step[0] > 0 ? set >> 1 : set << 1);
-            open[1] = set & ~render_window(r, voxel[0], at_y + (size_t)step[1], at_z);
-            open[2] = set & ~render_window(r, voxel[0], at_y, at_z + (size_t)step[2]);
-            for (x = -REACH; x <= REACH; x++) {
-                int distance = x * x + y * y + z * z;
-                for (a = 0; distance <= REACH * REACH && a < 3; a++) {
-                    sum[a] += (int)(open[a] >> (x + 4) & 1u) * step[a] * (REACH * REACH + 2 - distance);
-                }
-            }
+    for (z = 0; z < SIDE; z++) {
+        for (y = 0; y < SIDE; y++) {
+            window[z][y] = render_window(r, voxel[0], voxel[1] + (size_t)y - RENDER_REACH - 1,
+                                         voxel[2] + (size_t)z - RENDER_REACH - 1);
         }
     }
-    return vec_unit(vec_make(sum[0], sum[1], sum[2]));
+    for (z = -RENDER_REACH; z <= RENDER_REACH; z++) {
+        for (y = -RENDER_REACH; y <= RENDER_REACH; y++) {
+            const unsigned *row = &window[z + RENDER_REACH + 1][y + RENDER_REACH + 1];
+            const unsigned set = *row;
+            const unsigned char *weight;
+            if (y * y + z * z > RENDER_REACH * RENDER_REACH || set == 0) {
+                continue;
+            }
+            weight = r->weight[y * y + z * z];
+            sum[0] += weight[(set & ~(step[0] > 0 ? set >> 1 : set << 1)) >> 1 & BITS];
+            sum[1] += weight[(set & ~row[step[1]]) >> 1 & BITS];
+            sum[2] += weight[(set & ~row[step[2] * SIDE]) >> 1 & BITS];
+        }
+    }
+    return vec_unit(vec_make(sum[0] * step[0], sum[1] * step[1], sum[2] * step[2]));
 }
 
 /* Kept for the samples that follow; where voxels are much smaller than a pixel, a cube of them has one normal. */
@@ -363,6 +385,20 @@ static inline double render_sun_seen(const render *r, vec point, int sample, int
     vec d = vec_add(vec_add(r->sun, radius * r->spiral[sample][0], r->sun_side[0]), radius * r->spiral[sample][1],
                     r->sun_side[1]);
     return render_trace(r, point, d, HUGE_VAL, &hit) ? 0 : 1;
+}
+
+/* The part of the sun seen from a point, by `rays` of its disc; some at its rim first, and the others where these
+   differ. */
+static inline double render_sun_part(const render *r, vec point, int rays, int first) {
+    double seen = 0;
+    int i;
+    for (i = rays - 1; i >= 0; i--) {
+        seen += render_sun_seen(r, point, i, rays);
+        if (i == rays - first && (seen < 0.5 || seen > first - 0.5)) {
+            return seen / first;
+        }
+    }
+    return seen / rays;
 }
 
 /* The part of the sun seen from a face at (b, c) of its own axes; from a little above, so that the steps of the
@@ -444,29 +480,20 @@ static inline const render_light *render_visit_sky(const render *r, const size_t
     return light;
 }
 
-/* The light on such a block: that on a plane across the normal. Two ends of the sun are asked first. */
+/* The light on such a block: that on a plane across the normal. */
 static inline void render_light_block(const render *r, render_light *light, const size_t voxel[3], vec outward,
                                       vec normal) {
     enum { RAYS = 6 };
     const render_light *sky;
     double open;
-    double sun = 0;
-    vec point;
-    int i;
+    double sun;
     normal = vec_unit(vec_add(normal, 0.4, outward));
     sky = render_visit_sky(r, voxel, outward, normal);
     open = sky->open_sky;
     normal = sky->sun[0] > 0 ? outward : normal;
-    point = render_above(r, voxel, outward, normal);
-    for (i = RAYS - 1; i >= 0 && vec_dot(normal, r->sun) > -0.1; i--) {
-        sun += render_sun_seen(r, point, i, RAYS);
-        if (i == RAYS - 2 && (sun < 0.5 || sun > 1.5)) {
-            sun *= RAYS / 2.0;
-            break;
-        }
-    }
+    sun = vec_dot(normal, r->sun) > -0.1 ? render_sun_part(r, render_above(r, voxel, outward, normal), RAYS, 2) : 0;
     light->open_sky = open;
-    light->sun[0] = light->sun[1] = light->sun[2] = light->sun[3] = sun / RAYS;
+    light->sun[0] = light->sun[1] = light->sun[2] = light->sun[3] = sun;
 }
 
 /* The light there, kept for the samples that follow. */
@@ -521,17 +548,14 @@ static inline vec render_shade_floor(const render *r, double x, double y) {
     vec point = vec_add(origin, t, r->forward);
     vec away = vec_add(point, -1, r->centre);
     double reach = 3 * render_reach(r);
-    double light = 0;
+    double light;
     double fade = exp(-vec_dot(away, away) / (14 * reach * reach));
     int a;
     if (fade < 0.01) {
         return backdrop;
     }
     point = vec_add(point, 0.01, r->up);
-    for (a = 0; a < 12; a++) {
-        light += render_sun_seen(r, point, a, 12) / 12;
-    }
-    light = 0.55 * light + 0.45 * render_open_sky(r, point, r->up, 12);
+    light = 0.55 * render_sun_part(r, point, 12, 3) + 0.45 * render_open_sky(r, point, r->up, 12);
     for (a = 0; a < 3; a++) {
         backdrop.x[a] *= 1 - fade * (1 - light) * 0.85;
     }
@@ -928,6 +952,7 @@ static inline int render_write(const char *path, const voxels *v, char up, char 
     } else {
         render_aim(&r, up);
         render_bytes_make(&r);
+        render_weights_make(&r);
         render_project(&r);
         render_draw_all(&r);
         render_pixels(&r, pixels);

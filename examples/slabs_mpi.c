@@ -8,7 +8,7 @@
  * before. Runs end with each x, so that the file is the same, byte by byte, from any number of ranks. In the end rank 0
  * reads the file and compares it with a fill of its own. Prints:
  *
- *   grid      256 x 160 x 127, 4 ranks
+ *   grid      256 x 160 x 126, 4 ranks
  *   fill      ... s in the slowest rank, ... triangles
  *   file      ... bytes
  *   check     the same as one process
@@ -26,6 +26,7 @@ typedef struct job {
     mesh mesh;
     voxels      whole;          /* its bits are not kept: only sizes */
     const char *path;
+    char        part_path[1024];        /* the file until it is complete */
     char        bits_path[1024];
 } job;
 
@@ -197,7 +198,7 @@ static int write_part(const job *j, char *error) {
         MPI_Exscan(&bytes, &before, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
         before = (j->rank == 0 ? 0 : before) + (uint64_t)length;
         well = !c.failed && c.used <= INT_MAX &&
-               MPI_File_open(MPI_COMM_WORLD, j->path, MPI_MODE_CREATE | MPI_MODE_WRONLY, MPI_INFO_NULL, &file) == MPI_SUCCESS;
+               MPI_File_open(MPI_COMM_WORLD, j->part_path, MPI_MODE_CREATE | MPI_MODE_WRONLY, MPI_INFO_NULL, &file) == MPI_SUCCESS;
         if (well) {
             well = MPI_File_set_size(file, 0) == MPI_SUCCESS;
             if (j->rank == 0) {
@@ -214,7 +215,8 @@ static int write_part(const job *j, char *error) {
     }
     free(rows);
     free(c.bytes);
-    if (!all_well(well)) {
+    well = all_well(well);
+    if (!all_well(well && (j->rank != 0 || rename(j->part_path, j->path) == 0))) {
         snprintf(error, MESH_ERROR, "%.400s: cannot be written", j->path);
         return 0;
     }
@@ -248,6 +250,13 @@ static int is_same(const job *j, char *error) {
     return same;
 }
 
+/* What all ranks are told: --help and its like, and what is refused, is rank 0's to print. */
+static int asked(const job *j, const char *usage, int *argc, char **argv) {
+    int answer = j->rank == 0 ? program_arguments("slabs_mpi", usage, argc, argv) : -1;
+    MPI_Bcast(&answer, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    return j->rank != 0 && answer < 0 ? program_arguments("slabs_mpi", usage, argc, argv) : answer;
+}
+
 static int run(job *j, int argc, char **argv, char *error) {
     int resolution = 256;
     char ignored[MESH_ERROR];
@@ -258,7 +267,11 @@ static int run(job *j, int argc, char **argv, char *error) {
         return -1;
     }
     j->path = argc > 3 ? argv[3] : "build/slabs_mpi.binvox";
+    snprintf(j->part_path, sizeof j->part_path, "%.1000s.part", j->path);
     snprintf(j->bits_path, sizeof j->bits_path, "%.1000s.bits", j->path);
+    if (!all_well(j->rank != 0 || voxels_check(j->path, argc > 1 ? argv[1] : "teapot", error))) {
+        return -1;
+    }
     ok = all_well(program_mesh(&m, argc > 1 ? argv[1] : "teapot", error));
     if (!ok) {
         return -1;
@@ -297,6 +310,11 @@ int main(int argc, char **argv) {
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &j.rank);
     MPI_Comm_size(MPI_COMM_WORLD, &j.ranks);
+    answer = asked(&j, error, &argc, argv);
+    if (answer >= 0) {
+        MPI_Finalize();
+        return answer;
+    }
     answer = run(&j, argc, argv, error);
     if (answer < 0 && j.rank == 0) {
         program_fails("slabs_mpi", error);

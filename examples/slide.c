@@ -9,6 +9,9 @@
  * reached is asked about again before the box is there; where it is a hair inside, or where it starts inside,
  * tribox_gap says which way is out and how far, as often as it takes. A place that cannot be left is not entered.
  *
+ * Sweeps and gaps are of floats; a mesh whose coordinates are no floats is moved to the origin first, by whole
+ * numbers.
+ *
  * First come a flat floor of 32 triangles at two heights and bumpy ground far from the origin, then the mesh. Prints:
  *
  *   floor      at z = 0: 200 steps, 0 stops; at z = 0.1: 200 steps, 0 stops

@@ -6,6 +6,7 @@
  */
 #ifndef EXAMPLES_SOLID_PARTS_H
 #define EXAMPLES_SOLID_PARTS_H
+#include "progress.h"
 #include "voxel_io.h"
 
 /* Flips the voxels of a region inside `count` triangles of the mesh, those that `indices` list. */
@@ -269,6 +270,7 @@ static inline int solid_by_parts(voxels *v, const mesh *m, size_t *out_parts, si
     solid_parts s;
     uint64_t *bits = (uint64_t *)malloc((v->words + 1) * sizeof *bits);
     int ok = solid_find_parts(&s, m) && bits;
+    progress shown = progress_begin("solid");
     size_t i;
     size_t j;
     *out_parts = *out_cavities = 0;
@@ -277,6 +279,7 @@ static inline int solid_by_parts(voxels *v, const mesh *m, size_t *out_parts, si
         size_t words;
         size_t y;
         size_t z;
+        progress_show(&shown, (double)i, (double)s.parts);
         if (s.part[i].outer != i) {
             *out_cavities += 1;
             continue;
@@ -296,6 +299,7 @@ static inline int solid_by_parts(voxels *v, const mesh *m, size_t *out_parts, si
             v->bits[(z * v->n[1] + y) * v->row_words + j % v->row_words] |= bits[j];
         }
     }
+    progress_end(&shown);
     free(bits);
     free(s.indices);
     free(s.part);

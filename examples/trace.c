@@ -76,7 +76,7 @@ static int meet(scene *s, const float o[3], const float d[3], hit *h) {
         }
     }
     triangle = ray_tree_pick(&s->tree, o, d, &h->t);
-    if (triangle < s->tree.mesh.triangles) {
+    if (triangle < s->tree.m->triangles) {
         for (a = 0; a < 3; a++) {
             point[a] = o[a] + h->t * d[a];
         }
@@ -132,23 +132,31 @@ static void look(scene *s, const float o[3], const double d[3], int bounces, dou
     }
 }
 
-/* Normals, the tree, a floor below and a ring of spheres around. */
+/* Normals, the tree, a floor below and a ring of spheres around. The picture's own numbers are floats: where the mesh
+ * is of doubles, they count from a base near it. */
 static int prepare(scene *s, const mesh *m) {
     tribox_grid frame;
-    float corner[3];
     size_t i;
+    size_t k;
     int a;
-    if (!tribox_grid_fit(&frame, &s->tree.mesh, 1)) {
+    if (!mesh_fit(&frame, m, 1)) {
         return 0;
+    }
+    s->tree.m = m;
+    for (a = 0; a < 3; a++) {
+        s->tree.base[a] = m->exact ? frame.origin[a] : 0;
     }
     s->size = frame.size[0];
     s->floor = FLT_MAX;
-    for (i = 0; i < m->vertices; i++) {
-        s->floor = fminf(s->floor, m->positions[3 * i + 2]);
+    for (i = 0; i < m->triangles; i++) {
+        for (k = 0; k < 3; k++) {
+            double corner[3];
+            mesh_corner_f64(m, i, k, corner);
+            s->floor = fminf(s->floor, (float)(corner[2] - s->tree.base[2]));
+        }
     }
     for (a = 0; a < 3; a++) {
-        corner[a] = (float)frame.origin[a];
-        s->aim[a] = frame.origin[a] + s->size / 2 - (a == 2 ? 0.22 * s->size : 0);
+        s->aim[a] = frame.origin[a] - s->tree.base[a] + s->size / 2 - (a == 2 ? 0.22 * s->size : 0);
         s->eye[a] = (float)(s->aim[a] + s->size * (a == 0 ? 0.55 : a == 1 ? -1.25 : 0.55));
     }
     for (a = 0; a < BALLS; a++) {
@@ -159,7 +167,7 @@ static int prepare(scene *s, const mesh *m) {
         s->ball[a][2] = s->floor + (float)radius;
         s->ball[a][3] = (float)radius;
     }
-    return ray_tree_build(&s->tree, m->vertices, corner, (float)exp2(ceil(log2(s->size))));
+    return ray_tree_build(&s->tree, &frame);
 }
 
 /* The colour at a point of the picture, in pixels from its top left. */
@@ -256,19 +264,19 @@ int main(int argc, char **argv) {
         return asked;
     }
     if (argc < 2 || argc > 4 || (argc > 3 && !program_int(argv[3], 16, 4096, &s.width)) ||
+        !voxels_check(argv[1], argc > 2 ? argv[2] : "teapot", error) ||
         !program_mesh(&m, argc > 2 ? argv[2] : "teapot", error)) {
         return program_fails("trace", error);
     }
     s.height = s.width * 5 / 8;
-    mesh_to_floats(&m);
-    s.tree.mesh = mesh_view(&m);
+    mesh_say_exact(&m);
     pixels = (unsigned char *)malloc((size_t)s.width * (size_t)s.height * 3);
     rows = (double(*)[3])malloc(2 * ((size_t)s.width + 1) * sizeof *rows);
     if (!pixels || !rows || !prepare(&s, &m)) {
         return program_fails("trace", "out of memory, or a mesh without extent");
     }
     printf("octree     %lu nodes, %lu places for %lu triangles\n", (unsigned long)s.tree.nodes,
-           (unsigned long)s.tree.places, (unsigned long)s.tree.mesh.triangles);
+           (unsigned long)s.tree.places, (unsigned long)m.triangles);
     divided = render(&s, pixels, rows);
     printf("picture    %d x %d, %.0f %% of the pixels divided, %.1f rays for each\n", s.width, s.height,
            100.0 * (double)divided / s.width / s.height, s.rays / s.width / s.height);

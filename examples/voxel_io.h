@@ -7,6 +7,9 @@
 #ifndef EXAMPLES_VOXEL_IO_H
 #define EXAMPLES_VOXEL_IO_H
 #include "mesh_io.h"
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/stat.h>
+#endif
 
 /* ---- 1. Bits --------------------------------------------------------------------------------- */
 
@@ -161,10 +164,26 @@ static inline int voxels_close(FILE *file, const char *path, char *error) {
     return 1;
 }
 
-/* Can the file be written? Asked before any work: a folder that is not there, or may not be written. */
-static inline int voxels_check(const char *path, char *error) {
+/* Are these two names of one file? */
+static inline int voxels_same_file(const char *path, const char *other) {
+#if defined(__unix__) || defined(__APPLE__)
+    struct stat a;
+    struct stat b;
+    if (stat(path, &a) == 0 && stat(other, &b) == 0) {
+        return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+    }
+#endif
+    return strcmp(path, other) == 0;
+}
+
+/* Can the file be written? Asked before any work: a folder that is not there, or may not be written; the mesh that is
+ * read, by whatever name. */
+static inline int voxels_check(const char *path, const char *mesh_path, char *error) {
     char part[4096];
     FILE *file;
+    if (strcmp(path, "-") != 0 && voxels_same_file(path, mesh_path)) {
+        return voxels_fail(path, "this is the mesh: it would be overwritten", error);
+    }
     if (!voxels_part(path, part, sizeof part)) {
         return 1;
     }

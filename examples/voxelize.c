@@ -13,7 +13,7 @@
 #include "solid.h"
 #include "solid_parts.h"
 
-enum { MAX_OUTPUTS = 16, BATCH = 65536 };
+enum { MAX_OUTPUTS = 16, BATCH = 65536, BATCHES = 64 };
 
 typedef struct options {
     const char *mesh;
@@ -154,10 +154,6 @@ static int check_outputs(const options *o, char *error) {
     int i;
     int k;
     for (i = 0; i < o->outputs; i++) {
-        if (strcmp(o->output[i], o->mesh) == 0 && strcmp(o->mesh, "-") != 0) {
-            snprintf(error, MESH_ERROR, "%.200s is the mesh: it would be overwritten", o->output[i]);
-            return 0;
-        }
         for (k = 0; k < i; k++) {
             if (strcmp(o->output[i], o->output[k]) == 0) {
                 snprintf(error, MESH_ERROR, "%.200s is named twice", o->output[i]);
@@ -168,7 +164,7 @@ static int check_outputs(const options *o, char *error) {
                                                  || o->size[1] < o->size[2] || o->size[1] > o->size[2])) {
             return voxels_fail(o->output[i], "a binvox file holds cubic voxels only; take another format", error);
         }
-        if (!voxels_check(o->output[i], error)) {
+        if (!voxels_check(o->output[i], o->mesh, error)) {
             return 0;
         }
     }
@@ -279,12 +275,13 @@ static int frame_by_size(tribox_grid *grid, const options *o, const mesh_stats *
 }
 
 /* Triangles in batches, so that long work can be seen to go on; the bits are those of one call. */
-static void fill(voxels *v, const mesh *m) {
-    progress p = progress_begin("filling");
+static void fill(voxels *v, const mesh *m, int inside) {
+    progress p = progress_begin(inside ? "solid" : "filling");
+    const size_t batch = m->triangles / BATCHES < BATCH ? m->triangles / BATCHES + 1 : BATCH;
     size_t done = 0;
     while (done < m->triangles) {
-        size_t end = m->triangles - done < BATCH ? m->triangles : done + BATCH;
-        mesh_fill_part(&v->grid, m, done, end, 0, v->bits);
+        size_t end = m->triangles - done < batch ? m->triangles : done + batch;
+        mesh_fill_part(&v->grid, m, done, end, inside, v->bits);
         done = end;
         progress_show(&p, (double)done, (double)m->triangles);
     }
@@ -355,7 +352,7 @@ static int fill_solid(const options *o, const mesh *m, voxels *v) {
     size_t open;
     size_t i;
     if (o->solid == SOLID_EXACT) {
-        solid_exact(&v->grid, m, m->indices, m->triangles, v->bits);
+        fill(v, m, 1);
         fprintf(say, "solid     ");
     } else {
         if (!solid_by_parts(v, m, &parts, &cavities)) {
@@ -391,7 +388,7 @@ static int voxelize(const options *o, const mesh *m, voxels *v, char *error) {
     }
     if (o->solid == SOLID_NONE || o->solid == SOLID_FLOOD || o->surface) {
         start = progress_seconds();
-        fill(v, m);
+        fill(v, m, 0);
         fprintf(say, "%s %lu voxels in %.3f s\n", o->solid == SOLID_NONE || o->solid == SOLID_FLOOD ? "surface  "
                 : "with the surface", (unsigned long)voxels_count(v), progress_seconds() - start);
     }

@@ -41,6 +41,9 @@ turns() {
     done
 }
 turns 171 0.5 .25,.25,.25 '0 0' '8 8' '0 3' '-8 8'
+turns 145 0.5 .25,.25,.25 '0 0' '8 0' '8 2' '2 2' '2 8' '0 8'
+turns 301 0.5 .25,.25,.25 '0 0' '9 0' '9 9' '6 9' '6 3' '3 3' '3 9' '0 9'
+turns 411 0.5 .25,.25,.25 '0 0' '10 0' '10 10' '6 10' '6 5' '4 5' '4 10' '0 10'
 # an L, a U, a plate with a slot, and a frame whose hole is joined to the outline by a double edge
 turns 105 0.5 .05,.05,.05 '0 0' '6 0' '6 2' '2 2' '2 6' '0 6'
 turns 235 0.5 .05,.05,.05 '0 0' '9 0' '9 7' '6 7' '6 2' '3 2' '3 7' '0 7'
@@ -209,6 +212,23 @@ text old.gltf '{"asset": {"version": "1.0"}, "meshes": {}}'
 bad "$tmp/old.gltf" 'this is glTF 1.0'
 text cut.gltf '{"asset": '
 bad "$tmp/cut.gltf" 'the file ends within its JSON'
+
+# Half a turn about z by a quaternion, larger, moved; and of two scenes the one that is asked for
+sed 's/"matrix":\[[^]]*\]/"rotation":[0,0,1,0],"scale":[2,3,4]/' "$tmp/data.gltf" > "$tmp/turned.gltf"
+run 0 "$bin/voxelize" "$tmp/turned.gltf" --size 1
+says 'x 8 to 10, y -3 to 0, z 0 to 0'
+sed 's/"scene":0,"scenes":\[{"nodes":\[0\]}\]/"scene":1,"scenes":[{"nodes":[0]},{"nodes":[1]}]/; s/"children":\[1\],//' \
+    "$tmp/data.gltf" > "$tmp/scenes.gltf"
+run 0 "$bin/voxelize" "$tmp/scenes.gltf" --size 1
+says 'x -1 to 0, y 0 to 1'
+
+# ---- A byte order mark before the others
+
+for file in ascii.stl:'ASCII STL, 6' plain.off:'OFF, 2' data.gltf:'glTF, 1'; do
+    { printf '\357\273\277'; cat "$tmp/${file%%:*}"; } > "$tmp/marked"
+    run 0 "$bin/voxelize" "$tmp/marked" --size 1
+    says "${file#*:} triangles"
+done
 
 # ---- What is named in the error
 

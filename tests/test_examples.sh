@@ -164,7 +164,7 @@ bad "$tmp/short.obj" 'line 3: number expected, found the end of the line'
 text zero.obj 'v 0 0 0\nf 0 1 1\n'
 bad "$tmp/zero.obj" "line 2: vertex index from 1 expected, found '0'"
 text past.obj 'v 0 0 0\nf 1 1 1\nf 1 1 2\n'
-bad "$tmp/past.obj" 'line 3: vertex number 1 (from 0), but the file has 1 vertices'
+bad "$tmp/past.obj" 'line 3: vertex number 2 (from 1), but the file has 1 vertices'
 text back.obj 'v 0 0 0\nf -1 -1 -2\n'
 bad "$tmp/back.obj" 'line 2: vertex index -2, but only 1 vertices stand above'
 text huge.obj 'v 0 0 0\nf 1 1 99999999999999999999\n'
@@ -260,7 +260,15 @@ says 'too many voxels along x'
 run 2 "$bin/voxelize" teapot --size 0.1,0.1,0.2 -o "$tmp/flat.binvox"
 says 'a binvox file holds cubic voxels only'
 run 2 "$bin/voxelize" "$tmp/plain.obj" 8 -o "$tmp/plain.obj"
-says 'is the mesh: it would be overwritten'
+says 'this is the mesh: it would be overwritten'
+run 2 "$bin/voxelize" "$tmp/plain.obj" 8 -o "$tmp/./plain.obj"       # by another name
+says 'this is the mesh: it would be overwritten'
+cp "$tmp/ascii.ply" "$tmp/written.ply"
+run 2 "$bin/colours" "$tmp/written.ply" 8 "$tmp/./written.ply"
+says 'this is the mesh: it would be overwritten'
+same 'the mesh is as it was' "$tmp/ascii.ply" "$tmp/written.ply"
+run 2 "$bin/trace" "$tmp/no/such/folder.png"
+says 'No such file or directory'
 run 2 "$bin/voxelize" teapot 8 -o "$tmp/a.npy" -o "$tmp/a.npy"
 says 'is named twice'
 run 2 "$bin/voxelize" teapot 8 -o -
@@ -377,7 +385,7 @@ run 0 "$bin/voxelize" teapot-closed 48 --solid -o "$tmp/shell.obj" -o "$tmp/shel
 run 0 "$bin/voxelize" "$tmp/shell.obj" 48
 says 'closed: every edge'
 
-# vox FILE: walks its chunks, and prints models, voxels, and voxels outside their model
+# vox FILE: walks its chunks, and prints models, voxels, voxels outside their model, scenes, and odd sizes in a scene
 vox() {
     od -An -v -tu1 "$1" | tr -s ' \n' '\n\n' | sed '/^$/d' | awk '
         { byte[NR - 1] = $1 }
@@ -388,8 +396,12 @@ vox() {
             for (at = 20; at < NR; at += 12 + word(at + 4)) {
                 if (word(at) == 1163544915) {
                     models++
-                    for (a = 0; a < 3; a++) side[a] = word(at + 12 + 4 * a)
+                    for (a = 0; a < 3; a++) {
+                        side[a] = word(at + 12 + 4 * a)
+                        odd += side[a] % 2
+                    }
                 }
+                scenes += word(at) == 1347569518
                 if (word(at) == 1230657880) {
                     voxels += word(at + 12)
                     for (i = 0; i < word(at + 12); i++) {
@@ -397,7 +409,7 @@ vox() {
                     }
                 }
             }
-            print models + 0, voxels + 0, outside + 0, at == NR ? "whole" : "cut"
+            print models + 0, voxels + 0, outside + 0, at == NR ? "whole" : "cut", scenes + 0, (scenes > 0) * odd
         }'
 }
 for size in 0.1 0.02,0.1,0.1; do
@@ -405,8 +417,18 @@ for size in 0.1 0.02,0.1,0.1; do
     count=$(sed -n 's/^surface *\([0-9]*\) voxels.*/\1/p' "$tmp/out")
     models=$([ $size = 0.1 ] && echo 1 || echo 2)
     vox "$tmp/teapot.vox" > "$tmp/out"
-    says "$models $count 0 whole"
+    says "$models $count 0 whole $((models - 1)) 0"
 done
+# 324 x 43 x 34: models of 256 and 68, both of 44 x 34, whose middles lie at 128 and 290 of 324, and at 22 of 43
+grep -ao '_t.\{4\}-*[0-9]* -*[0-9]* [0-9]*' "$tmp/teapot.vox" | sed 's/_t....//' > "$tmp/out"
+says '-34 1 17'
+says '128 1 17'
+run 0 "$bin/voxelize" teapot --size 0.003,0.1,0.1 -o "$tmp/teapot.vox"
+says 'the scene reaches beyond 1000 voxels from its middle'
+printf 'v 0 0 0\nv 1 0 0\nv 0 2100 1\nf 1 2 3\n' > "$tmp/high.obj"      # y is up: from -1051 to 1051, and not from 0
+run 0 "$bin/voxelize" "$tmp/high.obj" --size 1 -o "$tmp/high.vox"
+grep -ao '_t.\{4\}-*[0-9]* -*[0-9]* -*[0-9]*' "$tmp/high.vox" | sed 's/_t....//' > "$tmp/out"
+says ' -923'
 
 # Arrays hold as many ones as there are voxels; nothing is left of a file's first name.
 run 0 "$bin/voxelize" teapot 50 -o "$tmp/a.npy" -o "$tmp/a.nrrd" -o "$tmp/a.vti" -o "$tmp/a.stl"
@@ -419,7 +441,8 @@ same 'the standard output gets the same file' "$tmp/a.npy" "$tmp/b.npy"
 ones() { # FILE BYTES-OF-HEADER
     tail -c +$(($2 + 1)) "$1" | tr -d '\000' | tr '\001' 1 | grep -ao '1' | wc -l | tr -d ' '
 }
-checks=$((checks + 2))
+checks=$((checks + 3))
+head -c 128 "$tmp/a.npy" | grep -aq "'descr': '|b1', 'fortran_order': False, 'shape': (25, 32, 50)" || fail '.npy: header'
 [ "$(ones "$tmp/a.npy" 128)" = "$count" ] || fail '.npy: other voxels'
 header=$(grep -an -m 1 '^$' "$tmp/a.nrrd" | cut -d: -f1)
 [ "$(ones "$tmp/a.nrrd" "$(head -n "$header" "$tmp/a.nrrd" | wc -c)")" = "$count" ] || fail '.nrrd: other voxels'
@@ -468,12 +491,12 @@ says 'clipped           418 leaves      820 references'
 run 0 "$bin/colours" "$tmp/far.ply" 8 "$tmp/far.vox"
 says 'in double'
 run 0 "$bin/pick" "$tmp/far.ply" 8
-says 'the mesh is moved by -448262,-5411932,-112 and rounded to floats'
+says 'all is computed in double'
 says 'picked triangle '
 run 0 "$bin/trace" "$tmp/far.png" "$tmp/far.ply" 32
-says 'the mesh is moved by '
+says 'all is computed in double'
 run 0 "$bin/slide" "$tmp/far.ply" 9
-says 'the mesh is moved by '
+says 'the mesh is moved by -448262,-5411932,-112 and rounded to floats'
 
 od -An -v -tx1 "$tmp/shell.png" | tr -d ' \n' > "$tmp/out"
 says 89504e470d0a1a0a0000000d4948445200000500000003c00802000000
