@@ -696,6 +696,10 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #define TBX_GNU 0
 #endif
 
+#if defined(__alpha__) && defined(__GNUC__) && !defined(_IEEE_FP)
+#error "tribox.h on Alpha needs -mieee: without it (-ffast-math turns it off) the processor stops at subnormals"
+#endif
+
 /* The rare path: kept out of line, so that its stack and code stay out of the callers. */
 #if defined(__CUDACC__) && !defined(__clang__)
 #define TBX_NOINLINE TBX_HD static __noinline__
@@ -5627,7 +5631,8 @@ TBX_FN int tbx_box_valid(const tbx_real lo[3], const tbx_real hi[3])
 
 /* ---- numbers of the two runs */
 
-#if TBX_GNU && defined(__SIZEOF_INT128__) && !defined(__CUDACC__) && !defined(__HIP__)
+/* WebAssembly multiplies 128 bits by a function of a library, which there need not be. */
+#if TBX_GNU && defined(__SIZEOF_INT128__) && !defined(__CUDACC__) && !defined(__HIP__) && !defined(__wasm__)
 typedef uint64_t tbx_limb;
 __extension__ typedef unsigned __int128 tbx_two_limbs;
 #define TBX_LIMB_BITS 64
