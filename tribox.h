@@ -4033,7 +4033,8 @@ typedef struct tbx_span {
  * sign(E) * (-d_c, d_b), d = v_j - v_i, the gradient of E. The plane misses exactly one voxel at p, at p +
  * (s_x, s_y, s_z), s = -sign(D) * sign(n). All E and D are affine in p.
  *
- * Bounds, with delta that of the coordinates and n <= 4 voxels on the longest axis:
+ * Bounds, with delta that of the coordinates and n <= 4 voxels on the longest axis, none of which stands for all
+ * beyond the region:
  *   E     The coordinates 4 (n - 1) delta. Where the sign of d_c is wrong, |d_c| <= 2 delta; since the triangle meets
  *         the plane c = p_c, |E| is at most |d_c| n then. Rounding is below delta / 8. In all less than
  *         SMALL_EDGE_ERROR delta.
@@ -4171,6 +4172,12 @@ TBX_NOINLINE int tbx_walk_small(const tbx_walk *w, uint64_t *out_missed)
     }
     if (!w->box_is_strict) {
         return 0;
+    }
+    /* voxels two before the region and one after it stand for all beyond: such a corner may lie anywhere */
+    for (k = 0; k < 3; k++) {
+        if (w->whole[k] < -1 || w->whole[k] + w->more[k] > (int64_t)f->grid->hi[k] - f->grid->lo[k]) {
+            return 0;
+        }
     }
     m.missed = 0;
     for (k = 0; k < 3; k++) {

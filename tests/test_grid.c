@@ -56,6 +56,14 @@ static void huge_triangles_are_exact_on_every_voxel(void)
     every_voxel_agrees_with_the_oracle(GRID_HUGE, DOUBLES, 500);
 }
 
+/* An index box of few voxels says nothing of a corner beyond the region: an edge from one corner within to one as far
+ * as 2^40 voxels passes a lattice point by rounding. A mesh of doubles in map coordinates has such. */
+static void edges_from_a_small_region_to_far_away_are_exact_on_every_voxel(void)
+{
+    every_voxel_agrees_with_the_oracle(GRID_PASS, FLOATS, 600);
+    every_voxel_agrees_with_the_oracle(GRID_PASS, DOUBLES, 1500);
+}
+
 /* Planes almost parallel to an axis: the bound on i is a quotient of two small differences. */
 static void steep_triangles_are_exact_on_every_voxel(void)
 {
@@ -835,6 +843,7 @@ int main(void)
     RUN(degenerate_triangles_are_exact_on_every_voxel);
     RUN(tiny_triangles_are_exact_on_every_voxel);
     RUN(huge_triangles_are_exact_on_every_voxel);
+    RUN(edges_from_a_small_region_to_far_away_are_exact_on_every_voxel);
     RUN(steep_triangles_are_exact_on_every_voxel);
     RUN(narrow_triangles_are_exact_on_every_voxel);
     RUN(extreme_scales_are_exact_on_every_voxel);

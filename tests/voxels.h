@@ -199,6 +199,7 @@ enum voxels_kind {
     GRID_HUGE,          /* corners up to a million regions away */
     GRID_STEEP,         /* planes nearly parallel to an axis, corners far away */
     GRID_LINE,          /* long and narrow: many rows, few voxels each */
+    GRID_PASS,          /* a corner in a small region, two far away: an edge passes a lattice point by rounding */
     GRID_KINDS
 };
 
@@ -297,6 +298,25 @@ TEST_FN void make_steep_corners(voxels *v)
     }
 }
 
+/* v1 lies on the line from v0 through a lattice point, up to 2^40 times as far, mostly in one direction of an axis. */
+TEST_FN void make_passing_corners(voxels *v)
+{
+    const double far_away = (double)((uint64_t)1 << (8 + random_below(33)));
+    const int    down = random_below(3) == 0 ? random_below(8) : 0;
+    int          a;
+
+    make_random_corner(&v->grid, v->t.v[0], 1);
+    for (a = 0; a < 3; a++) {
+        const double size = v->grid.size[a] * (down >> a & 1 ? -1.0 : 1.0);
+        const double n = 1 + random_below(v->grid.hi[a] - v->grid.lo[a]);
+        const double at = grid_plane(&v->grid, a, size > 0 ? v->grid.lo[a] + n : v->grid.hi[a] - n);
+        const double other = (random_signed() + 1.0) * size;
+        const double to = (at > v->t.v[0][a]) == (size > 0) ? at - v->t.v[0][a] : other;
+        v->t.v[1][a] = v->t.v[0][a] + to * far_away;
+        v->t.v[2][a] = v->t.v[0][a] + (random_signed() + 1.0) * size * far_away;
+    }
+}
+
 /* Corners moved by up to three ulps, half of the time. */
 TEST_FN void walk_corners(voxels *v, int as_float)
 {
@@ -332,6 +352,9 @@ TEST_FN void voxels_corners(voxels *v, int kind, int as_float)
     case GRID_STEEP:
         make_steep_corners(v);
         break;
+    case GRID_PASS:
+        make_passing_corners(v);
+        break;
     case GRID_LINE:
         make_random_corner(&v->grid, v->t.v[0], 2);
         make_random_corner(&v->grid, v->t.v[1], 2);
@@ -356,8 +379,13 @@ TEST_FN void voxels_corners(voxels *v, int kind, int as_float)
 
 TEST_FN void voxels_make(voxels *v, int kind, int as_float)
 {
+    int a;
+
     v->seed = random_state;
     make_grid(&v->grid, kind == GRID_LINE);
+    for (a = 0; kind == GRID_PASS && a < 3; a++) {
+        v->grid.hi[a] = v->grid.lo[a] + 1 + random_below(3);
+    }
     voxels_corners(v, kind, as_float);
     voxels_finish(v);
 }
