@@ -8610,8 +8610,9 @@ TBX_FN void tbx_segment_walk(tbx_segment *s)
     }
 }
 
-/* Times in double on axis k: an offset errs by u of what it is made of, the quotients by a few u of themselves,
- * and what is added up by a few u more of |from|, |step| and |t|. */
+/* Times in double on axis k, in units of u, with Q = (|origin| + |p| + |q| + size) / |q - p| + 1: the difference of
+ * origin and p, their distance, the division (4), and two sums, 8 of Q; the step alike, 7 of it in `from` and of step *
+ * voxel, which is at most Q + |t|: 22 of Q, 7 of |t|. */
 TBX_FN void tbx_segment_times(tbx_segment *s, int k)
 {
     const double *origin = &s->grid->origin[k];
@@ -8973,7 +8974,7 @@ TBX_COLD int tbx_plane_sphere_exact(const float n[3], const float *d, const floa
 
 /* v errs by 4 u of the magnitudes of its four terms, whose sum errs by as much of itself; its square and r^2 |n|^2
  * are compared with that taken off, or put on. */
-#define TBX_PLANE_SPHERE_ERROR (5.0 * TBX_U64)
+#define TBX_PLANE_SPHERE_ERROR (6.0 * TBX_U64)
 
 /* What tribox_plane_sphere returns, or UNSURE. */
 TBX_FN int tbx_plane_sphere_filter(const float n[3], double d, const float center[3], double r)
@@ -9295,7 +9296,8 @@ TBX_FN double tbx_size3(const double x[3])
 
 /* In double: a point of T within r is a hit; a plane across the way from the nearest point to the centre, with T
  * beyond r behind it, is a miss. With M the sum of all coordinates' magnitudes, counted from v0: the point errs
- * by less than 16 u M from one of T, and a corner's distance along the way g by 16 u M |g|. */
+ * by 10 u M from one of T, to which weights of a sum above 1 belong as well, and a corner's distance along the way g by
+ * 6 u M |g|. */
 #define TBX_TOUCH_ERROR (16.0 * TBX_U64)
 
 TBX_FN int tbx_touch_filter(const float center[3], double r, const float *const v[3])
@@ -9523,9 +9525,9 @@ TBX_FN int64_t tbx_pierce_end(double t, double error, int e, double own, const f
 
 /* In double. In units of u: B errs by 4 of the magnitudes b of its terms, C by 6 of c = m.m + r^2, so D = B^2 - A
  * C by 10 b^2 + 11 A c, its root by half of that over the root and by 5 of itself, and a root of f by what both add
- * up to, over A, and 6 of itself. Most rays miss: where D < 0; from t >= 0 on also where C > 0 and B > 0. Returns MISS,
+ * up to, over A, and 11 of itself (4 of them a division's). Most rays miss: where D < 0; from t >= 0 on also where C > 0 and B > 0. Returns MISS,
  * HIT with the ends as keys, or UNSURE. */
-#define TBX_PIERCE_ERROR (16.0 * TBX_U64)
+#define TBX_PIERCE_ERROR (32.0 * TBX_U64)
 
 TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const float t[2], const float center[3],
                              double r, int64_t out[2])
@@ -14282,7 +14284,7 @@ TBX_FN int tbx_within(const float *x, uint32_t least, uint32_t most)
 /* Both sides err by less than 6 u of themselves, u = 2^-23, and are compared with another u of them. Centres are
  * below 2^60 and radii at least 2^-40, so that what is flushed, 2^-126 of a difference or of a square, is nothing to
  * 2^-19 of their squares. */
-#define TBX_BALL_ERROR4 1.9073486328125e-06f /* 2^-19 */
+#define TBX_BALL_ERROR4 (16.0f * TBX_U32)
 
 /* Is |d| <= r? */
 TBX_FN int tbx_ball4(tbx_f4 d, float r)
@@ -14374,7 +14376,7 @@ TBX_FN tbx_dots tbx_dots4(tbx_f4 x, tbx_f4 y)
  * u of itself: where that is above 3 v^2, and its error more than what the factor adds, it is far from |v| + error / 2,
  * which v is not beyond. |n|^2 is at least 2^-40 and r at least 2^-30, so what is flushed or read as 0, 2^-94 of v, is
  * nothing to that. Returns what tribox_plane_sphere does, or UNSURE. */
-#define TBX_PLANE_SPHERE_ERROR4 9.5367431640625e-07f /* 2^-20 */
+#define TBX_PLANE_SPHERE_ERROR4 (8.0f * TBX_U32)
 
 TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius)
 {
@@ -14448,11 +14450,12 @@ TBX_FN unsigned tbx_gap_not_units(unsigned mask, tbx_i4 zero0, tbx_i4 zero1, tbx
  * edges i x unit z, x, y, 7 the normal; 0: out of range. Names as in tbx_filter4; D is the sum of all
  * magnitudes.
  *
- * In units of u = 2^-23: a difference errs by 1 of itself, w by 3 D; an edge: two products of 1 + 3 + 1 and
- * their difference, n, r, and four sums: less than 32 |l| D, so twice its s by less than 2^-18 D, and by 2^-16
+ * In units of u = 2^-23: a difference errs by 1 of itself, w by 2 of what it is made of; an edge: a term of its sums
+ * by 9 of itself, and all terms are at most 2 |l| D: less than 32 |l| D, so twice its s by less than 2^-18 D, and by 2^-16
  * of itself for the root; a face's by less. n_k errs by 4 of g_k, the magnitudes of its two products, so a
- * term of n.w or |n|.h by 9 g_k (|w_k| + h_k), and with their sums by less than 16 of the sum of these. What
- * the root adds to the greatest and to one as great is less than 2^-14 of it.
+ * term of n.w or |n|.h, with its share of the sums, by 11 g_k (|w_k| + h_k); |n| itself by 4 of all g_k, over |n| times
+ * twice the s, which is at most D: as if D / 8 were added to each |w_k| + h_k. What the root adds to the greatest and to
+ * one as great is less than 2^-14 of it.
  *
  * An axis that is 0 has the root 2^56, so what is subtracted as `void` drives it far below; others are moved
  * by 2^-26 D, as their roots are at most 2^24, but for normals: these count it as an error.
@@ -14460,7 +14463,7 @@ TBX_FN unsigned tbx_gap_not_units(unsigned mask, tbx_i4 zero0, tbx_i4 zero1, tbx
  * In range: corners below 2^26, differences of corners, and of the two faces, 0 or at least 2^-24: products of
  * degree 4 are below 2^112, the error of a normal that is 0, 2^-18 * 3 * 2^55 * 2^29 * 2^57, below 2^125; what is
  * flushed is below 2^-100. */
-#define TBX_GAP_ERROR4 3.814697265625e-06f   /* 2^-18 */
+#define TBX_GAP_ERROR4 (32.0f * TBX_U32)
 #define TBX_GAP_ROOT 6.103515625e-05f        /* 2^-14 */
 #define TBX_GAP_VOID 8.8817841970012523e-16f /* 2^-50 */
 
@@ -14527,10 +14530,10 @@ TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float
         const tbx_f4 n_xyz = tbx_yzx(n);
         const tbx_f4 g = tbx_yzx(tbx_abs4(plus) + tbx_abs4(minus));
         const tbx_f4 size = x1 + x2 + (tbx_abs4(l) + tbx_abs4(u));
-        const tbx_f4 sums = tbx_sums3(n_xyz * w, tbx_abs4(n_xyz) * h);
-        const tbx_f4 squares = tbx_sums3(n * n, g * (tbx_abs4(w) + h));
         const tbx_f4 partial = size + TBX_LANES(size, size, 1, 2, 0, 0);
         const tbx_f4 d = TBX_LANES(partial, partial, 0, 0, 0, 0) + TBX_LANES(size, size, 2, 2, 2, 2);
+        const tbx_f4 sums = tbx_sums3(n_xyz * w, tbx_abs4(n_xyz) * h);
+        const tbx_f4 squares = tbx_sums3(n * n, g * (tbx_abs4(w) + h + d * tbx_splat(0.125f)));
         const tbx_f4 nothing = d * tbx_splat(TBX_GAP_VOID);
         const tbx_f4 error = d * tbx_splat(TBX_GAP_ERROR4);
         const tbx_f4 root0 = tbx_inverse_root4(TBX_JOIN(a1 * a1 + a1_yzx * a1_yzx, squares, 0));
@@ -14622,10 +14625,12 @@ TBX_FN int tbx_gap_near_face(const float *const v[3], const float lo[3], const f
 
 /* g/|l| and the direction from what an axis l adds up to: twice the box's centre along it, less that of T, and
  * twice what both reach. 0 unless sure to 2^-40, given the error of both sums, and the square of what the terms
- * of l measure: l errs by 4 u of these, at most 2^7 of itself, which is 8 u 2^7 / 2 = 2^-43 of s. The root, to
- * 2^-16, is mended by a step of third order: 2^-46. The error may be .8 * 2^-40. */
-#define TBX_GAP_SURE 1374389534720.0   /* 1.25 * 2^40 */
-#define TBX_GAP_LENGTH 6.103515625e-05 /* 2^-14, of squares */
+ * of l measure: l errs by 4 u of these, at most 2^7 of itself, which is 2^-43 of s. The root is a guess from floats,
+ * whose l may have errors of its own: where its square is off by 2^-15 at most, a step of third order leaves 5/16 of the
+ * cube, 2^-46. The error may be .8 * 2^-40. */
+#define TBX_GAP_SURE 1374389534720.0    /* 1.25 * 2^40 */
+#define TBX_GAP_LENGTH 6.103515625e-05  /* 2^-14, of squares */
+#define TBX_GAP_GUESS 3.0517578125e-05  /* 2^-15 */
 
 TBX_FN int tbx_gap_near_end(double centre, double reach, double error, double square, double terms,
                             double *out_s, double *in_out_root)
@@ -14637,11 +14642,13 @@ TBX_FN int tbx_gap_near_end(double centre, double reach, double error, double sq
     *out_s = 0.5 * s * root;
     *in_out_root = tbx_with_sign(root, centre);
     return (int)(tbx_abs(s) > TBX_GAP_SURE * error) & (int)(tbx_abs(centre) > error) &
-           (int)(square > TBX_GAP_LENGTH * terms);
+           (int)(square > TBX_GAP_LENGTH * terms) & (int)(tbx_abs(rest) < TBX_GAP_GUESS);
 }
 
-/* An edge x a unit vector, counted from corner p. A difference errs by u, w by 3 u (|w| + h); a term of the
- * sums by 6 u of its magnitude, and the sums by 4 u more: 10 u. */
+/* An edge x a unit vector, counted from corner p. A difference errs by u, w by 2 u (|w| + h); a term of the sums, with
+ * its share of these, by 7 u of its magnitude. */
+#define TBX_GAP_EDGE_ERROR (11.0 * TBX_U64)
+
 TBX_FN int tbx_gap_near_edge(const float *const v[3], const float lo[3], const float hi[3], unsigned edge,
                              unsigned unit, double root, double *out_s, double out_axis[3])
 {
@@ -14665,15 +14672,17 @@ TBX_FN int tbx_gap_near_edge(const float *const v[3], const float lo[3], const f
         x_c * (tbx_abs(w_b) + h_b + 2.0 * tbx_abs(r_b)) + x_b * (tbx_abs(w_c) + h_c + 2.0 * tbx_abs(r_c));
     const double square = e_b * e_b + e_c * e_c;
     const int sure = tbx_gap_near_end((e_c * w_b - e_b * w_c) - t, x_c * h_b + x_b * h_c + tbx_abs(t),
-                                      11.0 * TBX_U64 * mag, square, 0.0, out_s, &root);
+                                      TBX_GAP_EDGE_ERROR * mag, square, 0.0, out_s, &root);
     out_axis[unit] = 0.0;
     out_axis[b] = e_c * root;
     out_axis[c] = -e_b * root;
     return sure;
 }
 
-/* The normal, counted from v0: n_k errs by 4 u of g_k, the magnitudes of its two products, a term of the sums
- * by 9 u g_k (|w_k| + h_k), and the sums by 4 u more: 13 u. */
+/* The normal, counted from v0: n_k errs by 4 u of g_k, the magnitudes of its two products, a term of the sums, with its
+ * share of these, by 10 u g_k (|w_k| + h_k). */
+#define TBX_GAP_NORMAL_ERROR (14.0 * TBX_U64)
+
 TBX_FN int tbx_gap_near_normal(const float *const v[3], const float lo[3], const float hi[3], double root,
                                double *out_s, double out_axis[3])
 {
@@ -14706,7 +14715,7 @@ TBX_FN int tbx_gap_near_normal(const float *const v[3], const float lo[3], const
         terms += g * g;
         out_axis[k] = n;
     }
-    sure = tbx_gap_near_end(centre, reach, 14.0 * TBX_U64 * mag, square, terms, out_s, &root);
+    sure = tbx_gap_near_end(centre, reach, TBX_GAP_NORMAL_ERROR * mag, square, terms, out_s, &root);
     for (k = 0; k < 3; k++) {
         out_axis[k] *= root;
     }
@@ -16064,6 +16073,9 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_GAP_ROOT
 #undef TBX_GAP_VOID
 #undef TBX_GAP_SURE
+#undef TBX_GAP_GUESS
+#undef TBX_GAP_NORMAL_ERROR
+#undef TBX_GAP_EDGE_ERROR
 #undef TBX_GAP_LENGTH
 #undef TBX_KEY_INFINITY
 #undef TBX_FLOAT_INFINITY

@@ -40,6 +40,20 @@ SOLID_BOX=$(constant '^#define TBX_SOLID_BOX_ERROR (\([0-9.]*\)f \* TBX_U32)$')
 SOLID_PLACE=$(constant '^#define TBX_SOLID_PLACE_ERROR (\([0-9.]*\)f \* TBX_U32)$')
 SOLID_ROW=$(constant '^#define TBX_SOLID_ROW_ERROR \([0-9.]*\)f$')
 SOLID_ROW_ULPS=$(constant '^#define TBX_SOLID_ROW_ULPS (\([0-9.]*\)f \* TBX_U32)$')
+BALL=$(constant '^#define TBX_BALL_ERROR (\([0-9.]*\) \* TBX_U64)$')
+BALL4=$(constant '^#define TBX_BALL_ERROR4 (\([0-9.]*\)f \* TBX_U32)$')
+PLANE_SPHERE=$(constant '^#define TBX_PLANE_SPHERE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+PLANE_SPHERE4=$(constant '^#define TBX_PLANE_SPHERE_ERROR4 (\([0-9.]*\)f \* TBX_U32)$')
+TOUCH=$(constant '^#define TBX_TOUCH_ERROR (\([0-9.]*\) \* TBX_U64)$')
+PIERCE=$(constant '^#define TBX_PIERCE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+SEGMENT=$(constant '^#define TBX_SEGMENT_ERROR (\([0-9.]*\) \* TBX_U64)$')
+GAP4=$(constant '^#define TBX_GAP_ERROR4 (\([0-9.]*\)f \* TBX_U32)$')
+GAP_EDGE=$(constant '^#define TBX_GAP_EDGE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+GAP_NORMAL=$(constant '^#define TBX_GAP_NORMAL_ERROR (\([0-9.]*\) \* TBX_U64)$')
+GAP_SURE=$(constant '^#define TBX_GAP_SURE \([0-9.]*\) .*')
+GAP_LENGTH=$(constant '^#define TBX_GAP_LENGTH \([0-9.e-]*\) .*')
+GAP_GUESS=$(constant '^#define TBX_GAP_GUESS \([0-9.e-]*\) .*')
+export BALL BALL4 PLANE_SPHERE PLANE_SPHERE4 TOUCH PIERCE SEGMENT GAP4 GAP_EDGE GAP_NORMAL GAP_SURE GAP_LENGTH GAP_GUESS
 export CROSS_EDGE CROSS_PLANE SOLID SOLID_EDGE SOLID_NORMAL SOLID_PLANE SOLID_LINE SOLID_BOX SOLID_PLACE SOLID_ROW \
     SOLID_ROW_ULPS
 # groups: delta's share of n u; the bounds in units of n delta and n^2 delta
@@ -61,6 +75,9 @@ prove() { # script, P, FUSED or PLAIN, N: lines for boxes of N^3 voxels
         -e "s/@NORMAL@/$NORMAL/g; s/@COORDINATE@/$COORDINATE/g; s/@WALK_NORMAL@/$WALK_NORMAL/g; s/@FIXED@/$FIXED/g" \
         -e "s/@CROSS_EDGE@/$CROSS_EDGE/g; s/@CROSS_PLANE@/$CROSS_PLANE/g; s/@SOLID@/$SOLID/g" \
         -e "s/@SOLID_EDGE@/$SOLID_EDGE/g; s/@SOLID_NORMAL@/$SOLID_NORMAL/g; s/@SOLID_PLANE@/$SOLID_PLANE/g" \
+        -e "s/@BALL@/$BALL/g; s/@BALL4@/$BALL4/g; s/@PLANE_SPHERE@/$PLANE_SPHERE/g; s/@PLANE_SPHERE4@/$PLANE_SPHERE4/g" \
+        -e "s/@TOUCH@/$TOUCH/g; s/@PIERCE@/$PIERCE/g; s/@SEGMENT@/$SEGMENT/g; s/@GAP4@/$GAP4/g" \
+        -e "s/@GAP_EDGE@/$GAP_EDGE/g; s/@GAP_NORMAL@/$GAP_NORMAL/g" \
         -e "s/@SOLID_LINE@/$SOLID_LINE/g; s/@SOLID_BOX@/$SOLID_BOX/g; s/@SOLID_PLACE@/$SOLID_PLACE/g" \
         -e "s/@GRID@/$GRID/g; s/\bP\b/$2/g; s/^N$n //; /^N[2-4] /d" \
         -e "s/@M@/$((n - 1))/g; s/@N@/$n/g; s/@2MM@/$((2 * mm))/g; s/@4MM@/$((4 * mm))/g; s/@AREA@/$area/g" \
@@ -127,12 +144,28 @@ solid_room() {
 export -f solid_room
 job "proof: solid, room in the bounds of rows" solid_room
 
+# A gap is known to 2^-40: what SURE leaves to the sums; the error of l, 4 u of what is at most 1 / sqrt(LENGTH) of it; 5/16 of
+# the guess's cube; some units of rounding.
+gap_room() {
+    awk -v sure="$GAP_SURE" -v length_="$GAP_LENGTH" -v guess="$GAP_GUESS" 'BEGIN {
+        unit = 2 ^ -40
+        sums = 1 / sure
+        l = 4 * 2 ^ -52 / sqrt(length_)
+        root = 5 / 16 * guess ^ 3
+        print "sums:", sums / unit, "l:", l / unit, "root:", root / unit, "of", 1
+        exit !(sums + l + root + 16 * 2 ^ -52 <= 0.95 * unit)
+    }'
+}
+export -f gap_room
+job "proof: contact, room in the accuracy of gaps" gap_room
+
 # 23 and 52: u of every rounding mode; one more: that of rounding to nearest
 job "proof: rounding" prove rounding 23 PLAIN
 for p in 23 24 52 53; do
     job "proof: sums and products, 2^-$p" prove products $p PLAIN
     job "proof: grid walk, 2^-$p" prove walk $p PLAIN
     job "proof: solid, 2^-$p" prove solid $p PLAIN
+    job "proof: contact, 2^-$p" prove contact $p PLAIN
     for contraction in PLAIN FUSED; do
         for script in coords lines normal edge plane; do
             job "proof: $script, 2^-$p, $contraction" prove $script $p $contraction

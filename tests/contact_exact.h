@@ -6,8 +6,10 @@
  *   gap                    all corners along all 26 directions    clipping: closed and open overlap
  *   grid_segment           the interval of t in every voxel       clipping, voxel by voxel
  *   sphere_triangle        corners, edges, face in rationals      the nearest point of `closest`
- *   ray_sphere             roots to 4096 bits                     -
- *   other spheres          squares in rationals                   -
+ *   ray_sphere             roots to 4096 bits                     the ray's nearest point, and beside its ends
+ *   sphere_sphere          squares in rationals                   a common point
+ *   plane_sphere           squares in rationals                   the plane's nearest point
+ *   sphere_box             squares in rationals                   `closest` of the box's twelve triangles
  */
 #ifndef CONTACT_EXACT_H
 #define CONTACT_EXACT_H
@@ -750,6 +752,218 @@ static inline void ray_sphere_judge(companion_work *c, int wrong, companion_answ
     }
 }
 
+/* ---- spheres, by second methods --------------------------------------------------------------- */
+
+/* The next float, upwards or downwards. */
+static inline double contact_beside(double x, int up)
+{
+    float f = (float)x;
+    int32_t bits;
+    memcpy(&bits, &f, sizeof bits);
+    bits = bits < 0 ? -(bits & 0x7fffffff) : bits;
+    bits += up ? 1 : -1;
+    bits = bits < 0 ? (int32_t)(0x80000000u | (uint32_t)-bits) : bits;
+    memcpy(&f, &bits, sizeof f);
+    return (double)f;
+}
+
+/* A common point, if there is one: on the way from a to b, where the radii part it. */
+static inline int sphere_sphere_confirm(companion_work *c, int value)
+{
+    const double *x = c->x;
+    mpq_t *q = c->q;
+    int k, inside = 1, ball;
+    if (ball_kind(x + COMPANION_W, x[COMPANION_T1]) != BALL_FINITE ||
+        ball_kind(x + COMPANION_O, x[COMPANION_T0]) != BALL_FINITE) {
+        return 1;
+    }
+    companion_rational(q[0], x[COMPANION_T1]);
+    companion_rational(q[1], x[COMPANION_T0]);
+    mpq_add(q[2], q[0], q[1]);
+    if (mpq_sgn(q[2]) != 0) {
+        mpq_div(q[2], q[0], q[2]);
+    }
+    for (ball = 0; ball < 2; ++ball) {
+        mpq_set_ui(q[3], 0, 1);
+        for (k = 0; k < 3; ++k) { /* the point less a centre */
+            companion_rational(q[4], x[COMPANION_W + k]);
+            companion_rational(q[5], x[COMPANION_O + k]);
+            mpq_sub(q[6], q[5], q[4]);
+            mpq_mul(q[6], q[6], q[2]);
+            mpq_add(q[6], q[6], q[4]);
+            mpq_sub(q[6], q[6], q[4 + ball]);
+            mpq_mul(q[6], q[6], q[6]);
+            mpq_add(q[3], q[3], q[6]);
+        }
+        mpq_mul(q[6], q[ball], q[ball]);
+        inside &= mpq_cmp(q[3], q[6]) <= 0;
+    }
+    return inside == value;
+}
+
+/* The point of the plane below the centre, and the side on which the centre's mirror image is not. */
+static inline int plane_sphere_confirm(companion_work *c, int value)
+{
+    const double *x = c->x;
+    mpq_t *q = c->q;
+    int k, side;
+    if (value == 2 || !is_finite(x[COMPANION_T1]) || !is_finite(x[COMPANION_T0])) {
+        return 1;
+    }
+    mpq_set_ui(q[0], 0, 1);
+    companion_rational(q[1], x[COMPANION_T1]);
+    for (k = 0; k < 3; ++k) {
+        companion_rational(c->corner[0][k], x[COMPANION_W + k]);
+        companion_rational(c->corner[1][k], x[COMPANION_O + k]);
+        mpq_mul(q[2], c->corner[0][k], c->corner[0][k]);
+        mpq_add(q[0], q[0], q[2]);
+        mpq_mul(q[2], c->corner[0][k], c->corner[1][k]);
+        mpq_add(q[1], q[1], q[2]);
+    }
+    if (mpq_sgn(q[0]) == 0) {
+        return mpq_sgn(q[1]) == value;
+    }
+    side = mpq_sgn(q[1]);
+    mpq_div(q[1], q[1], q[0]);
+    mpq_set_ui(q[3], 0, 1);
+    companion_rational(q[4], x[COMPANION_T1]);
+    for (k = 0; k < 3; ++k) { /* the foot is in the plane, and so far from the centre */
+        mpq_mul(q[2], q[1], c->corner[0][k]);
+        mpq_sub(c->others[0][k], c->corner[1][k], q[2]);
+        mpq_mul(q[5], c->others[0][k], c->corner[0][k]);
+        mpq_add(q[4], q[4], q[5]);
+        mpq_mul(q[2], q[2], q[2]);
+        mpq_add(q[3], q[3], q[2]);
+    }
+    companion_rational(q[5], x[COMPANION_T0]);
+    mpq_mul(q[5], q[5], q[5]);
+    return mpq_sgn(q[4]) == 0 && (mpq_cmp(q[3], q[5]) <= 0 ? 0 : side) == value;
+}
+
+/* The centre is inside, or near one of the twelve triangles of the box's faces. */
+static inline int sphere_box_confirm(companion_work *c, int value)
+{
+    double x[COMPANION_NUMBERS];
+    companion_answer out;
+    int face, half, k, touches = 1;
+    memcpy(x, c->x, sizeof x);
+    if (ball_kind(x + COMPANION_O, x[COMPANION_T0]) != BALL_FINITE || !companion_finite(x + COMPANION_LO, 6) ||
+        !companion_is_box(x + COMPANION_LO, x + COMPANION_HI)) {
+        return 1;
+    }
+    for (k = 0; k < 3; ++k) {
+        companion_rational(c->q[0], x[COMPANION_LO + k]);
+        companion_rational(c->q[1], x[COMPANION_O + k]);
+        companion_rational(c->q[2], x[COMPANION_HI + k]);
+        touches &= mpq_cmp(c->q[0], c->q[1]) <= 0 && mpq_cmp(c->q[1], c->q[2]) <= 0;
+    }
+    for (face = 0; face < 6; ++face) {
+        for (half = 0; half < 2; ++half) {
+            const int a = face % 3, b = (a + 1) % 3, d = (a + 2) % 3;
+            for (k = 0; k < 3; ++k) { /* corners 00, 11, and 01 or 10 */
+                c->x[3 * k + a] = x[(face < 3 ? COMPANION_LO : COMPANION_HI) + a];
+                c->x[3 * k + b] = x[((k == 1 || (k == 2 && half)) ? COMPANION_HI : COMPANION_LO) + b];
+                c->x[3 * k + d] = x[((k == 1 || (k == 2 && !half)) ? COMPANION_HI : COMPANION_LO) + d];
+            }
+            memset(&out, 0, sizeof out);
+            closest_judge(c, WRONG_NOTHING, &out);
+            point_dot(c, c->q[0], c->corner[4], c->nearest, c->corner[4], c->nearest);
+            companion_rational(c->q[1], x[COMPANION_T0]);
+            mpq_mul(c->q[1], c->q[1], c->q[1]);
+            touches |= mpq_cmp(c->q[0], c->q[1]) <= 0;
+        }
+    }
+    memcpy(c->x, x, sizeof x);
+    return touches == value;
+}
+
+/* out = A t^2 + 2 B t + C at the rational t, as the square of the distance of that point less r^2. */
+static inline void pierce_at(companion_work *c, mpq_t out, const mpq_t t)
+{
+    const double *x = c->x;
+    int k;
+    mpq_set_ui(out, 0, 1);
+    for (k = 0; k < 3; ++k) {
+        companion_rational(c->q[20], x[COMPANION_LO + k]);
+        mpq_mul(c->q[20], c->q[20], t);
+        companion_rational(c->q[21], x[COMPANION_W + k]);
+        mpq_add(c->q[20], c->q[20], c->q[21]);
+        companion_rational(c->q[21], x[COMPANION_O + k]);
+        mpq_sub(c->q[20], c->q[20], c->q[21]);
+        mpq_mul(c->q[20], c->q[20], c->q[20]);
+        mpq_add(out, out, c->q[20]);
+    }
+    companion_rational(c->q[20], x[COMPANION_T0]);
+    mpq_mul(c->q[20], c->q[20], c->q[20]);
+    mpq_sub(out, out, c->q[20]);
+}
+
+/* Without roots: the point of the ray that is nearest to the centre is inside, the ends that were told are outside, or
+ * the ray's own, and the next floats from them are inside, or past the nearest point. */
+static inline int ray_sphere_confirm(companion_work *c, const companion_answer *answer)
+{
+    const double *x = c->x;
+    mpq_t *q = c->q;
+    double t[2];
+    int e, k, ok;
+    if (ball_kind(x + COMPANION_O, x[COMPANION_T0]) != BALL_FINITE || !companion_finite(x + COMPANION_W, 3) ||
+        !companion_finite(x + COMPANION_LO, 3) || is_nan(x[COMPANION_HI]) || is_nan(x[COMPANION_T1])) {
+        return 1;
+    }
+    t[0] = x[COMPANION_HI];
+    t[1] = x[COMPANION_T1];
+    companion_time(c, q[2], t[0]);
+    companion_time(c, q[3], t[1]);
+    if (mpq_cmp(q[2], q[3]) > 0 || (!is_finite(t[0]) && sign_of_double(t[0]) > 0) ||
+        (!is_finite(t[1]) && sign_of_double(t[1]) < 0)) {
+        return answer->value == 0;
+    }
+    mpq_set_ui(q[0], 0, 1);
+    mpq_set_ui(q[1], 0, 1);
+    for (k = 0; k < 3; ++k) {
+        companion_rational(q[2], x[COMPANION_LO + k]);
+        companion_rational(q[3], x[COMPANION_O + k]);
+        companion_rational(q[4], x[COMPANION_W + k]);
+        mpq_sub(q[3], q[3], q[4]);
+        mpq_mul(q[3], q[3], q[2]);
+        mpq_add(q[1], q[1], q[3]);
+        mpq_mul(q[2], q[2], q[2]);
+        mpq_add(q[0], q[0], q[2]);
+    }
+    if (mpq_sgn(q[0]) != 0) {
+        mpq_div(q[1], q[1], q[0]); /* the nearest t of the line, then of the ray */
+    }
+    companion_time(c, q[2], t[0]);
+    companion_time(c, q[3], t[1]);
+    mpq_set(q[4], mpq_cmp(q[1], q[2]) < 0 ? q[2] : mpq_cmp(q[1], q[3]) > 0 ? q[3] : q[1]);
+    pierce_at(c, q[5], q[4]);
+    ok = (mpq_sgn(q[5]) <= 0) == answer->value;
+    for (e = 0; e < 2 && answer->value && ok; ++e) {
+        const double end = companion_number(answer->word[e], 0);
+        companion_time(c, q[6], end);
+        if (mpq_equal(q[6], q[2 + e])) { /* so is all from there to the nearest point */
+            if (is_finite(end)) {
+                pierce_at(c, q[5], q[2 + e]);
+                ok = mpq_sgn(q[5]) <= 0;
+                if (!ok) { /* or the sphere begins less than a float away */
+                    companion_time(c, q[6], contact_beside(end, e == 0));
+                    ok = e == 0 ? mpq_cmp(q[6], q[4]) > 0 : mpq_cmp(q[6], q[4]) < 0;
+                    pierce_at(c, q[5], q[6]);
+                    ok = ok || mpq_sgn(q[5]) < 0;
+                }
+            }
+            continue;
+        }
+        pierce_at(c, q[5], q[6]);
+        ok = (e == 0 ? mpq_cmp(q[6], q[4]) <= 0 : mpq_cmp(q[6], q[4]) >= 0) &&
+             (!is_finite(end) || mpq_sgn(q[5]) >= 0);
+        companion_time(c, q[6], contact_beside(end, e == 0));
+        pierce_at(c, q[5], q[6]);
+        ok = ok && ((e == 0 ? mpq_cmp(q[6], q[4]) > 0 : mpq_cmp(q[6], q[4]) < 0) || mpq_sgn(q[5]) < 0);
+    }
+    return ok;
+}
+
 /* ---- the whole -------------------------------------------------------------------------------- */
 
 static inline int contact_owns(int which)
@@ -807,10 +1021,16 @@ static inline int contact_confirm(companion_work *c, const companion *ask, const
         return gap_confirm(c, answer->value);
     case COMPANION_GRID_SEGMENT:
         return segment_confirm(c, ask, answer->value);
+    case COMPANION_SPHERE_SPHERE:
+        return sphere_sphere_confirm(c, answer->value);
+    case COMPANION_PLANE_SPHERE:
+        return plane_sphere_confirm(c, answer->value);
+    case COMPANION_SPHERE_BOX:
+        return sphere_box_confirm(c, answer->value);
     case COMPANION_SPHERE_TRIANGLE:
         return sphere_triangle_confirm(c, answer->value);
     default:
-        return 1;
+        return ray_sphere_confirm(c, answer);
     }
 }
 
