@@ -9300,7 +9300,14 @@ TBX_FN double tbx_size3(const double x[3])
  * 6 u M |g|. */
 #define TBX_TOUCH_ERROR (16.0 * TBX_U64)
 
-TBX_FN int tbx_touch_filter(const float center[3], double r, const float *const v[3])
+typedef struct tbx_touched {
+    double square; /* |g|^2 */
+    double size;   /* the sum of g's magnitudes */
+    double least;  /* how far T stays behind the centre along g, times |g| */
+    double error;  /* of the point; times size, of least */
+} tbx_touched;
+
+TBX_FN void tbx_touch_set(tbx_touched *t, const float center[3], const float *const v[3])
 {
     double x[4][3];
     double a[3];
@@ -9308,13 +9315,8 @@ TBX_FN int tbx_touch_filter(const float center[3], double r, const float *const 
     double p[3];
     double g[3];
     double weight[2];
-    double mag;
-    double size;
-    double square;
-    double least;
     double of_a;
     double of_b;
-    double error;
     tbx_take3_float(x[0], v[0]);
     tbx_take3_float(x[1], v[1]);
     tbx_take3_float(x[2], v[2]);
@@ -9322,23 +9324,29 @@ TBX_FN int tbx_touch_filter(const float center[3], double r, const float *const 
     tbx_minus3(a, x[1], x[0]);
     tbx_minus3(b, x[2], x[0]);
     tbx_minus3(p, x[3], x[0]);
-    mag = tbx_size3(a) + tbx_size3(b) + tbx_size3(p);
     tbx_touch_weights(a, b, p, weight);
     g[0] = p[0] - (weight[0] * a[0] + weight[1] * b[0]);
     g[1] = p[1] - (weight[0] * a[1] + weight[1] * b[1]);
     g[2] = p[2] - (weight[0] * a[2] + weight[1] * b[2]);
-    size = tbx_size3(g);
-    square = tbx_dot3(g, g);
-    least = tbx_dot3(g, p);
     of_a = tbx_dot3(g, a);
     of_b = tbx_dot3(g, b);
-    error = mag * TBX_TOUCH_ERROR;
-    if (square + 4.0 * error * (r + error) < r * r * (1.0 - TBX_BALL_ERROR)) {
+    of_a = of_a > of_b ? of_a : of_b;
+    t->square = tbx_dot3(g, g);
+    t->size = tbx_size3(g);
+    t->least = tbx_dot3(g, p) - (of_a > 0.0 ? of_a : 0.0);
+    t->error = (tbx_size3(a) + tbx_size3(b) + tbx_size3(p)) * TBX_TOUCH_ERROR;
+}
+
+TBX_FN int tbx_touch_filter(const float center[3], double r, const float *const v[3])
+{
+    tbx_touched t;
+    double least;
+    tbx_touch_set(&t, center, v);
+    if (t.square + 4.0 * t.error * (r + t.error) < r * r * (1.0 - TBX_BALL_ERROR)) {
         return TBX_HIT;
     }
-    of_a = of_a > of_b ? of_a : of_b;
-    least -= (of_a > 0.0 ? of_a : 0.0) + error * size;
-    if (least > 0.0 && least * least > r * r * square * (1.0 + 2.0 * TBX_BALL_ERROR)) {
+    least = t.least - t.error * t.size;
+    if (least > 0.0 && least * least > r * r * t.square * (1.0 + 2.0 * TBX_BALL_ERROR)) {
         return TBX_MISS;
     }
     return TBX_UNSURE;
@@ -9529,57 +9537,78 @@ TBX_FN int64_t tbx_pierce_end(double t, double error, int e, double own, const f
  * HIT with the ends as keys, or UNSURE. */
 #define TBX_PIERCE_ERROR (32.0 * TBX_U64)
 
-TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const float t[2], const float center[3],
-                             double r, int64_t out[2])
-{
-    double w[3];
-    double m[3];
-    double ends[2];
+typedef struct tbx_parabola {
     double a;
     double b;
     double c;
-    double b_error;
+    double d;
+    double b_size;
     double c_error;
-    double error;
-    double root;
-    double inverse;
-    double first;
-    double last;
-    int unsure = 0;
+    double d_error;
+} tbx_parabola;
+
+TBX_FN void tbx_parabola_set(tbx_parabola *f, const float origin[3], const float dir[3], const float center[3],
+                             double r)
+{
+    double w[3];
+    double m[3];
+    double mm;
     tbx_take3_float(w, center);
     tbx_take3_float(m, origin);
     tbx_minus3(m, m, w);
     tbx_take3_float(w, dir);
-    a = tbx_dot3(w, w);
-    b = tbx_dot3(w, m);
-    c = tbx_dot3(m, m);
     r = r * r;
-    b_error = tbx_abs(w[0] * m[0]) + tbx_abs(w[1] * m[1]) + tbx_abs(w[2] * m[2]);
-    c_error = (c + r) * TBX_PIERCE_ERROR;
-    c -= r;
-    error = b_error * b_error * TBX_PIERCE_ERROR + a * c_error;
-    root = b * b - a * c;
-    if ((root < -error) |
-        ((tbx_bits32(t) >> 31 == 0) & (c > c_error) & (b > b_error * TBX_PIERCE_ERROR))) { /* NaN is no ray, too */
-        return TBX_MISS;
-    }
-    if (!(root > 1024.0 * error && a > 0.0) || !tbx_pierce_ends(t, ends)) {
-        return TBX_UNSURE;
-    }
+    mm = tbx_dot3(m, m);
+    f->a = tbx_dot3(w, w);
+    f->b = tbx_dot3(w, m);
+    f->c = mm - r;
+    f->d = f->b * f->b - f->a * f->c;
+    f->b_size = tbx_abs(w[0] * m[0]) + tbx_abs(w[1] * m[1]) + tbx_abs(w[2] * m[2]);
+    f->c_error = (mm + r) * TBX_PIERCE_ERROR;
+    f->d_error = f->b_size * f->b_size * TBX_PIERCE_ERROR + f->a * f->c_error;
+}
+
+/* The roots where A > 0 and D is well above its error. Returns their error. */
+TBX_FN double tbx_parabola_roots(const tbx_parabola *f, double out[2])
+{
+    double a = f->a;
+    double root = f->d;
+    double inverse;
+    double error;
     TBX_KEEP_SCALAR(a); /* divides only if it is not 0 */
     TBX_KEEP_SCALAR(root);
     root = tbx_root(root);
     inverse = 1.0 / (a * root);
-    error = (error + (b_error + root) * TBX_PIERCE_ERROR * root) * inverse;
+    error = (f->d_error + (f->b_size + root) * TBX_PIERCE_ERROR * root) * inverse;
     inverse *= root;
-    first = (-b - root) * inverse;
-    last = (root - b) * inverse;
-    if ((last + error < ends[0]) | (first - error > ends[1])) {
+    out[0] = (-f->b - root) * inverse;
+    out[1] = (root - f->b) * inverse;
+    return error;
+}
+
+TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const float t[2], const float center[3],
+                             double r, int64_t out[2])
+{
+    tbx_parabola f;
+    double ends[2];
+    double roots[2];
+    double error;
+    int unsure = 0;
+    tbx_parabola_set(&f, origin, dir, center, r);
+    if ((f.d < -f.d_error) | ((tbx_bits32(t) >> 31 == 0) & (f.c > f.c_error) &
+                              (f.b > f.b_size * TBX_PIERCE_ERROR))) { /* NaN is no ray, too */
         return TBX_MISS;
     }
-    out[0] = tbx_pierce_end(first, error, 0, ends[0], &t[0], &unsure);
-    out[1] = tbx_pierce_end(last, error, 1, ends[1], &t[1], &unsure);
-    unsure |= !((last - error > ends[0]) & (first + error < ends[1]));
+    if (!(f.d > 1024.0 * f.d_error && f.a > 0.0) || !tbx_pierce_ends(t, ends)) {
+        return TBX_UNSURE;
+    }
+    error = tbx_parabola_roots(&f, roots);
+    if ((roots[1] + error < ends[0]) | (roots[0] - error > ends[1])) {
+        return TBX_MISS;
+    }
+    out[0] = tbx_pierce_end(roots[0], error, 0, ends[0], &t[0], &unsure);
+    out[1] = tbx_pierce_end(roots[1], error, 1, ends[1], &t[1], &unsure);
+    unsure |= !((roots[1] - error > ends[0]) & (roots[0] + error < ends[1]));
     return unsure ? TBX_UNSURE : TBX_HIT;
 }
 
