@@ -746,7 +746,7 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #define TBX_HAS_VECTORS 0
 #endif
 #ifndef TRIBOX_SIMD
-#if TBX_HAS_VECTORS && (defined(__SSE2__) || defined(__aarch64__))
+#if TBX_HAS_VECTORS && (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__))
 #define TRIBOX_SIMD 1
 #else
 #define TRIBOX_SIMD 0
@@ -9738,6 +9738,21 @@ TBX_FN int tbx_signs(tbx_i4 mask)
 {
     return __builtin_ia32_movmskps((tbx_f4)mask);
 }
+#elif defined(__wasm_simd128__)
+TBX_FN tbx_f4 tbx_min4(tbx_f4 a, tbx_f4 b)
+{
+    return __builtin_wasm_pmin_f32x4(b, a);
+}
+
+TBX_FN tbx_f4 tbx_max4(tbx_f4 a, tbx_f4 b)
+{
+    return __builtin_wasm_pmax_f32x4(b, a);
+}
+
+TBX_FN int tbx_signs(tbx_i4 mask)
+{
+    return (int)__builtin_wasm_bitmask_i32x4(mask);
+}
 #else
 TBX_FN tbx_f4 tbx_min4(tbx_f4 a, tbx_f4 b)
 {
@@ -10492,16 +10507,23 @@ TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[
 /* The doubles as floats, if they are, and of no unusual size. */
 TBX_FN int tbx_tri_narrow(float out[4][3], const double v[3][3], const double size[3])
 {
+    const double(*corners)[3] = v;
+    const double *extents = size;
     int fits = 1;
     int i;
     for (i = 0; i < 12; i++) {
-        const double *x = i < 9 ? &v[i / 3][i % 3] : &size[i - 9];
+        const double *x = i < 9 ? &corners[i / 3][i % 3] : &extents[i - 9];
         fits &= tbx_in_range(x, -100, 100) & ((tbx_bits64(x) & 0x1fffffffu) == 0);
     }
-    for (i = 0; i < 12 && fits; i++) {
-        out[i / 3][i % 3] = (float)(i < 9 ? v[i / 3][i % 3] : size[i - 9]);
+    if (!fits) {
+        return 0;
     }
-    return fits;
+    TBX_KEEP_POINTER(corners); /* not converted before: overflow */
+    TBX_KEEP_POINTER(extents);
+    for (i = 0; i < 12; i++) {
+        out[i / 3][i % 3] = (float)(i < 9 ? corners[i / 3][i % 3] : extents[i - 9]);
+    }
+    return 1;
 }
 
 /* The least of the three conditions of each lane, at q in lanes. */
