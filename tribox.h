@@ -40,8 +40,9 @@
  * LIMITS           Answers do not depend on compiler, optimisation, fast-math, FMA, rounding mode, x87, or
  *                  flush-to-zero (subnormals still count). A caller compiled with -ffinite-math-only cannot
  *                  pass a NaN or an infinity by value (t_min, t_max, d, radii), nor read tribox_gap's infinity.
- *                  Voxel indices are int, INT_MAX excluded. Functions raise "inexact" and "underflow"; others only from some
- *                  compilers under -ffast-math or where subnormals are flushed. Needs IEEE 754 formats.
+ *                  Voxel indices are int, INT_MAX excluded. Functions raise "inexact" and "underflow", and but for
+ *                  tribox_sat never "invalid", "divide-by-zero" or "overflow". Needs IEEE 754 formats; on Alpha
+ *                  -mieee.
  *
  * REFERENCES       [AM01] Akenine-Moller, Fast 3D triangle-box overlap testing, JGT 6(1), 2001
  *                  [SS10] Schwarz, Seidel, Fast parallel surface and solid voxelization, ACM TOG 29(6), 2010

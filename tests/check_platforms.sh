@@ -104,10 +104,9 @@ for cc in $gccs $clangs; do
             usual $cc "$flags$simd" && traps "$part $modes" $cc "$flags$simd"
         done
     done
-    if [ $cc = clang-22 ] || more; then # and all questions
-        c "up flush" $cc "-O3 -ffast-math -march=native -std=gnu99"
-    fi
+    also c "up flush" $cc "-O3 -ffast-math -march=native -std=gnu99" # and all questions
 done
+c "eighth up flush" clang-22 "-O3 -ffast-math -march=native -std=gnu99"
 also traps "" gcc-12 -O2
 also traps "" clang-22 -O2
 traps $part gcc-12 "-Ofast -march=native"
