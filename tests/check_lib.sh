@@ -9,6 +9,7 @@ CHECK_LIMIT=${CHECK_LIMIT:-900} # seconds a job may take
 # CHECK_WITH=command: jobs are run by it (nice, a queue)
 # CHECK_TIMES=file: each job's seconds of processor time and its name are added to it
 # CHECK_SHOW=1: ok lines show the job's last line too
+# CHECK_ONLY=pattern: only jobs whose name it matches
 export CHECK_DIR
 
 mkdir -p "$CHECK_DIR"
@@ -39,6 +40,7 @@ check_one() { # name, command...
 
 # Runs a command (an exported function will do) as a job beside at most CHECK_JOBS - 1 others.
 job() { # name, command...
+    [[ -z ${CHECK_ONLY:-} || $1 =~ $CHECK_ONLY ]] || return 0
     while [ "$(jobs -rp | wc -l)" -ge "$CHECK_JOBS" ]; do
         wait -n
     done

@@ -1,39 +1,58 @@
 #!/usr/bin/env bash
 # Breaks tribox.h on purpose, in one way after another, and shows that the tests of `make test` notice.
 #
-#   tests/mutate.sh [number of a mutant]...
+#   tests/mutate.sh [number or first..last of mutants]...
 #   tests/mutate.sh stale                      lists those whose text is no longer found exactly once
 #   MUTATE_EVERY=8 tests/mutate.sh             every eighth, and a shorter look at the header as it is
 #
+# MUTATE_TRUST=1: the header as it is passes, do not ask.
+#
 # tests/mutants*.txt list the ways, by function name and a short text of it. A stale mutant counts as a failure, so
-# that the list follows the header. A mutant is caught by the first program that does not
-# compile, fails, crashes or hangs. Run from the repository's root.
+# that the list follows the header. A mutant is caught by the first program that does not compile, fails, crashes or
+# hangs: the quick builds come first, most of all those of tcc, which compiles a program in no time. Run from the
+# repository's root.
 set -u
 . tests/check_lib.sh
 
 out=$CHECK_DIR/mutate
-programs=${MUTATE_PROGRAMS:-$(sed -n 's/^TEST_\(SUITE\|TWICE\|ALONE\) := //p' tests/list.mk | tr '\n' ' ')}
-first= # programs to try before the others
-limit=${MUTATE_LIMIT:-20}
+suite=$(sed -n 's/^TEST_SUITE := //p' tests/list.mk)
+all="suite $(sed -n 's/^TEST_\(TWICE\|ALONE\) := //p' tests/list.mk | tr '\n' ' ')"
+programs=${MUTATE_PROGRAMS:-$all}
+limit=${MUTATE_LIMIT:-60}
 cc=${MUTATE_CC:-gcc -std=c99 -O1}
 every=${MUTATE_EVERY:-1}
-export programs first limit cc every
+quick=$(command -v tcc)
+export suite programs limit cc every quick
 CHECK_SHOW=1
 mkdir -p "$out"
 
-# 0 if some test program notices the broken header in the folder: first with few random questions, then as make test asks
-caught() { # folder, one of the flags below alone
+# 0 if a build of a test program notices the broken header in the folder
+build_catches() { # folder, program, compiler and flags...
+    local folder=$1 name=$2 source=$1/tests/test_$2.c
+    shift 2
+    if [ "$name" = suite ]; then
+        source=$folder/suite.c
+        # shellcheck disable=SC2086 # a list
+        sh tests/make_suite.sh suite $suite >"$source"
+    fi
+    "$@" -DTEST_STOP -w -I"$folder" -I"$folder/tests" "$source" -o "$folder/test" -lm >"$folder/log" 2>&1 &&
+        timeout "$limit" "$folder/test" >"$folder/log" 2>&1 && return 1
+    echo "caught by $name: $*"
+}
+
+# 0 if some test program notices: first with few random questions, then as make test asks
+caught() { # folder, programs, anything: only few questions
     local name flags folder=$1
-    for flags in "-DTEST_SCALE=8" "" "-DTRIBOX_SIMD=0"; do
-        [ -n "${2:-}" ] && [ "$flags" != "$2" ] && continue
-        for name in $first $programs; do
-            [ -e "tests/test_$name.c" ] || continue
+    for name in $2; do
+        if [ -n "$quick" ]; then
+            build_catches "$folder" "$name" "$quick" -DTRIBOX_SIMD=0 -DTEST_SCALE=32 && return 0
+        fi
+    done
+    for flags in "-DTEST_SCALE=8" "-DTRIBOX_SIMD=0 -DTEST_SCALE=8" "" "-DTRIBOX_SIMD=0"; do
+        [ -n "${3:-}" ] && [ "$flags" = "" ] && break
+        for name in $2; do
             # shellcheck disable=SC2086 # the compiler and flags are a list
-            $cc $flags -w -I"$folder" "$folder/tests/test_$name.c" -o "$folder/test" -lm || return 0
-            if ! timeout "$limit" "$folder/test" >"$folder/log" 2>&1; then
-                echo "caught by test_$name $flags"
-                return 0
-            fi
+            build_catches "$folder" "$name" $cc $flags && return 0
         done
     done
     echo "not caught"
@@ -41,7 +60,7 @@ caught() { # folder, one of the flags below alone
 }
 
 # makes a folder with the broken header and the tests; the text must occur exactly once
-mutant() { # number, old, new, function
+mutant() { # number, old, new, function, programs
     local folder=$CHECK_DIR/mutate/$1 status
     rm -rf "$folder"
     mkdir -p "$folder"
@@ -51,7 +70,7 @@ mutant() { # number, old, new, function
         return 1
     fi
     cp -r tests "$folder/"
-    caught "$folder"
+    caught "$folder" "$5"
     status=$?
     rm -rf "$folder"
     return $status
@@ -62,23 +81,28 @@ unbroken() {
     local folder=$CHECK_DIR/mutate/0 status
     mkdir -p "$folder"
     cp -r tribox.h tests "$folder/"
-    if [ "$every" -gt 1 ]; then
-        ! caught "$folder" "-DTEST_SCALE=8"
-    else
-        ! caught "$folder"
-    fi
+    ! caught "$folder" "$programs" few
     status=$?
     tail -n 5 "$folder/log"
     rm -rf "$folder"
     return $status
 }
-export -f caught mutant unbroken
-[ "${1:-}" = stale ] || job "the header as it is passes" unbroken
+export -f build_catches caught mutant unbroken
+[ "${1:-}" = stale ] || [ -n "${MUTATE_TRUST:-}" ] || job "the header as it is passes" unbroken
 
 # The list: "# name", "in FUNCTION" or macro (else the whole file), then "- old" lines, then "+ new" lines; several
-# lines of one kind are joined. "@ programs" are tried first from there on.
+# lines of one kind are joined. "@ programs" are those that must catch what follows in that file, else it is all.
+chosen() { # numbers or ranges; none: every so many
+    local range
+    [ "$#" -gt 0 ] || return $((number % every != 0))
+    for range in "$@"; do
+        [ "$number" -ge "${range%..*}" ] && [ "$number" -le "${range#*..}" ] && return 0
+    done
+    return 1
+}
 number=0
 stale=0
+only=
 name=
 function=
 old=
@@ -91,8 +115,8 @@ finish() {
                 echo "stale $number: $name"
                 stale=$((stale + 1))
             fi
-        elif [ "$#" -eq 0 ] && [ $((number % every)) -eq 0 ] || [[ " $* " == *" $number "* ]]; then
-            job "mutant $number: $name" mutant "$number" "$old" "$new" "$function"
+        elif chosen "$@"; then
+            job "mutant $number: $name" mutant "$number" "$old" "$new" "$function" "${only:-$programs}"
         fi
     fi
     old=
@@ -104,12 +128,12 @@ while IFS= read -r line || [ -n "$line" ]; do
     case $line in
     '# '*) finish "$@"; name=${line#\# } ;;
     'in '*) function=${line#in } ;;
-    '@ '*) finish "$@"; first=${line#@ } ;;
+    '@'*) finish "$@"; only=${line#@}; only=${only# } ;;
     '- '*) old=${old:+$old$newline}${line#- } ;;
     '+ '*) new=${new:+$new$newline}${line#+ } ;;
     '+') new= ;;
     esac
-done < <(cat tests/mutants*.txt)
+done < <(for list in tests/mutants*.txt; do printf '@\n'; cat "$list"; echo; done)
 finish "$@"
 
 if [ "${1:-}" = stale ]; then
