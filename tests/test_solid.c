@@ -229,6 +229,48 @@ static void centres_are_no_doubles(void)
     }
 }
 
+/* Corners on a lattice are computed with as they are while they are near the region; farther off, products of them are
+ * no doubles. An edge passes a centre by as little as whole numbers can: Fibonacci's f(n) f(n) - f(n - 1) f(n + 1) is
+ * 1 or -1. Integers say on which side the centre is. */
+static void corners_far_off_on_a_lattice(void)
+{
+    int i;
+    int k;
+
+    random_seed(1209);
+    for (i = 0; i < TEST_LOOPS(400); i++) {
+        static const tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {1, 1, 1}, 0};
+        static const double      p[3] = {0.5, 0.5, 0.5};
+        const int                y = 1 + random_below(2);
+        const int                z = 3 - y;
+        const double             turn = random_below(2) ? 1 : -1;
+        double                   f[3] = {1, 1, 2};
+        double                   corner[3][3];
+        double                  *v = corner[0];
+        uint64_t                 bits = 0;
+        tribox_mesh_f64          mesh;
+        for (k = 10 + random_below(33); k > 0; k--) {
+            f[0] = f[1];
+            f[1] = f[2];
+            f[2] = f[0] + f[1];
+        }
+        for (k = 0; k < 9; k++) {
+            v[k] = k % 3 == 0 ? -1.0 - random_below(3) : 0.5 + (double)(int)(random_signed() * f[2]);
+        }
+        v[3 + y] = 0.5 + f[1] * turn;
+        v[3 + z] = 0.5 + f[2];
+        v[6 + y] = 0.5 - f[0] * turn;
+        v[6 + z] = 0.5 - f[1];
+        mesh.positions = v;
+        mesh.stride = 0;
+        mesh.indices = 0;
+        mesh.triangles = 1;
+        tribox_grid_fill_solid_f64(&grid, &mesh, &bits);
+        CHECK((int)bits == solid_crosses(corner, p, grid.size, solid_no_half));
+        CHECK((int)bits == tribox_mesh_contains_f64(&mesh, p));
+    }
+}
+
 /* One triangle, one point: as exact numbers say, for points beside, on and along everything; so is the whole
  * mesh. */
 static void rays_cross_as_exact_numbers_say(void)
@@ -860,6 +902,7 @@ int main(void)
 {
     RUN(fill_flips_the_voxels_whose_centre_is_inside);
     RUN(centres_are_no_doubles);
+    RUN(corners_far_off_on_a_lattice);
     RUN(rays_cross_as_exact_numbers_say);
     RUN(points_beside_edges_and_planes_of_doubles);
     RUN(parts_of_a_region_have_the_bits_of_the_whole);
