@@ -156,10 +156,10 @@ __attribute__((noinline)) static void compute(answer *r, int kind, const float x
         const unsigned mask = tbx_gap_filter(x, x + 3, x + 6, x + 9, x + 12, &roots);
         r->verdict = mask != 0 && (mask & (mask - 1u)) == 0 &&
                      tbx_gap_near(corners, x + 9, x + 12, mask, &roots, &r->s[0], r->axis[0]);
-#endif
         if (r->verdict) {
             tbx_gap_answer(corners, x + 9, x + 12, kind == GAP_WHOLE ? 0x1fffu : tbx_gap_axes(mask), &r->s[1], r->axis[1]);
         }
+#endif
     } else {
 #if TRIBOX_SIMD
         r->verdict = kind == BALL4   ? tbx_sphere_sphere4(x, &radius, x + 3, &x[16])
@@ -347,6 +347,7 @@ static double gap_part(const answer *r)
     return worst;
 }
 
+#if TRIBOX_SIMD
 /* How far over the border, which q[0] - q[1] crosses, a sure verdict reaches: its distance from there, in units of the
  * bound, off 1. */
 static double verdict_part(int hit, double bound)
@@ -413,6 +414,8 @@ static double ball_part(const answer *r, int kind, const float x[NUMBERS])
     return verdict_part(r->verdict != 0, (double)TBX_BALL_ERROR4);
 }
 
+#endif
+
 static double ask(int kind, const float x[NUMBERS])
 {
     answer r;
@@ -450,7 +453,10 @@ static double ask(int kind, const float x[NUMBERS])
     return kind == TOUCH_POINT || kind == TOUCH_ALONG ? touch_part(&r, x, kind == TOUCH_ALONG)
            : kind == LINE_D || kind == LINE_ENDS      ? line_part(&r, x, kind == LINE_ENDS)
            : kind == GAP_SIZE || kind == GAP_WHOLE    ? gap_part(&r)
-                                                      : ball_part(&r, kind, x);
+#if TRIBOX_SIMD
+           : kind >= BALL4 ? ball_part(&r, kind, x)
+#endif
+                           : 0.0;
 }
 
 /* ---- the search ------------------------------------------------------------------------------- */
