@@ -5579,6 +5579,40 @@ TBX_FOR_FORMAT void tbx_take3(double out[3], const void *x, int format)
     }
 }
 
+/* Not 0: one of three floats is subnormal, infinite or NaN, which plain double does not take. */
+TBX_FN unsigned tbx_odd1(const float *x)
+{
+    const uint32_t magnitude = tbx_bits32(x) & 0x7fffffffu;
+    return (unsigned)(magnitude - 0x00800000u >= 0x7f000000u) & (unsigned)(magnitude != 0);
+}
+
+#if TRIBOX_SIMD /* section 11.5 */
+TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const float d[3]);
+#else
+TBX_FN unsigned tbx_odd3(const float x[3])
+{
+    return tbx_odd1(x) | tbx_odd1(x + 1) | tbx_odd1(x + 2);
+}
+
+/* Is one of twelve floats odd? */
+TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const float d[3])
+{
+    return (tbx_odd3(a) | tbx_odd3(b) | tbx_odd3(c) | tbx_odd3(d)) != 0;
+}
+#endif
+
+TBX_FN void tbx_minus3(double out[3], const double a[3], const double b[3])
+{
+    out[0] = a[0] - b[0];
+    out[1] = a[1] - b[1];
+    out[2] = a[2] - b[2];
+}
+
+TBX_FN double tbx_dot3(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 #define TBX_FLOAT_INFINITY ((int64_t)0x7f800000)
 
 /* The key in the format of a double's key whose number the format holds. */
@@ -6211,10 +6245,18 @@ TBX_FN int tbx_box_box(const void *a_min, const void *a_max, const void *b_min, 
     return meet;
 }
 
+#if TRIBOX_SIMD /* section 11.5 */
+TBX_FN int tbx_box_box4(const float a_min[3], const float a_max[3], const float b_min[3], const float b_max[3]);
+#endif
+
 TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const float b_min[3],
                              const float b_max[3])
 {
+#if TRIBOX_SIMD
+    return tbx_box_box4(a_min, a_max, b_min, b_max);
+#else
     return tbx_box_box(a_min, a_max, b_min, b_max, TBX_FLOAT);
+#endif
 }
 
 TRIBOX_FN int tribox_box_box_f64(const double a_min[3], const double a_max[3], const double b_min[3],
@@ -7059,6 +7101,44 @@ TBX_FN int tbx_shot_passes(tbx_calc *c, const tbx_shot *s)
     return above > 0 && below > 0;
 }
 
+/* The same in plain double, for floats of the usual size: is a miss certain? A term of det_i, with its share of the sums,
+ * errs by 7 u. */
+#define TBX_SHOT_ERROR (9.0 * TBX_U64)
+
+TBX_FN int tbx_shot_misses(const float origin[3], const float dir[3], const float *const v[3])
+{
+    double x[4][3];
+    double d[3];
+    int above = 0;
+    int below = 0;
+    int i;
+    if (!TBX_DOUBLE_IS_53_BITS || tbx_odd4(origin, dir, v[0], v[1]) || tbx_odd4(v[2], v[2], v[2], v[2])) {
+        return 0;
+    }
+    tbx_take3_float(x[3], origin);
+    tbx_take3_float(d, dir);
+    for (i = 0; i < 3; i++) {
+        tbx_take3_float(x[i], v[i]);
+        tbx_minus3(x[i], x[i], x[3]);
+    }
+    for (i = 0; i < 3; i++) {
+        const double *a = x[i];
+        const double *b = x[i == 2 ? 0 : i + 1];
+        const double yz = d[0] * (a[1] * b[2]);
+        const double zy = d[0] * (a[2] * b[1]);
+        const double zx = d[1] * (a[2] * b[0]);
+        const double xz = d[1] * (a[0] * b[2]);
+        const double xy = d[2] * (a[0] * b[1]);
+        const double yx = d[2] * (a[1] * b[0]);
+        const double det = (yz - zy) + (zx - xz) + (xy - yx);
+        const double error = (tbx_abs(yz) + tbx_abs(zy) + tbx_abs(zx) + tbx_abs(xz) + tbx_abs(xy) + tbx_abs(yx)) *
+                             TBX_SHOT_ERROR;
+        above |= det > error;
+        below |= det < -error;
+    }
+    return above & below;
+}
+
 /* The usual case: the line crosses the plane of T at one point. UNSURE: it does not, or nobody knows in
  * double. */
 TBX_FN int tbx_shot_run(tbx_calc *c, const tbx_shot *s, tbx_fraction *t)
@@ -7156,8 +7236,12 @@ TBX_NOINLINE int tbx_shot_answer(const tbx_shot *s, int odd, int format, void *o
 TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], float t_min, float t_max,
                                   const float v0[3], const float v1[3], const float v2[3], float *out_t)
 {
+    const float *const v[3] = { v0, v1, v2 };
     tbx_shot s;
     float t[2];
+    if (tbx_shot_misses(origin, dir, v)) { /* most rays */
+        return 0;
+    }
     TBX_COPY(&t[0], &t_min, sizeof t_min);
     TBX_COPY(&t[1], &t_max, sizeof t_max);
     tbx_ray_read(&s.ray, origin, dir, t, TBX_FLOAT);
@@ -8792,31 +8876,12 @@ TBX_FN int tbx_ball_kind(const tbx_real c[3], const tbx_real *r)
     return r->key == TBX_KEY_INFINITY ? TBX_BALL_SPACE : TBX_BALL;
 }
 
-/* Not 0: one of three floats is subnormal, infinite or NaN, which plain double does not take. */
-TBX_FN unsigned tbx_odd1(const float *x)
-{
-    const uint32_t magnitude = tbx_bits32(x) & 0x7fffffffu;
-    return (unsigned)(magnitude - 0x00800000u >= 0x7f000000u) & (unsigned)(magnitude != 0);
-}
-
 #if TRIBOX_SIMD /* section 11.5 */
-TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const float d[3]);
 TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const float b[3],
                               const float *b_radius);
 TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius);
 TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3],
                            const float box_max[3]);
-#else
-TBX_FN unsigned tbx_odd3(const float x[3])
-{
-    return tbx_odd1(x) | tbx_odd1(x + 1) | tbx_odd1(x + 2);
-}
-
-/* Is one of twelve floats odd? */
-TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const float d[3])
-{
-    return (tbx_odd3(a) | tbx_odd3(b) | tbx_odd3(c) | tbx_odd3(d)) != 0;
-}
 #endif
 
 /* As a radius: also what is below 0. */
@@ -8835,18 +8900,6 @@ TBX_FN int tbx_ball_less(double a, double b)
 {
     const double error = (a + b) * TBX_BALL_ERROR;
     return a < b - error ? TBX_HIT : a > b + error ? TBX_MISS : TBX_UNSURE;
-}
-
-TBX_FN void tbx_minus3(double out[3], const double a[3], const double b[3])
-{
-    out[0] = a[0] - b[0];
-    out[1] = a[1] - b[1];
-    out[2] = a[2] - b[2];
-}
-
-TBX_FN double tbx_dot3(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* The sign of |x|^2 - r^2 in integers. */
@@ -14123,6 +14176,32 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
 /* ---- 11.5 Companions */
 
 #ifndef TRIBOX_NO_COMPANIONS
+/* Three floats' keys: integers that order as they do, 0 for both zeros. */
+TBX_FN tbx_i4 tbx_keys4(const float x[3])
+{
+    tbx_i4 bits = tbx_load3i(x);
+    tbx_i4 negative;
+    TBX_KEEP_VECTOR(bits);
+    negative = bits >> 31;
+    return ((bits & tbx_splat_int(0x7fffffff)) ^ negative) - negative;
+}
+
+/* Lanes in which a closed box holds no real number: not lo <= hi, lo = infinity, hi = -infinity, NaN. */
+TBX_FN tbx_i4 tbx_box_empty4(tbx_i4 lo, tbx_i4 hi)
+{
+    const tbx_i4 infinity = tbx_splat_int(0x7f800000);
+    return (lo > hi) | (lo < -infinity) | (hi > infinity) | (lo == infinity) | (hi == -infinity);
+}
+
+TBX_FN int tbx_box_box4(const float a_min[3], const float a_max[3], const float b_min[3], const float b_max[3])
+{
+    const tbx_i4 a_lo = tbx_keys4(a_min);
+    const tbx_i4 a_hi = tbx_keys4(a_max);
+    const tbx_i4 b_lo = tbx_keys4(b_min);
+    const tbx_i4 b_hi = tbx_keys4(b_max);
+    return !tbx_any(tbx_box_empty4(a_lo, a_hi) | tbx_box_empty4(b_lo, b_hi) | (b_lo > a_hi) | (a_lo > b_hi));
+}
+
 /* The end of the interval inside on axis k alone, read anew. */
 TBX_COLD int64_t tbx_ray_end_again(const float origin[3], const float dir[3], const float box_min[3],
                                    const float box_max[3], int k, int e)
@@ -14158,18 +14237,30 @@ TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const floa
 #define TBX_RAY_ERROR 1.9073486328125e-06f     /* 2^-19 */
 #define TBX_RAY_NOTHING 8.271806125530277e-25f /* 2^-80 */
 
-/* The bits of t as a float, moved into [-2^100, 2^100], past every time in a box. */
+/* The t of these bits, not NaN, moved into [-2^100, 2^100], past every time in a box. */
 TBX_FN float tbx_ray_limit(uint32_t bits)
 {
-    const uint32_t most = 0x71800000u;
-    const uint32_t magnitude = bits & 0x7fffffffu;
-    return tbx_from_bits32((magnitude < most ? magnitude : most) | (bits & 0x80000000u));
+    const float most = 1.2676506002282294e+30f;
+    float t = tbx_from_bits32(bits);
+    TBX_KEEP_SCALAR(t);
+    t = t < most ? t : most;
+    return t > -most ? t : -most;
 }
 
 TBX_FN int64_t tbx_float_key(uint32_t bits)
 {
     const int64_t magnitude = (int64_t)(bits & 0x7fffffffu);
     return (bits >> 31) != 0 ? -magnitude : magnitude;
+}
+
+/* Writes an end of the interval inside: that of the axis (1, 2, 4: 0, 1, 2), or the ray's own (8). */
+TBX_FN void tbx_ray_write(float *out, const float origin[3], const float dir[3], const float box_min[3],
+                          const float box_max[3], int reached, int e, uint32_t t_bits)
+{
+    if (out != NULL) {
+        tbx_write(out, 0, TBX_FLOAT,
+                  reached < 8 ? tbx_ray_end(origin, dir, box_min, box_max, reached >> 1, e) : tbx_float_key(t_bits));
+    }
 }
 
 /* Slabs in float, x, y, z in three lanes, t_min and t_max in the fourth. Coordinates are at most 2^40, so
@@ -14198,8 +14289,6 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     float first;
     float last;
     float error;
-    int64_t key0 = 0;
-    int64_t key1 = 0;
     int reached0;
     int reached1;
     TBX_COPY(t_bits, t, sizeof t_bits);
@@ -14208,8 +14297,9 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     /* by sign bits: out of range, also NaN and infinities */
     if (TBX_RARELY(tbx_any((most - tbx_magnitude(o)) | (most - tbx_magnitude(lo)) |
                            (most - tbx_magnitude(hi)) | (most - tbx_magnitude(d)) |
-                           (tbx_magnitude(d) - least)) ||
-                   (t_bits[0] & 0x7fffffffu) > 0x7f800000u || (t_bits[1] & 0x7fffffffu) > 0x7f800000u)) {
+                           (tbx_magnitude(d) - least)) |
+                   ((0x7f800000u - (t_bits[0] & 0x7fffffffu)) >> 31 != 0) |
+                   ((0x7f800000u - (t_bits[1] & 0x7fffffffu)) >> 31 != 0))) {
         return TBX_UNSURE;
     }
     TBX_KEEP_VECTOR(o);
@@ -14250,17 +14340,8 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     if (TBX_RARELY(((reached0 & (reached0 - 1)) | (reached1 & (reached1 - 1))) != 0)) {
         return TBX_UNSURE; /* more than one axis may be the first or last */
     }
-    if (out_t0 != NULL) {
-        key0 = reached0 < 8
-                   ? tbx_ray_end(origin, dir, box_min, box_max, reached0 >> 1, 0) /* 1, 2, 4: 0, 1, 2 */
-                   : tbx_float_key(t_bits[0]);
-        tbx_write(out_t0, 0, TBX_FLOAT, key0);
-    }
-    if (out_t1 != NULL) {
-        key1 = reached1 < 8 ? tbx_ray_end(origin, dir, box_min, box_max, reached1 >> 1, 1)
-                            : tbx_float_key(t_bits[1]);
-        tbx_write(out_t1, 0, TBX_FLOAT, key1);
-    }
+    tbx_ray_write(out_t0, origin, dir, box_min, box_max, reached0, 0, t_bits[0]);
+    tbx_ray_write(out_t1, origin, dir, box_min, box_max, reached1, 1, t_bits[1]);
     return TBX_HIT;
 }
 
@@ -16118,6 +16199,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_PLANE_SPHERE_ERROR
 #undef TBX_TOUCH_ERROR
 #undef TBX_PIERCE_ERROR
+#undef TBX_SHOT_ERROR
 #undef TBX_BALL_ERROR4
 #undef TBX_PLANE_SPHERE_ERROR4
 #undef TBX_GAP_CLOSE
