@@ -14609,38 +14609,25 @@ TBX_FN tbx_f4 tbx_gap_of_normal(tbx_f4 squares, tbx_f4 nothing, tbx_f4 root0)
     return (terms * tbx_splat(TBX_GAP_ERROR4) + nothing) * root0;
 }
 
-TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float v2[3],
-                               const float box_min[3], const float box_max[3], tbx_gap_roots *out_roots)
+/* Twice the s of the faces; lane 3 is far below all. */
+TBX_FN tbx_f4 tbx_gap_faces4(tbx_f4 p0, tbx_f4 p1, tbx_f4 p2, tbx_f4 lo, tbx_f4 hi)
 {
     const tbx_f4 below_all = { 0.0f, 0.0f, 0.0f, -1099511627776.0f }; /* -2^40 */
-    tbx_f4 p0 = tbx_load3(v0);
-    tbx_f4 p1 = tbx_load3(v1);
-    tbx_f4 p2 = tbx_load3(v2);
-    tbx_f4 lo = tbx_load3(box_min);
-    tbx_f4 hi = tbx_load3(box_max);
-    const tbx_i4 outside = tbx_above(tbx_abs4(p0), 0x4c800000) | tbx_above(tbx_abs4(p1), 0x4c800000) |
-                           tbx_above(tbx_abs4(p2), 0x4c800000) | tbx_above(tbx_abs4(lo), 0x4c800000) |
-                           tbx_above(tbx_abs4(hi), 0x4c800000);
-    tbx_f4 a1;
-    tbx_f4 a2;
-    tbx_f4 e1;
-    tbx_f4 l;
-    tbx_f4 u;
-    tbx_f4 h;
-    if (TBX_RARELY(tbx_any(outside))) {
-        return 0;
-    }
-    TBX_KEEP_VECTOR(p0);
-    TBX_KEEP_VECTOR(p1);
-    TBX_KEEP_VECTOR(p2);
-    TBX_KEEP_VECTOR(lo);
-    TBX_KEEP_VECTOR(hi);
-    a1 = p1 - p0;
-    a2 = p2 - p0;
-    e1 = p2 - p1;
-    l = lo - p0;
-    u = hi - p0;
-    h = hi - lo;
+    const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
+    const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
+    const tbx_f4 apart = tbx_max4(lo - t_max, t_min - hi);
+    return apart + apart + below_all;
+}
+
+/* The mask of numbers whose magnitudes are in range. */
+TBX_FN unsigned tbx_gap_mask(tbx_f4 p0, tbx_f4 p1, tbx_f4 p2, tbx_f4 lo, tbx_f4 hi, tbx_gap_roots *out_roots)
+{
+    tbx_f4 a1 = p1 - p0;
+    tbx_f4 a2 = p2 - p0;
+    tbx_f4 e1 = p2 - p1;
+    tbx_f4 l = lo - p0;
+    tbx_f4 u = hi - p0;
+    tbx_f4 h = hi - lo;
     TBX_KEEP_VECTOR(a1);
     TBX_KEEP_VECTOR(a2);
     TBX_KEEP_VECTOR(e1);
@@ -14673,10 +14660,7 @@ TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float
         const tbx_f4 root1 = tbx_inverse_root4(e1 * e1 + e1_yzx * e1_yzx);
         const tbx_f4 root2 = tbx_inverse_root4(a2 * a2 + a2_yzx * a2_yzx);
         const tbx_f4 error0 = TBX_JOIN(error, tbx_gap_of_normal(squares, nothing, root0), 3);
-        const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
-        const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
-        const tbx_f4 apart = tbx_max4(lo - t_max, t_min - hi);
-        const tbx_f4 s = apart + apart + below_all;
+        const tbx_f4 s = tbx_gap_faces4(p0, p1, p2, lo, hi);
         const tbx_f4 s0 = tbx_gap_edge4(a1, h, h_yzx, TBX_JOIN(a1 * w_yzx - a1_yzx * w - n, sums, 0),
                                         TBX_JOIN(tbx_abs4(n), sums, 1) + nothing, root0);
         const tbx_f4 s1 =
@@ -14690,21 +14674,51 @@ TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float
         const unsigned mask =
             (unsigned)(tbx_signs(s >= least) | tbx_signs(s0 + error0 >= least + error) << 4 |
                        tbx_signs(s1 >= least) << 8 | tbx_signs(s2 >= least) << 12);
-        /* by the bits, whatever the processor reads subnormals as; too small, or lo > hi */
-        const tbx_i4 least_bits = tbx_splat_int(0x33800000);
+        TBX_COPY(out_roots->of, &root0, sizeof root0);
+        TBX_COPY(out_roots->of + 4, &root1, sizeof root1);
+        TBX_COPY(out_roots->of + 8, &root2, sizeof root2);
+        return mask;
+    }
+}
+
+/* Two corners differ, by a number that is subnormal or tiny: by the bits, whatever the processor reads subnormals as. */
+TBX_FN tbx_i4 tbx_gap_tiny4(tbx_f4 p, tbx_f4 q, tbx_i4 same)
+{
+    return ~same & (tbx_magnitude(q - p) - tbx_splat_int(0x33800000)); /* 2^-24 */
+}
+
+TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float v2[3],
+                               const float box_min[3], const float box_max[3], tbx_gap_roots *out_roots)
+{
+    tbx_f4 p0 = tbx_load3(v0);
+    tbx_f4 p1 = tbx_load3(v1);
+    tbx_f4 p2 = tbx_load3(v2);
+    tbx_f4 lo = tbx_load3(box_min);
+    tbx_f4 hi = tbx_load3(box_max);
+    const tbx_i4 outside = tbx_above(tbx_abs4(p0), 0x4c800000) | tbx_above(tbx_abs4(p1), 0x4c800000) |
+                           tbx_above(tbx_abs4(p2), 0x4c800000) | tbx_above(tbx_abs4(lo), 0x4c800000) |
+                           tbx_above(tbx_abs4(hi), 0x4c800000); /* 2^26 */
+    if (TBX_RARELY(tbx_any(outside))) {
+        return 0;
+    }
+    TBX_KEEP_VECTOR(p0);
+    TBX_KEEP_VECTOR(p1);
+    TBX_KEEP_VECTOR(p2);
+    TBX_KEEP_VECTOR(lo);
+    TBX_KEEP_VECTOR(hi);
+    {
         const tbx_i4 same0 = (tbx_i4)p0 == (tbx_i4)p1;
         const tbx_i4 same1 = (tbx_i4)p1 == (tbx_i4)p2;
         const tbx_i4 same2 = (tbx_i4)p2 == (tbx_i4)p0;
         const tbx_i4 flat = (tbx_i4)lo == (tbx_i4)hi;
-        const tbx_i4 refused =
-            (~same0 & ((tbx_i4)x1 - least_bits)) | (~same1 & ((tbx_i4)tbx_abs4(e1) - least_bits)) |
-            (~same2 & ((tbx_i4)x2 - least_bits)) | (~flat & ((tbx_i4)h | ((tbx_i4)h - least_bits)));
-        TBX_COPY(out_roots->of, &root0, sizeof root0);
-        TBX_COPY(out_roots->of + 4, &root1, sizeof root1);
-        TBX_COPY(out_roots->of + 8, &root2, sizeof root2);
+        const tbx_i4 refused = tbx_gap_tiny4(p0, p1, same0) | tbx_gap_tiny4(p1, p2, same1) |
+                               tbx_gap_tiny4(p0, p2, same2) | tbx_gap_tiny4(lo, hi, flat) |
+                               (~flat & (tbx_i4)(hi - lo)); /* lo > hi */
+        unsigned mask;
         if (TBX_RARELY(tbx_any(refused))) {
             return 0;
         }
+        mask = tbx_gap_mask(p0, p1, p2, lo, hi, out_roots);
         if ((tbx_signs(same0 | same1 | same2) & 7) != 0) {
             return tbx_gap_not_units(mask, same0, same1, same2);
         }
