@@ -11053,8 +11053,7 @@ typedef struct tbx_quick {
     float centre[4];     /* fixed point; x, y, z in lanes 1, 2, 3, as wherever there are four */
     float subtrahend[4]; /* that, or 0 where it is taken off already */
     float steps[4];
-    int32_t near_bits[4]; /* of the greatest magnitude that converts without care, */
-    int32_t near_byte[4]; /* and of what is negative the upper byte */
+    int32_t near_bits[4]; /* of the greatest magnitude that converts without care */
     int32_t far_bits[4];  /* of the greatest magnitude it is used for */
     int32_t bias[4];      /* of index 0, less the slack */
     int32_t limit[4];     /* what is above in either half is unsure, or outside */
@@ -11084,9 +11083,8 @@ typedef struct tbx_quick {
     int fetch;                   /* the bits exceed the caches */
     uintptr_t bits;
     size_t row_words;
-    int is_wide; /* an index may need more than 15 bits */
-    unsigned char
-        class_of[256];      /* by extents of up to 4 voxels, 64: others; 128 more: the predecessor's box */
+    uint16_t kind_of
+        [216]; /* by voxels on x, 6 times those on y, 36 times those on z; 5: more than 4, 0: not sure */
 } tbx_quick;
 
 #define TBX_PIECES 40.0f /* of a voxel: eighths, tenths, twentieths, fortieths */
@@ -11121,35 +11119,34 @@ enum {
     TBX_CLASS_ON_4,
     TBX_CLASS_LARGE,
     TBX_CLASS_OTHER, /* not known yet */
-    TBX_CLASS_SKIP,  /* the same one voxel or two as the predecessor */
     TBX_CLASSES
 };
 
-TBX_FN void tbx_classes_init(tbx_quick *q, int skips)
+/* A box's kind: its extents in two bits each, the voxels less 1; TBX_NO_SKIP unless it is left out where it equals its
+ * predecessor's; and its class from bit 8 on. */
+#define TBX_NO_SKIP 128
+
+TBX_FN void tbx_kinds_init(tbx_quick *q, int skips)
 {
     int i;
-    for (i = 0; i < 64; i++) {
-        const int x = i & 3;
-        const int y = i >> 2 & 3;
-        const int z = i >> 4;
+    for (i = 0; i < 216; i++) {
+        const int x = i % 6;
+        const int y = i / 6 % 6;
+        const int z = i / 36;
         const int most = x > y ? x > z ? x : z : y > z ? y : z;
-        const int longer = (x > 0) + (y > 0) + (z > 0);
-        int c = TBX_CLASS_SHORT;
-        if (q->thin) {
-            c = TBX_CLASS_OTHER;
-        } else if (most > 1 || longer > 2) {
-            c = TBX_CLASS_2 + most - 1;
-        } else if (longer == 2) {
-            c = TBX_CLASS_FLAT;
+        const int longer = (x > 1) + (y > 1) + (z > 1);
+        int kind = TBX_CLASS_OTHER << 8 | TBX_NO_SKIP;
+        if (x > 0 && y > 0 && z > 0) {
+            kind = TBX_CLASS_LARGE << 8 | TBX_NO_SKIP;
+            if (!q->thin && most < 5) {
+                const int c = most > 2 || longer > 2 ? TBX_CLASS_2 + most - 2
+                              : longer == 2          ? TBX_CLASS_FLAT
+                                                     : TBX_CLASS_SHORT;
+                kind = c << 8 | (c == TBX_CLASS_SHORT && skips ? 0 : TBX_NO_SKIP);
+                kind |= (x - 1) | (y - 1) << 2 | (z - 1) << 4;
+            }
         }
-        q->class_of[i] = (unsigned char)c;
-        q->class_of[i + 128] = (unsigned char)(c == TBX_CLASS_SHORT && skips ? (int)TBX_CLASS_SKIP : c);
-    }
-    for (i = 64; i < 256; i += 128) {
-        int j;
-        for (j = i; j < i + 64; j++) {
-            q->class_of[j] = TBX_CLASS_OTHER;
-        }
+        q->kind_of[i] = (uint16_t)kind;
     }
 }
 
@@ -11187,8 +11184,7 @@ TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
     near_by = near_by > 0.0 ? near_by : 0.0;
     TBX_KEEP_SCALAR(near_by);
     near_float = (float)(near_by * 0.999);
-    q->near_bits[k + 1] = (int32_t)(tbx_bits32(&near_float) & 0xffff0000u) - 65536;
-    q->near_byte[k + 1] = 127 + (int32_t)(tbx_bits32(&near_float) >> 24);
+    q->near_bits[k + 1] = (int32_t)tbx_bits32(&near_float);
     q->limit[k + 1] = (int32_t)(((uint32_t)q->n[k] - 1u) << 16 | (65535u - 2u * (uint32_t)slack));
     return error < 0.125;
 }
@@ -11210,12 +11206,10 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
     q->centre[0] = q->subtrahend[0] = q->steps[0] = q->inverse[0] = 0.0f;
     q->base_high[0] = q->base_low[0] = q->size_high[0] = q->size_low[0] = 0.0f;
     q->near_bits[0] = 0x7f7fffff;
-    q->near_byte[0] = 0xfe;
     q->far_bits[0] = 0x7fffffff;
     q->bias[0] = 0;
     q->limit[0] = -1;
-    q->is_wide = 0;
-    tbx_classes_init(q, skips);
+    tbx_kinds_init(q, skips);
     for (k = 0; k < 3; k++) {
         const double n = (double)grid->hi[k] - (double)grid->lo[k];
         if (!(tbx_is_ordinary(&grid->origin[k], 100) & tbx_is_ordinary(&grid->size[k], 60)) || n > 65536.0) {
@@ -11229,7 +11223,6 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
             q->units[k] = 1.0 / size;
             q->origin[k] = grid->origin[k] + offset;
             q->n[k] = (int)n;
-            q->is_wide |= n > 32700.0;
             delta = (tbx_abs(grid->origin[k]) + tbx_abs(offset)) * q->units[k] + n + 64.0;
             delta *= 8.0 * TBX_U64;
             q->delta = delta > q->delta ? delta : q->delta;
@@ -11323,7 +11316,7 @@ TBX_FN void tbx_group_pad(tbx_group *g)
     }
 }
 
-#define TBX_BLOCK 80 /* the stack stays below 16 KiB */
+#define TBX_BLOCK 72 /* the stack stays below 16 KiB */
 
 /* What a triangle leaves for the row walk: how many triangles before the next block's first it is, and its
  * rows and layers. */
@@ -11360,80 +11353,83 @@ TBX_FN tbx_doubt *tbx_fill_later(tbx_fill *fill, size_t triangle)
 
 /* ---- Blocks of triangles: their boxes, and lists of them by class
  *
- * A box is a key: its first voxel's x, y, z, from the region's first, in 16 bits each from bit 16 on, below them,
- * where it is of up to 4^3 voxels, two bits for each extent, the voxels less 1. Of a box that is cut x, y and z are
- * signed. Corners are rows of four floats: x, y, z in lanes 1 to 3, and anything finite in lane 0, so that a row of a
- * mesh is one load. */
+ * A box is a key: its first voxel's x, y, z, from the region's first, in 16 bits each from bit 16 on, below them its
+ * kind. Of a box that is cut x, y and z are signed. Corners are rows of four floats: x, y, z in lanes 1 to 3, and
+ * anything finite in lane 0, so that a row of a mesh is one load. */
 typedef struct tbx_block {
-    uint64_t key[TBX_BLOCK];
-    int32_t more[TBX_BLOCK]; /* of LARGE boxes: as in the last lane of boxes above */
+    uint64_t box
+        [TBX_BLOCK]
+        [2]; /* key; voxels on x, y, z in 16 bits each from bit 16 on, or with bit 0 set `more` from 32 on */
     unsigned char list[TBX_CLASSES][TBX_BLOCK];
     int count[TBX_CLASSES];
     size_t first; /* triangle */
 } tbx_block;
 
-typedef struct tbx_corners {
-    tbx_f4 row[TBX_BLOCK][3];
+typedef union tbx_corners {
+    tbx_f4 row[3][TBX_BLOCK];
+    tbx_fw some[3][TBX_BLOCK * 4 / TBX_WIDE];
 } TBX_ALIGNED tbx_corners;
 
-typedef uint16_t tbx_h8 __attribute__((vector_size(16)));
+typedef uint16_t tbx_hw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
+typedef int16_t tbx_sw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
 typedef int16_t tbx_s8 __attribute__((vector_size(16)));
-typedef unsigned char tbx_b16 __attribute__((vector_size(16)));
-
-/* The greater of each signed word, and of each byte. */
-TBX_FORCED tbx_i4 tbx_most_words(tbx_i4 a, tbx_i4 b)
-{
-#if defined(__SSE2__) && !defined(__clang__) /* which finds these instructions itself */
-    return (tbx_i4)__builtin_ia32_pmaxsw128((tbx_s8)a, (tbx_s8)b);
-#else
-    const tbx_i4 more = (tbx_i4)((tbx_s8)a > (tbx_s8)b);
-    return (a & more) | (b & ~more);
-#endif
-}
-
-TBX_FORCED tbx_i4 tbx_most_bytes(tbx_i4 a, tbx_i4 b)
-{
-#if defined(__SSE2__) && !defined(__clang__)
-    typedef char tbx_c16 __attribute__((vector_size(16)));
-    return (tbx_i4)__builtin_ia32_pmaxub128((tbx_c16)a, (tbx_c16)b);
-#else
-    const tbx_i4 more = (tbx_i4)((tbx_b16)a > (tbx_b16)b);
-    return (a & more) | (b & ~more);
-#endif
-}
 
 /* How far each word of a is above that of b, 0 where it is not. */
-TBX_FORCED tbx_i4 tbx_words_above(tbx_u4 a, tbx_u4 b)
+TBX_FORCED tbx_uw tbx_words_above(tbx_uw a, tbx_uw b)
 {
-#if defined(__SSE2__) && !defined(__clang__)
-    return (tbx_i4)__builtin_ia32_psubusw128((tbx_s8)a, (tbx_s8)b);
+#if defined(__AVX2__) && !defined(__clang__) /* which finds these instructions itself */
+    return (tbx_uw)__builtin_ia32_psubusw256((tbx_sw)a, (tbx_sw)b);
+#elif defined(__SSE2__) && !defined(__clang__)
+    return (tbx_uw)__builtin_ia32_psubusw128((tbx_s8)a, (tbx_s8)b);
 #else
-    const tbx_h8 above = (tbx_h8)((tbx_h8)a > (tbx_h8)b);
-    return (tbx_i4)(((tbx_h8)a - (tbx_h8)b) & above);
+    const tbx_hw above = (tbx_hw)((tbx_hw)a > (tbx_hw)b);
+    return (tbx_uw)(((tbx_hw)a - (tbx_hw)b) & above);
 #endif
 }
 
-/* Lanes 1, 2, 3 of a as 16 bits each of out[0], from bit 16 on; of b in out[1]. Lanes are from -2^15 to 2^15 - 1, or
- * they are above. */
-TBX_FORCED void tbx_keys_of(uint64_t out[2], tbx_i4 a, tbx_i4 b)
+/* The boxes of WIDE / 4 triangles, of their first voxels' lanes and those of their extents, in words, and where their
+ * kinds are. Words are those of numbers from -2^15 to 2^15 - 1, or they are above. */
+TBX_FORCED void tbx_boxes_of(uint64_t out_box[][2], unsigned out_kind[TBX_WIDE / 4], tbx_iw first,
+                             tbx_iw extents)
 {
+    int i;
 #if defined(__SSE2__)
-    const tbx_l2 words = (tbx_l2)__builtin_ia32_packssdw128(a, b);
-    out[0] = (uint64_t)words[0];
-    out[1] = (uint64_t)words[1];
+    const uint64_t gather = (uint64_t)1 << 40 | (uint64_t)6 << 24 | 36 << 8; /* to bits 56.. */
+#if defined(__AVX2__)
+    const tbx_sw words = __builtin_ia32_packssdw256(first, extents);
 #else
-    out[0] = (uint64_t)(uint16_t)a[1] << 16 | (uint64_t)(uint16_t)a[2] << 32 | (uint64_t)(uint16_t)a[3] << 48;
-    out[1] = (uint64_t)(uint16_t)b[1] << 16 | (uint64_t)(uint16_t)b[2] << 32 | (uint64_t)(uint16_t)b[3] << 48;
+    const tbx_sw words = (tbx_sw)__builtin_ia32_packssdw128((tbx_i4)first, (tbx_i4)extents);
 #endif
-}
-
-/* 0 only where lanes 1, 2, 3 are all 0. */
-TBX_FORCED uint64_t tbx_key_any(tbx_i4 a)
-{
-#if defined(__SSE2__)
-    return (uint64_t)((tbx_l2)__builtin_ia32_packssdw128(a, a))[0];
+#if defined(__clang__)
+    const tbx_sw five = (tbx_sw)tbx_wide_int(0x50005);
+    const tbx_sw is_less = (tbx_sw)(words < five);
+    const tbx_sw least = (words & is_less) | (five & ~is_less);
+#elif defined(__AVX2__)
+    const tbx_sw least = __builtin_ia32_pminsw256(words, (tbx_sw)tbx_wide_int(0x50005));
 #else
-    return (uint64_t)(uint32_t)(a[1] | a[2] | a[3]);
+    const tbx_sw least = __builtin_ia32_pminsw128(words, (tbx_sw)tbx_wide_int(0x50005));
+#endif
+    tbx_f4 box[TBX_WIDE / 4];
+    tbx_f4 few[TBX_WIDE / 4];
+    tbx_wide_parts(box, (tbx_fw)words);
+    tbx_wide_parts(few, (tbx_fw)least);
+    for (i = 0; i < TBX_WIDE / 4; i++) { /* not by memory, from which narrower loads than stores may stall */
+        out_box[i][0] = (uint64_t)((tbx_l2)box[i])[0];
+        out_box[i][1] = (uint64_t)((tbx_l2)box[i])[1];
+        out_kind[i] = (unsigned)(((uint64_t)((tbx_l2)few[i])[1] * gather) >> 56);
+    }
+#else
+    for (i = 0; i < TBX_WIDE / 4; i++) {
+        int k;
+        out_kind[i] = 0;
+        out_box[i][0] = out_box[i][1] = 0;
+        for (k = 3; k > 0; k--) {
+            const uint32_t few = (uint32_t)extents[4 * i + k];
+            out_kind[i] = 6 * out_kind[i] + (few < 5 ? few : 5);
+            out_box[i][0] |= (uint64_t)(uint16_t)first[4 * i + k] << 16 * k;
+            out_box[i][1] |= (uint64_t)(uint16_t)few << 16 * k;
+        }
+    }
 #endif
 }
 
@@ -11486,49 +11482,70 @@ TBX_FORCED tbx_i4 tbx_block_corner(const tbx_source *source, const tbx_quick *q,
     return is_double ? tbx_corner_at_f64(p, q) : tbx_corner_at(p, packed);
 }
 
-/* The corners of so many triangles. Returns 1 if they are all near enough, and finite, for boxes without care: of what
- * is positive the greatest upper half tells, of what is negative the greatest byte. */
+TBX_FORCED int tbx_all_near(const tbx_quick *q, tbx_i4 bits)
+{
+    return !tbx_any((bits & tbx_splat_int(0x7fffffff)) > tbx_load4i(q->near_bits));
+}
+
+/* Are all of a block's corners near enough, and finite, for boxes without care? */
+TBX_NOINLINE int tbx_block_is_near(const tbx_corners *corners, const tbx_quick *q, int count)
+{
+    const tbx_i4 magnitude = tbx_splat_int(0x7fffffff);
+    const tbx_i4 near_bits = tbx_load4i(q->near_bits);
+    tbx_i4 beyond = tbx_splat_int(0);
+    int i;
+    int c;
+    for (c = 0; c < 3; c++) {
+        for (i = 0; i < count; i++) {
+            beyond |= ((tbx_i4)corners->row[c][i] & magnitude) > near_bits;
+        }
+    }
+    return !tbx_any(beyond);
+}
+
+/* The corners of so many triangles. Returns 1 if they are all near enough, and finite, for boxes without care. No
+ * magnitude is greater than all of them with their bits joined, which mostly suffices. */
 TBX_FORCED int tbx_block_corners(tbx_corners *out, const tbx_quick *q, const tbx_source *from, int indexed,
                                  int packed, int is_double, size_t first, int count)
 {
     const tbx_source source = *from; /* what is stored does not change it */
-    tbx_i4 words = tbx_splat_int(TBX_SIGN_BIT);
-    tbx_i4 bytes = tbx_splat_int(0);
+    tbx_i4 bits = tbx_splat_int(0);
     size_t at = 3 * first;
     int i;
     for (i = 0; i < count; i++, at += 3) {
         const tbx_i4 v0 = tbx_block_corner(&source, q, indexed, packed, is_double, at);
         const tbx_i4 v1 = tbx_block_corner(&source, q, indexed, packed, is_double, at + 1);
         const tbx_i4 v2 = tbx_block_corner(&source, q, indexed, packed, is_double, at + 2);
-        words = tbx_most_words(tbx_most_words(tbx_most_words(words, v0), v1), v2);
-        bytes = tbx_most_bytes(tbx_most_bytes(tbx_most_bytes(bytes, v0), v1), v2);
-        out->row[i][0] = (tbx_f4)v0;
-        out->row[i][1] = (tbx_f4)v1;
-        out->row[i][2] = (tbx_f4)v2;
+        bits |= v0 | v1 | v2;
+        out->row[0][i] = (tbx_f4)v0;
+        out->row[1][i] = (tbx_f4)v1;
+        out->row[2][i] = (tbx_f4)v2;
     }
-    return !tbx_any((words > tbx_load4i(q->near_bits)) |
-                    ((tbx_i4)((tbx_u4)bytes >> (tbx_u4)tbx_splat_int(24)) > tbx_load4i(q->near_byte)));
+    for (i = count; i % (TBX_WIDE / 4) != 0; i++) {
+        out->row[0][i] = out->row[1][i] = out->row[2][i] = out->row[0][count - 1];
+    }
+    return tbx_all_near(q, bits) || tbx_block_is_near(out, q, count);
 }
 
 /* Is the first vertex a corner of the block? Nothing may be read before it. */
 TBX_FORCED int tbx_block_has_first(const tbx_source *source, size_t first, int count)
 {
     const uint32_t *index = source->indices;
-    tbx_i4 zero = tbx_splat_int(0);
+    tbx_iw zero = tbx_wide_int(0);
     int i;
     if (index == NULL) {
         return first == 0;
     }
     index += 3 * first;
-    for (i = 0; i + 4 <= 3 * count; i += 4) {
-        tbx_i4 four;
-        TBX_COPY(&four, index + i, sizeof four);
-        zero |= four == tbx_splat_int(0);
+    for (i = 0; i + TBX_WIDE <= 3 * count; i += TBX_WIDE) {
+        tbx_iw some;
+        TBX_COPY(&some, index + i, sizeof some);
+        zero |= some == tbx_wide_int(0);
     }
     for (; i < 3 * count; i++) {
-        zero |= tbx_splat_int(-(index[i] == 0));
+        zero |= tbx_wide_int(-(index[i] == 0));
     }
-    return tbx_any(zero);
+    return tbx_wide_any(zero);
 }
 
 TBX_FN int tbx_block_load(tbx_corners *out, const tbx_quick *q, const tbx_source *source, size_t first,
@@ -11546,109 +11563,153 @@ TBX_FN int tbx_block_load(tbx_corners *out, const tbx_quick *q, const tbx_source
     }
 }
 
-/* Of tbx_quick, what it takes. */
+/* Of tbx_quick, what fixed point takes, for WIDE / 4 triangles. The last voxel is one more than it is, so that its
+ * difference from the first is a number of voxels. */
 typedef struct tbx_fixed {
-    tbx_f4 base;
-    tbx_f4 steps;
-    tbx_u4 bias;
-    tbx_u4 limit;
+    tbx_fw base;
+    tbx_fw steps;
+    tbx_uw bias[2];
+    tbx_uw limit[2];
 } TBX_ALIGNED tbx_fixed;
 
-TBX_FORCED tbx_fixed tbx_fixed_of(const tbx_quick *q)
+TBX_FORCED tbx_iw tbx_wide_repeat(tbx_i4 a)
 {
-    tbx_fixed f;
-    f.base = tbx_load4(q->subtrahend);
-    f.steps = tbx_load4(q->steps);
-    f.bias = (tbx_u4)tbx_load4i(q->bias);
-    f.limit = (tbx_u4)tbx_load4i(q->limit);
-    return f;
+    tbx_f4 part[TBX_WIDE / 4];
+    int i;
+    for (i = 0; i < TBX_WIDE / 4; i++) {
+        part[i] = (tbx_f4)a;
+    }
+    return (tbx_iw)tbx_wide_of(part);
 }
 
-/* The least and the greatest voxel in fixed point. */
-TBX_FORCED void tbx_box_fixed(tbx_u4 out[2], const tbx_fixed *f, const tbx_f4 v[3], int careful)
+TBX_FORCED void tbx_fixed_of(tbx_fixed *f, const tbx_quick *q)
 {
-    const tbx_f4 base = f->base;
-    const tbx_f4 steps = f->steps;
-    tbx_f4 low = tbx_min4(tbx_min4(v[0], v[1]), v[2]) - base;
-    tbx_f4 high = tbx_max4(tbx_max4(v[0], v[1]), v[2]) - base;
+    const tbx_i4 one = { 0, 65536, 65536, 65536 };
+    const tbx_i4 bias = tbx_load4i(q->bias);
+    tbx_i4 limit = tbx_load4i(q->limit);
+    f->base = (tbx_fw)tbx_wide_repeat((tbx_i4)tbx_load4(q->subtrahend));
+    f->steps = (tbx_fw)tbx_wide_repeat((tbx_i4)tbx_load4(q->steps));
+    f->bias[0] = (tbx_uw)tbx_wide_repeat(bias);
+    f->bias[1] = (tbx_uw)tbx_wide_repeat((tbx_i4)((tbx_u4)bias + (tbx_u4)one));
+    f->limit[0] = (tbx_uw)tbx_wide_repeat(limit);
+    /* up to the last number that there is: the one after it is 0, and no index */
+    limit = (tbx_i4)((tbx_u4)limit +
+                     ((tbx_u4)one & ~(tbx_u4)((limit >> tbx_splat_int(16)) == tbx_splat_int(-1))));
+    f->limit[1] = (tbx_uw)tbx_wide_repeat(limit);
+}
+
+/* The least and the greatest voxel in fixed point, the greatest's one more. */
+TBX_FORCED void tbx_box_fixed(tbx_uw out[2], const tbx_fixed *f, const tbx_fw v[3], int careful)
+{
+    tbx_fw low = tbx_wide_min(tbx_wide_min(v[0], v[1]), v[2]) - f->base;
+    tbx_fw high = tbx_wide_max(tbx_wide_max(v[0], v[1]), v[2]) - f->base;
     TBX_KEEP_VECTOR(low);
     TBX_KEEP_VECTOR(high);
-    low *= steps;
-    high *= steps;
+    low *= f->steps;
+    high *= f->steps;
     if (careful) {
-        const tbx_f4 most = tbx_splat(2147483392.0f); /* 2^31 - 2^8 */
-        low = tbx_min4(tbx_max4(low, -most), most);
-        high = tbx_min4(tbx_max4(high, -most), most);
+        const tbx_fw most = tbx_wide_all(2147483392.0f); /* 2^31 - 2^8 */
+        low = tbx_wide_min(tbx_wide_max(low, -most), most);
+        high = tbx_wide_min(tbx_wide_max(high, -most), most);
     }
-    out[0] = (tbx_u4) __builtin_convertvector(low, tbx_i4) + f->bias;
-    out[1] = (tbx_u4) __builtin_convertvector(high, tbx_i4) + f->bias;
+    out[0] = (tbx_uw) __builtin_convertvector(low, tbx_iw) + f->bias[0];
+    out[1] = (tbx_uw) __builtin_convertvector(high, tbx_iw) + f->bias[1];
 }
 
-/* Boxes of a block and lists of them by class, OTHER where they are not sure or longer than 4 voxels. Of triangles in
- * the same one or two voxels that follow each other the first will do. */
+/* Boxes of WIDE / 4 triangles, and where their kinds are. */
+TBX_FORCED void tbx_boxes_find(uint64_t out_box[][2], unsigned out_kind[TBX_WIDE / 4], const tbx_fixed *f,
+                               const tbx_fw v[3], int careful)
+{
+    tbx_uw fixed[2];
+    tbx_iw sure;
+    tbx_uw extents;
+    tbx_box_fixed(fixed, f, v, careful);
+    sure = (tbx_iw)((tbx_words_above(fixed[0], f->limit[0]) | tbx_words_above(fixed[1], f->limit[1])) ==
+                    (tbx_uw)tbx_wide_int(0));
+    extents = (tbx_uw)((tbx_hw)fixed[1] - (tbx_hw)fixed[0]) >> (tbx_uw)tbx_wide_int(16);
+    tbx_boxes_of(out_box, out_kind, (tbx_iw)fixed[0] >> tbx_wide_int(16), (tbx_iw)extents & sure);
+}
+
+/* Asks for the memory of boxes' voxels. */
+TBX_FORCED void tbx_block_fetch(const tbx_block *b, const tbx_quick *q, int count)
+{
+    int i;
+    for (i = 0; i < count; i++) {
+        const uint64_t key = b->box[i][0];
+        const size_t word = (size_t)tbx_key_axis(key, 2) * q->layer_words +
+                            (size_t)tbx_key_axis(key, 1) * q->row_words + (size_t)(tbx_key_axis(key, 0) >> 6);
+        TBX_PREFETCH(q->bits + sizeof(uint64_t) * word);
+        TBX_PREFETCH(q->bits + sizeof(uint64_t) * (word + q->layer_words));
+        TBX_PREFETCH(q->bits + sizeof(uint64_t) * (word + 2 * q->layer_words));
+    }
+}
+
+/* Boxes of a block and lists of them by class, OTHER where they are not sure. Of triangles in the same one or two
+ * voxels that follow each other the first will do. */
 TBX_FORCED void tbx_block_boxes(tbx_block *b, const tbx_quick *q, const tbx_corners *corners, int count)
 {
-    const tbx_fixed f = tbx_fixed_of(q);
-    const tbx_i4 half = tbx_splat_int(16);
-    const uint64_t longer = ~(uint64_t)0 << 16 & ~((uint64_t)0x30003 << 32 | 0x30000u);
-    const uint64_t gather = (uint64_t)1 << 42 | 1 << 28 | 1 << 14; /* two bits of each axis to bits 58.. */
+    tbx_fixed f;
     unsigned char *end[TBX_CLASSES];
     uint64_t previous = ~(uint64_t)0;
+    uint64_t last = 0;
+    unsigned c = 0;
     int i;
+    int j;
+    tbx_fixed_of(&f, q);
     for (i = 0; i < TBX_CLASSES; i++) {
         end[i] = b->list[i];
     }
-    for (i = 0; i < count; i++) {
-        tbx_u4 fixed[2];
-        uint64_t key[2];
-        uint64_t other;
-        unsigned char *at;
-        uint64_t c;
-        tbx_box_fixed(fixed, &f, corners->row[i], 0);
-        other = tbx_key_any(tbx_words_above(fixed[0], f.limit) | tbx_words_above(fixed[1], f.limit));
-        tbx_keys_of(key, (tbx_i4)fixed[0] >> half, (tbx_i4)fixed[1] >> half);
-        key[1] -= key[0];
-        c = (key[1] * gather) >> 58;
-        other |= key[1] & longer;
-        c = other != 0 ? 64 : c;
-        key[0] |= c;
-        b->key[i] = key[0];
-        c |= (uint64_t)(key[0] == previous) << 7;
-        previous = key[0];
-        if (q->fetch) { /* asks for the memory of its voxels */
-            const size_t word = (size_t)tbx_key_axis(key[0], 2) * q->layer_words +
-                                (size_t)tbx_key_axis(key[0], 1) * q->row_words +
-                                (size_t)(tbx_key_axis(key[0], 0) >> 6);
-            TBX_PREFETCH(q->bits + sizeof(uint64_t) * word);
-            TBX_PREFETCH(q->bits + sizeof(uint64_t) * (word + q->layer_words));
-            TBX_PREFETCH(q->bits + sizeof(uint64_t) * (word + 2 * q->layer_words));
+    for (i = 0; i < count; i += TBX_WIDE / 4) {
+        uint64_t box[TBX_WIDE / 4][2];
+        unsigned where[TBX_WIDE / 4];
+        tbx_fw v[3];
+        v[0] = corners->some[0][i / (TBX_WIDE / 4)];
+        v[1] = corners->some[1][i / (TBX_WIDE / 4)];
+        v[2] = corners->some[2][i / (TBX_WIDE / 4)];
+        tbx_boxes_find(box, where, &f, v, 0);
+        for (j = 0; j < TBX_WIDE / 4; j++) {
+            const unsigned kind = q->kind_of[where[j]];
+            const uint64_t key = box[j][0] | kind;
+            unsigned char *at;
+            b->box[i + j][0] = key;
+            b->box[i + j][1] = box[j][1];
+            c = kind >> 8;
+            at = end[c];
+            *at = (unsigned char)(i + j);
+            last = (uint64_t)(key != previous);
+            end[c] = at + last;
+            previous = key & ~(uint64_t)TBX_NO_SKIP;
         }
-        c = q->class_of[c];
-        at = end[c];
-        *at = (unsigned char)i;
-        end[c] = at + 1;
+    }
+    if (i > count) { /* the last one stands for none */
+        end[c] -= last;
     }
     for (i = 0; i < TBX_CLASSES; i++) {
         b->count[i] = (int)(end[i] - b->list[i]);
+    }
+    if (q->fetch) {
+        tbx_block_fetch(b, q, count);
     }
 }
 
 /* The class of a box in the region of so many voxels more than one: a byte for each axis. */
 TBX_FORCED unsigned tbx_class_of(const tbx_quick *q, uint32_t more)
 {
-    const unsigned c = q->class_of[(uint32_t)((more & 0x030303u) * 0x04104000u) >> 26];
-    return (more & 0xfefcfcfcu) != 0 || c == TBX_CLASS_OTHER ? (unsigned)TBX_CLASS_LARGE : c;
+    if ((more & 0xfefcfcfcu) != 0) {
+        return TBX_CLASS_LARGE;
+    } else {
+        return (unsigned)
+                   q->kind_of[(more & 3) + 1 + 6 * ((more >> 8 & 3) + 1) + 36 * ((more >> 16 & 3) + 1)] >>
+               8;
+    }
 }
 
 /* A box, of lanes 0 to 2 and those of `more` that are extents, as a key. */
 TBX_FORCED uint64_t tbx_key_set(tbx_i4 box)
 {
-    const tbx_i4 half = tbx_splat_int(16);
-    const tbx_i4 turned = TBX_LANES(box, box, 3, 0, 1, 2);
-    const uint32_t few = (uint32_t)(((uint32_t)box[3] & 0x030303u) * 0x04104000u) >> 26;
-    uint64_t key[2];
-    tbx_keys_of(key, (turned << half) >> half, turned);
-    return (key[0] & ~(uint64_t)65535) | few;
+    const uint64_t few = (uint32_t)(((uint32_t)box[3] & 0x030303u) * 0x04104000u) >> 26;
+    return few | (uint64_t)(uint16_t)box[0] << 16 | (uint64_t)(uint16_t)box[1] << 32 |
+           (uint64_t)(uint16_t)box[2] << 48;
 }
 
 /* And back. */
@@ -11661,6 +11722,20 @@ TBX_FORCED tbx_i4 tbx_key_box(uint64_t key, int32_t more)
     const tbx_i4 r = { cut ? (int16_t)x : (int32_t)x, cut ? (int16_t)y : (int32_t)y,
                        cut ? (int16_t)z : (int32_t)z, more };
     return r;
+}
+
+/* `more` of a box of any kind. */
+TBX_FORCED int32_t tbx_block_more(const tbx_block *b, int i)
+{
+    const uint64_t extents = b->box[i][1];
+    if ((extents & 1) != 0) {
+        return (int32_t)(extents >> 32);
+    } else {
+        const uint32_t x = tbx_key_axis(extents, 0) - 1;
+        const uint32_t y = tbx_key_axis(extents, 1) - 1;
+        const uint32_t z = tbx_key_axis(extents, 2) - 1;
+        return (x | y | z) > 63 ? TBX_NOT_KNOWN : (int32_t)(x | y << 8 | z << 16);
+    }
 }
 
 TBX_FORCED int32_t tbx_key_more(uint64_t key)
@@ -11686,8 +11761,8 @@ TBX_FORCED void tbx_block_add(tbx_block *b, const tbx_quick *q, unsigned char i,
         c = q->upper_open || c == TBX_CLASS_LARGE ? (unsigned)TBX_CLASS_LARGE
                                                   : c + (TBX_CLASS_ON_2 - TBX_CLASS_2);
     }
-    b->key[i] = tbx_key_set(box);
-    b->more[i] = box[3];
+    b->box[i][0] = tbx_key_set(box);
+    b->box[i][1] = (uint64_t)(uint32_t)box[3] << 32 | 1;
     b->list[c][b->count[c]++] = i;
 }
 
@@ -11696,33 +11771,34 @@ TBX_NOINLINE void tbx_block_careful(tbx_block *b, const tbx_quick *q, const tbx_
 {
     const tbx_i4 magnitude = tbx_splat_int(0x7fffffff);
     const tbx_i4 far_bits = tbx_load4i(q->far_bits);
-    const tbx_fixed f = tbx_fixed_of(q);
+    tbx_fixed f;
     unsigned char *list = b->list[TBX_CLASS_OTHER];
     const int count = b->count[TBX_CLASS_OTHER];
     int left = 0;
     int j;
+    int c;
+    tbx_fixed_of(&f, q);
     for (j = 0; j < count; j++) {
-        const unsigned char i = list[j];
-        const tbx_i4 *v = (const tbx_i4 *)corners->row[i];
-        list[left] = i;
-        if (tbx_any(((v[0] & magnitude) > far_bits) | ((v[1] & magnitude) > far_bits) |
-                    ((v[2] & magnitude) > far_bits))) {
-            left++;
+        tbx_i4 beyond = tbx_splat_int(0);
+        uint64_t box[TBX_WIDE / 4][2];
+        unsigned kind[TBX_WIDE / 4] = { 0 };
+        tbx_fw v[3];
+        for (c = 0; c < 3; c++) {
+            const tbx_i4 row = (tbx_i4)corners->row[c][list[j]];
+            v[c] = (tbx_fw)tbx_wide_repeat(row);
+            beyond |= (row & magnitude) > far_bits;
+        }
+        if (!tbx_any(beyond)) {
+            tbx_boxes_find(box, kind, &f, v, 1);
+        }
+        kind[0] = q->kind_of[kind[0]];
+        if (kind[0] >> 8 == TBX_CLASS_OTHER) {
+            list[left++] = list[j];
         } else {
-            tbx_u4 fixed[2];
-            tbx_box_fixed(fixed, &f, corners->row[i], 1);
-            if (tbx_key_any(tbx_words_above(fixed[0], f.limit) | tbx_words_above(fixed[1], f.limit)) != 0) {
-                left++;
-            } else {
-                const tbx_u4 half = (tbx_u4)tbx_splat_int(16);
-                const tbx_i4 first = (tbx_i4)(fixed[0] >> half);
-                const tbx_i4 most = tbx_splat_int(255);
-                tbx_i4 extent = (tbx_i4)(fixed[1] >> half) - first;
-                tbx_i4 box = TBX_LANES(first, first, 1, 2, 3, 0);
-                extent = (extent & ~(extent > most)) | (most & (extent > most));
-                box[3] = extent[1] | extent[2] << 8 | extent[3] << 16;
-                tbx_block_add(b, q, i, box);
-            }
+            unsigned char *to = b->list[kind[0] >> 8];
+            to[b->count[kind[0] >> 8]++] = list[j];
+            b->box[list[j]][0] = box[0][0] | kind[0];
+            b->box[list[j]][1] = box[0][1];
         }
     }
     b->count[TBX_CLASS_OTHER] = left;
@@ -11760,10 +11836,10 @@ TBX_FORCED void tbx_points_listed(tbx_points out[3], const tbx_corners *corners,
     tbx_placed some;
     int i;
     for (i = 0; i < TBX_WIDE; i++) {
-        const tbx_f4 *row = corners->row[list[i < count ? i : 0]];
-        some.row[0][i] = row[0];
-        some.row[1][i] = row[1];
-        some.row[2][i] = row[2];
+        const size_t at = list[i < count ? i : 0];
+        some.row[0][i] = corners->row[0][at];
+        some.row[1][i] = corners->row[1][at];
+        some.row[2][i] = corners->row[2][at];
     }
     tbx_points_of(&out[0], some.row[0]);
     tbx_points_of(&out[1], some.row[1]);
@@ -12185,8 +12261,8 @@ typedef struct tbx_some {
 } tbx_some;
 
 /* Places one triangle. */
-TBX_FORCED void tbx_place_corners(tbx_placed *out, int lane, const tbx_quick *q, const tbx_f4 v[3],
-                                  uint64_t key)
+TBX_FORCED void tbx_place_corners(tbx_placed *out, int lane, const tbx_quick *q, const tbx_corners *corners,
+                                  size_t i, uint64_t key)
 {
     const tbx_f4 inverse = tbx_load4(q->inverse);
     tbx_f4 at;
@@ -12210,7 +12286,7 @@ TBX_FORCED void tbx_place_corners(tbx_placed *out, int lane, const tbx_quick *q,
     high = tbx_load4(q->base_high) + at * tbx_load4(q->size_high);
     TBX_KEEP_VECTOR(high);
     for (c = 0; c < 3; c++) {
-        tbx_f4 x = v[c] - high;
+        tbx_f4 x = corners->row[c][i] - high;
         TBX_KEEP_VECTOR(x);
         x = (x - low) * inverse;
         TBX_KEEP_VECTOR(x);
@@ -12508,14 +12584,14 @@ TBX_FORCED void tbx_place_all(tbx_placed *out, const tbx_quick *q, const tbx_som
     if (TBX_RARELY(some->source->is_double)) {
         for (lane = 0; lane < TBX_WIDE; lane++) {
             const size_t i = some->list[lane < some->count ? lane : 0];
-            key[lane] = some->block->key[i];
+            key[lane] = some->block->box[i][0];
             tbx_place_doubles(out, lane, q, some->source, some->block->first + i, key[lane]);
         }
     } else {
         for (lane = 0; lane < TBX_WIDE; lane++) {
             const size_t i = some->list[lane < some->count ? lane : 0];
-            key[lane] = some->block->key[i];
-            tbx_place_corners(out, lane, q, some->corners->row[i], key[lane]);
+            key[lane] = some->block->box[i][0];
+            tbx_place_corners(out, lane, q, some->corners, i, key[lane]);
         }
     }
 }
@@ -13888,7 +13964,7 @@ TBX_FORCED void tbx_some_set(tbx_fill *fill, const tbx_some *some, int n, unsign
     if (TBX_RARELY((unsure & ((1u << some->count) - 1)) != 0)) {
         for (j = 0; j < some->count; j++) {
             const size_t i = some->list[j];
-            const uint64_t key = some->block->key[i];
+            const uint64_t key = some->block->box[i][0];
             if ((unsure >> j & 1u) == 0) {
                 tbx_voxels_set(&to, key, voxels[j], 4);
             } else if (!fill->quick.precise) {
@@ -13901,7 +13977,7 @@ TBX_FORCED void tbx_some_set(tbx_fill *fill, const tbx_some *some, int n, unsign
         return;
     }
     for (j = 0; j < some->count; j++) {
-        tbx_voxels_set(&to, some->block->key[some->list[j]], voxels[j], n);
+        tbx_voxels_set(&to, some->block->box[some->list[j]][0], voxels[j], n);
     }
 }
 
@@ -13937,7 +14013,7 @@ TBX_FN void tbx_block_short(const tbx_block *b, const tbx_fill *fill)
     const int count = b->count[TBX_CLASS_SHORT];
     int j;
     for (j = 0; j < count; j++) {
-        const uint64_t key = b->key[list[j]];
+        const uint64_t key = b->box[list[j]][0];
         const unsigned x = (unsigned)(key >> 16) & 63u;
         const uint64_t run = (1 + 2 * (key & 1)) << x;
         const size_t up = (to.row_words & ((size_t)0 - (size_t)(key >> 2 & 1))) |
@@ -13959,7 +14035,7 @@ TBX_FN int tbx_block_open(const tbx_block *b, const tbx_fill *fill, unsigned cha
     int j;
     for (j = 0; j < count; j++) {
         const unsigned char i = list[j];
-        const uint64_t key = b->key[i];
+        const uint64_t key = b->box[i][0];
         const unsigned x = (unsigned)(key >> 16) & 63u;
         const uint64_t run = (1 + 2 * (key & 1)) << x;
         const size_t y1 = to.row_words & ((size_t)0 - (size_t)(key >> 2 & 1));
@@ -13996,7 +14072,7 @@ TBX_NOINLINE void tbx_fill_block(tbx_fill *fill, size_t t, int count)
     tbx_fill_small(fill, &b, t, count);
     for (j = 0; j < b.count[TBX_CLASS_LARGE]; j++) {
         const int i = b.list[TBX_CLASS_LARGE][j];
-        tbx_fill_any(fill, tbx_key_box(b.key[i], b.more[i]), t + (size_t)i);
+        tbx_fill_any(fill, tbx_key_box(b.box[i][0], tbx_block_more(&b, i)), t + (size_t)i);
     }
 }
 
@@ -14087,7 +14163,7 @@ TBX_NOINLINE void tbx_decide_block(tbx_decided *d, const tbx_quick *q, const tri
 /* The spans of a decided box, 16 at most. */
 TBX_NOINLINE int tbx_decided_spans(const tbx_decided *d, int at, const int lo[3], tbx_span *out)
 {
-    const uint64_t key = d->block.key[at];
+    const uint64_t key = d->block.box[at][0];
     const int x0 = lo[0] + (int)tbx_key_axis(key, 0);
     const int y0 = lo[1] + (int)tbx_key_axis(key, 1);
     const int more_y = (int)(key >> 2 & 3);
@@ -14141,7 +14217,7 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
         tbx_decide_block(&u.decided, &q, f->grid, source, t, in_block, &on_planes);
         for (j = 0; j < u.decided.block.count[TBX_CLASS_SHORT]; j++) {
             const int i = u.decided.block.list[TBX_CLASS_SHORT][j];
-            const uint64_t key = u.decided.block.key[i];
+            const uint64_t key = u.decided.block.box[i][0];
             span[0].x0 = span[1].x0 = span[1].x1 = lo[0] + (int)tbx_key_axis(key, 0);
             span[0].x1 = span[0].x0 + (int)(key & 1);
             span[0].y = lo[1] + (int)tbx_key_axis(key, 1);
