@@ -7,10 +7,11 @@ VERIFY_JOBS      ?= 2
 FUZZ_SECONDS     ?= 60
 PLATFORMS_ONLY   ?= .
 MUTANT_MESHES    ?= 10000
+MUTATE_EVERY     ?= 1
 FUZZ_TARGETS     := overlap tri grid mesh volume companions
 FUZZ_FLAGS       := -std=c99 -I. -O1 -g -fno-sanitize-recover=all \
                     -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow
-CHECK_PARTS      := verify golden-check platforms headers sanitize mesh-mutants proofs errors mutate cuda fuzz coverage
+CHECK_PARTS      := test examples demo mpi verify golden-check platforms headers sanitize mesh-mutants proofs errors mutate cuda fuzz coverage
 
 .PHONY: check verify golden golden-check platforms platforms-all headers sanitize mesh-mutants proofs errors mutate cuda fuzz coverage
 
@@ -34,6 +35,7 @@ golden: $(B)/gen_golden ## write tests/golden_overlap.h anew, with answers from 
 
 golden-check: $(B)/gen_golden ## the committed golden answers are those of GMP
 	$(B)/gen_golden | cmp - tests/golden_overlap.h
+	@echo '1 passed, 0 failed'
 
 platforms: ## one hash of all answers: compilers, flags, modes, emulated machines, Windows, WebAssembly; traps
 	@bash tests/check_platforms.sh '$(PLATFORMS_ONLY)'
@@ -76,7 +78,7 @@ errors: $(B)/errors $(B)/errors_contact ## the filters' worst errors that hill c
 	$(B)/errors_contact
 
 mutate: ## break the header in many ways: the tests must notice each
-	@bash tests/mutate.sh
+	@MUTATE_EVERY=$(MUTATE_EVERY) bash tests/mutate.sh
 
 cuda: ## device code for several architectures; run where there is a GPU
 	@bash tests/check_cuda.sh
@@ -90,6 +92,7 @@ fuzz: $(FUZZ_TARGETS:%=$(B)/fuzz_%) ## fuzz each target for FUZZ_SECONDS, agains
 	        { tail -n 40 $(B)/fuzz_$$target.log; exit 1; }; \
 	    grep number_of_executed_units $(B)/fuzz_$$target.log; \
 	done
+	@echo '$(words $(FUZZ_TARGETS)) passed, 0 failed'
 
 $(B)/fuzz_%: tests/fuzz_%.c $(wildcard tests/*.h examples/*.h) tribox.h
 	@mkdir -p $(B)

@@ -27,6 +27,28 @@ quiet() { # compiler, standard, flags, sources...
 }
 export -f quiet
 
+# The header as an object: no warning, undefined symbols and writable data, and with gcc the deepest chain of calls
+clean() { # standard and warnings, compiler, flags...
+    local object bad graph= status=0
+    object=$(mktemp -d "$CHECK_DIR/header/object.XXXXXX")
+    [ "$2" = gcc ] && graph=-fcallgraph-info=su
+    # shellcheck disable=SC2086 # flags are a list
+    "$2" $1 -I. "${@:3}" $graph -c "$CHECK_DIR/header/alone.c" -o "$object/alone.o" || return 1
+    bad=$(nm "$object/alone.o" |
+        awk '$1 == "U" && $2 !~ /^_?(memcpy|memset|_GLOBAL_OFFSET_TABLE_)$/ || $2 ~ /^[BbCDdGSs]$/')
+    nm "$object/alone.o" | grep -q ' T tribox_overlap$' || bad="$bad no tribox_overlap"
+    if [ -n "$bad" ]; then
+        echo "calls or data: $bad"
+        status=1
+    fi
+    if [ -n "$graph" ] && [[ " $* " == *" -O"[23]* ]]; then # a frame of -O0 holds every temporary
+        awk -v limit=16384 -f tests/check_stack.awk "$object"/*.ci || status=1
+    fi
+    rm -rf "$object"
+    return $status
+}
+export -f clean
+
 small="tests/compile/c99.c tests/compile/include_twice.c tests/compile/two_units_a.c tests/compile/two_units_b.c"
 for cc in gcc clang; do
     have $cc || continue
@@ -34,8 +56,9 @@ for cc in gcc clang; do
     if [ $cc = clang ]; then
         extra=-Wreserved-identifier
     fi
-    for level in "-O0" "-O2" "-O3 -march=native" "-O2 -ffast-math" "-O2 -DTRIBOX_SIMD=0"; do
-        job "no warning: $cc -std=c99 $level" quiet $cc c99 "$warn_c $extra $level" "$alone"
+    for level in "-O0" "-O2" "-O3 -march=native" "-O2 -ffast-math" "-O2 -DTRIBOX_SIMD=0" "-Os"; do
+        # shellcheck disable=SC2086
+        job "no warning, call, writable data, much stack: $cc -std=c99 $level" clean "-std=c99 $warn_c $extra" $cc $level
     done
     # shellcheck disable=SC2086 # small is a list
     job "no warning: $cc -std=c99 -O2, users' files" quiet $cc c99 "$warn_c $extra -O2" tests/golden.c $small
@@ -73,7 +96,7 @@ for cross in aarch64-linux-gnu-gcc riscv64-linux-gnu-gcc s390x-linux-gnu-gcc x86
 done
 have gcc && job "no warning: gcc -m32" quiet gcc c99 "$warn_c -O2 -m32" "$alone"
 
-# ---- what the header includes, leaves defined, and calls
+# ---- what the header includes and leaves defined
 
 includes_only_three() {
     local found
@@ -93,51 +116,12 @@ leaves_only_tribox_macros() {
     [ -z "$leaked" ] && grep -q '^#define TRIBOX_VERSION ' "$CHECK_DIR/header/after"
 }
 
-# undefined symbols and writable data of the header as an object file
-calls_nothing() { # compile command...
-    local object bad
-    object=$(mktemp "$CHECK_DIR/header/XXXXXX.o")
-    "$@" -c "$CHECK_DIR/header/alone.c" -o "$object" || return 1
-    bad=$(nm "$object" |
-        awk '$1 == "U" && $2 !~ /^_?(memcpy|memset|_GLOBAL_OFFSET_TABLE_)$/ || $2 ~ /^[BbCDdGSs]$/')
-    nm "$object" | grep -q ' T tribox_overlap$' || bad="$bad no tribox_overlap"
-    rm -f "$object"
-    echo "calls or data: $bad"
-    [ -z "$bad" ]
-}
-export -f includes_only_three leaves_only_tribox_macros calls_nothing
+export -f includes_only_three leaves_only_tribox_macros
 
 job "README.md's counts, sizes and names are those of the code" bash tests/doc_counts.sh
 have gcc && job "its words are nobody's macros" bash tests/check_words.sh
 have gcc && job "includes float.h, stddef.h, stdint.h alone" includes_only_three
 have gcc && job "leaves TRIBOX_ macros alone" leaves_only_tribox_macros
-for cc in gcc clang; do
-    have $cc || continue
-    for level in -O0 -O2 "-O3 -march=native" -Os; do
-        # shellcheck disable=SC2086
-        job "calls nothing, no writable data: $cc $level" calls_nothing $cc -I. $level
-    done
-done
-
-# ---- stack: the deepest chain of calls, from the compiler's own call graph
-
-# longest path over the frames in gcc's call graph; a cycle would be recursion
-deepest_chain() { # limit in bytes, flags...
-    local limit=$1 graph
-    shift
-    graph=$(mktemp -d "$CHECK_DIR/header/stack.XXXXXX")
-    gcc -std=c99 -I. "$@" -fcallgraph-info=su -c "$CHECK_DIR/header/alone.c" -o "$graph/alone.o" || return 1
-    awk -v limit="$limit" -f tests/check_stack.awk "$graph"/*.ci
-    local status=$?
-    rm -rf "$graph"
-    return $status
-}
-export -f deepest_chain
-
-if have gcc; then
-    job "stack under 16 KiB: -O2" deepest_chain 16384 -O2
-    job "stack under 16 KiB: -O3 -march=native" deepest_chain 16384 -O3 -march=native
-fi
 
 # ---- static analysis. What is switched off, and why:
 # easily-swappable-parameters: triangles and boxes are alike by nature

@@ -750,6 +750,41 @@ static void spans_of_a_mesh_paint_its_fill(void)
     }
 }
 
+/* More bits than the caches hold are asked for ahead of their use: the fill is still what its spans paint. */
+static void a_fill_of_two_mebibytes_is_its_spans(void)
+{
+    enum { TRIANGLES = 2000, N = 256 };
+    static float    f[TRIANGLES * 9];
+    static uint64_t bits[2][N * N * N / 64];
+    tribox_grid     grid = {{-0.5, 0, 0.5}, {1, 1, 1}, {0, 0, 0}, {N, N, N}, 0};
+    tribox_mesh     mesh;
+    painted         to;
+    int             t;
+    int             k;
+
+    random_seed(142);
+    for (t = 0; t < TRIANGLES; t++) {
+        const double extent = t % 3 == 0 ? 1 : t % 3 == 1 ? 3 : 12;
+        double       c[3];
+        for (k = 0; k < 3; k++) {
+            c[k] = N * (0.5 + 0.52 * random_signed());
+        }
+        for (k = 0; k < 9; k++) {
+            f[9 * t + k] = (float)(c[k % 3] + extent * 0.5 * random_signed());
+        }
+    }
+    mesh.positions = f;
+    mesh.stride = 0;
+    mesh.indices = 0;
+    mesh.triangles = TRIANGLES;
+    memset(bits, 0, sizeof bits);
+    to.grid = &grid;
+    to.bits = bits[0];
+    CHECK(tribox_mesh_spans(&grid, &mesh, paint, &to) > TRIANGLES);
+    tribox_grid_fill(&grid, &mesh, bits[1]);
+    CHECK(memcmp(bits[0], bits[1], sizeof bits[0]) == 0);
+}
+
 /* A cube of side .9 in map coordinates, which floats would round to 1/32: voxels of 1/8, whose faces are doubles, are
  * set exactly where a triangle touches them, in the fill and in the spans. */
 static void a_cube_in_map_coordinates_keeps_its_digits(void)
@@ -863,6 +898,7 @@ int main(void)
     RUN(more_rows_than_are_kept_at_once_are_exact);
     RUN(spans_and_fills_of_meshes_are_those_of_their_triangles);
     RUN(spans_of_a_mesh_paint_its_fill);
+    RUN(a_fill_of_two_mebibytes_is_its_spans);
     RUN(a_cube_in_map_coordinates_keeps_its_digits);
     RUN(spans_of_nothing_are_none);
     return test_report("test_grid");
