@@ -697,6 +697,9 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #define TBX_GNU 0
 #endif
 
+#if FLT_MANT_DIG != 24 || DBL_MANT_DIG != 53
+#error "tribox.h needs the formats of IEEE 754: a float of 32 bits, a double of 64"
+#endif
 #if defined(__alpha__) && defined(__GNUC__) && !defined(_IEEE_FP)
 #error "tribox.h on Alpha needs -mieee: without it (-ffast-math turns it off) the processor stops at subnormals"
 #endif
