@@ -308,7 +308,7 @@ for cc in clang-22 clang-19; do # with gcc's C library for that machine
     golden qemu-arm "few flush" $cc --target=arm-linux-gnueabihf -mfpu=neon -static -I. tests/golden.c -O2 \
         -ffast-math -lm
     golden qemu-riscv64 "few up" $cc --target=riscv64-linux-gnu -static -I. tests/golden.c -O2 -ffast-math -lm
-    # optimised, clang has mdebr, which this emulator computes wrongly (findings/qemu-s390x-multiplies-the-wrong-half.sh)
+    # optimised, clang has mdebr, which this emulator computes wrongly (findings/qemu-s390x-multiplies-by-a-double.sh)
     golden qemu-s390x "few up" $cc --target=s390x-linux-gnu -static -I. tests/golden.c -O0 -ffast-math -lm
     golden qemu-ppc64le "few up" $cc --target=powerpc64le-linux-gnu -static -I. tests/golden.c -O2 -ffast-math -lm
 done

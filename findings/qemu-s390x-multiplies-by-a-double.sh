@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# qemu-user 7.2 multiplies two floats to a double wrongly on s390x: mdebr reads the wrong half of a register, 1.5 * 1.5 is 0.
+# qemu-user 7.2 multiplies two floats to a double wrongly on s390x: mdebr takes its first factor for a double, 1.5 * 1.5 is 0.1875.
 #
-# A float lies in the upper half of a floating-point register there. mdebr (multiply short to long) takes it from the lower
-# half of its first operand, in Debian 12's emulator, so the product is whatever lay there; here the registers were cleared
-# first. clang -O2 writes the instruction for (double)a * b. Multiplied as doubles, the same numbers come out right. A
-# program that "fails on s390x" under that emulator may be right.
+# mdebr (multiply short to long) has two floats, each in the upper half of a floating-point register. Debian 12's emulator reads
+# the whole first register as a double: the bits of 1.5f, then zeros, are the double 0.125. clang -O2 writes the instruction
+# for (double)a * b. Multiplied as doubles (mdbr), the same numbers come out right. A program that "fails on s390x" under that
+# emulator may be right.
 #
 # Seen with qemu-user 7.2 and gcc 12.2.0 for s390x. Exits with 1 if that is no longer so.
 set -eu
@@ -45,4 +45,4 @@ C
 s390x-linux-gnu-gcc-12 -static product.c -o product
 said=$(qemu-s390x ./product)
 echo "1.5 * 1.5 by mdebr, by mdbr: $said"
-[ "$said" = "0,2.25" ]
+[ "$said" = "0.1875,2.25" ]
