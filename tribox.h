@@ -956,6 +956,18 @@ TBX_FN double tbx_from_bits64(uint64_t bits)
     return x;
 }
 
+/* The integer part of a number in range. clang converts what is converted back later in vectors, whose other lanes
+ * hold anything: they would raise invalid. */
+TBX_FN int32_t tbx_to_int(double x)
+{
+    return (int32_t)tbx_opaque32((uint32_t)(int32_t)x);
+}
+
+TBX_FN int64_t tbx_to_long(double x)
+{
+    return (int64_t)tbx_opaque64((uint64_t)(int64_t)x);
+}
+
 /* 2^e as a double, -1022 <= e <= 1023: -fsingle-precision-constant takes written ones for floats. */
 #define TBX_POW2(e) tbx_from_bits64((uint64_t)(1023 + (e)) << 52)
 
@@ -3111,7 +3123,7 @@ TBX_FN int64_t tbx_guess(double x, int64_t lo, int64_t hi)
     int64_t i;
     at = at < most ? at : most;
     TBX_KEEP_SCALAR(at);
-    i = (int64_t)at;
+    i = tbx_to_long(at);
     i -= (double)i > at;
     return i < lo ? lo : i > hi ? hi : i;
 }
@@ -4579,7 +4591,7 @@ TBX_FN double tbx_floor_to(double x, double q)
     TBX_KEEP_SCALAR(q); /* a product, which -ffast-math would divide by one factor after the other: infinity */
     units = x / q;
     TBX_KEEP_SCALAR(units);
-    whole = (double)(int64_t)units;
+    whole = (double)tbx_to_long(units);
     return (whole > units ? whole - 1.0 : whole) * q;
 }
 
@@ -5304,7 +5316,7 @@ TBX_FN int tbx_fit_cells(double extent, double size, int n)
     cells = cells * (1.0 + 1.0 / 4096.0 / n) + 1.0;
     cells = cells < (double)n ? cells : (double)n;
     TBX_KEEP_SCALAR(cells);
-    return (int)cells;
+    return tbx_to_int(cells);
 }
 
 /* A frame of `size`: origins to 2^-12 of a voxel, in the middle of the mesh. Returns 0 where rounding has left a face of
@@ -12020,7 +12032,7 @@ TBX_FN int32_t tbx_box_index(const tribox_grid *grid, const tbx_quick *q, int k,
     at = at > 0.0 ? at : 0.0;
     at = at < 2.0 * most ? at : 2.0 * most;
     TBX_KEEP_SCALAR(at);
-    i = (int32_t)(at + 0.5);
+    i = tbx_to_int(at + 0.5);
     part = at - (double)i;
     i -= 1048576;
     if (part < -error) {
@@ -15584,7 +15596,7 @@ TBX_FN int64_t tbx_solid_lattice_voxel(const tbx_solid_quick *q, const tbx_point
     top = bottom < 0.0 ? -top : top;
     bottom = (bottom < 0.0 ? -bottom : bottom) * (double)q->step[0];
     x = (top - half) / bottom;
-    voxel = (int64_t)x;
+    voxel = tbx_to_long(x);
     return voxel + ((double)voxel <= x);
 }
 
@@ -15633,7 +15645,7 @@ TBX_FORCED int32_t tbx_solid_up(double x, double error, double last, int *sure)
 {
     const double low = x > -0.5 ? x : -0.5;
     const double y = (low < last ? low : last) + 1.0; /* last: n - 1/2 */
-    const int32_t i = (int32_t)y;
+    const int32_t i = tbx_to_int(y);
     *sure &= tbx_abs(y - (double)i - 0.5) < 0.5 - error;
     return i;
 }
