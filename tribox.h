@@ -394,7 +394,7 @@ TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3],
  *
  * Returns     1 = they share a point, 0 = they do not, or one of them is empty.
  * Guarantees  Exact.
- * Cost        Six comparisons: 25 ns with its checks (measured, as all below: gcc 12 -O2, a Xeon; of the
+ * Cost        Six comparisons: 5 ns with its checks, f64 25 (measured, as all below: gcc 12 -O2, a Xeon; of the
  *             versions for doubles, whose last digits are found in integers, "f64").
  */
 TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const float b_min[3],
@@ -459,7 +459,7 @@ TRIBOX_FN int tribox_ray_box_f64(const double origin[3], const double dir[3], do
  * Guarantees  Exact, so no ray slips between two triangles that share an edge. A ray in the triangle's plane,
  *             or along a degenerate triangle, has an interval of t inside. out_t is the greatest float (or
  *             -infinity) that is <= its lower end.
- * Cost        200 ns, f64 0.5 us; within 2^-48 of an edge or parallel to the plane, 3 us.
+ * Cost        40 ns where the ray's line misses, else 200 ns, f64 0.5 us; within 2^-48 of an edge or parallel to the plane, 3 us.
  */
 TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], float t_min, float t_max,
                                   const float v0[3], const float v1[3], const float v2[3], float *out_t);
@@ -661,7 +661,7 @@ TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_
 
 /* Does the sphere share a point with the triangle, which may be a segment or a point? Exact.
  *
- * Cost        20 ns; within 2^-44 of touching, relative to all extents, 3 us.
+ * Cost        20 to 50 ns; within 2^-44 of touching, relative to all extents, 3 us.
  */
 TRIBOX_FN int tribox_sphere_triangle(const float c[3], float radius, const float v0[3], const float v1[3],
                                      const float v2[3]);
@@ -6243,19 +6243,26 @@ TBX_FN int64_t tbx_fraction_round(tbx_calc *c, const tbx_fraction *x, int format
 
 /* ---- two boxes */
 
-TBX_FN int tbx_box_box(const void *a_min, const void *a_max, const void *b_min, const void *b_max, int format)
+/* A number's key in its own format. */
+TBX_FOR_FORMAT int64_t tbx_own_key(const void *x, int k, int format)
 {
-    tbx_real a[2][3];
-    tbx_real b[2][3];
-    int meet;
+    return format == TBX_FLOAT ? (int64_t)tbx_key32((const float *)x + k) : tbx_key64((const double *)x + k);
+}
+
+TBX_FOR_FORMAT int tbx_box_box(const void *a_min, const void *a_max, const void *b_min, const void *b_max,
+                               int format)
+{
+    const int64_t infinity = format == TBX_FLOAT ? TBX_FLOAT_INFINITY : TBX_KEY_INFINITY;
+    int meet = 1;
     int k;
-    tbx_read(a[0], a_min, 3, format);
-    tbx_read(a[1], a_max, 3, format);
-    tbx_read(b[0], b_min, 3, format);
-    tbx_read(b[1], b_max, 3, format);
-    meet = tbx_box_valid(a[0], a[1]) & tbx_box_valid(b[0], b[1]);
     for (k = 0; k < 3; k++) {
-        meet &= a[1][k].key >= b[0][k].key && b[1][k].key >= a[0][k].key;
+        const int64_t a = tbx_own_key(a_min, k, format);
+        const int64_t b = tbx_own_key(a_max, k, format);
+        const int64_t c = tbx_own_key(b_min, k, format);
+        const int64_t d = tbx_own_key(b_max, k, format);
+        meet &= (a <= b) & (c <= d) & (a <= d) & (c <= b);
+        meet &= (a >= -infinity) & (a < infinity) & (b <= infinity) & (b > -infinity);
+        meet &= (c >= -infinity) & (c < infinity) & (d <= infinity) & (d > -infinity);
     }
     return meet;
 }
