@@ -394,8 +394,8 @@ TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3],
  *
  * Returns     1 = they share a point, 0 = they do not, or one of them is empty.
  * Guarantees  Exact.
- * Cost        Six comparisons: 5 ns with its checks, f64 25 (measured, as all below: gcc 12 -O2, a Xeon; of the
- *             versions for doubles, whose last digits are found in integers, "f64").
+ * Cost        Six comparisons: 5 ns with its checks, f64 25 (measured, as all below: gcc 12 -O2, a Xeon; of
+ *             the versions for doubles, whose last digits are found in integers, "f64").
  */
 TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const float b_min[3],
                              const float b_max[3]);
@@ -459,7 +459,8 @@ TRIBOX_FN int tribox_ray_box_f64(const double origin[3], const double dir[3], do
  * Guarantees  Exact, so no ray slips between two triangles that share an edge. A ray in the triangle's plane,
  *             or along a degenerate triangle, has an interval of t inside. out_t is the greatest float (or
  *             -infinity) that is <= its lower end.
- * Cost        40 ns where the ray's line misses, else 200 ns, f64 0.5 us; within 2^-48 of an edge or parallel to the plane, 3 us.
+ * Cost        40 ns where the ray's line misses, else 200 ns, f64 0.5 us; within 2^-48 of an edge or parallel
+ *             to the plane, 3 us.
  */
 TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], float t_min, float t_max,
                                   const float v0[3], const float v1[3], const float v2[3], float *out_t);
@@ -6466,8 +6467,9 @@ TBX_NOINLINE int64_t tbx_slabs_end_exact(const tbx_slabs *s, int e, int format)
 #define TBX_SLAB_INVERSE_ERROR 3.552713678800501e-15 /* 2^-48 */
 #define TBX_SLAB_ERROR 1.4210854715202004e-14        /* 2^-46 */
 
-/* The key of the float at or below (up = 0) or above (1) every number nearer to t than error; 0 where these have
- * several, or t is not within the floats' normal range: the bits that a float has not are cut off. */
+/* The key of the float at or below (up = 0) or above (1) every number nearer to t than error; 0 where
+ * these have several, or t is not within the floats' normal range: the bits that a float has not are cut
+ * off. */
 TBX_FN int64_t tbx_round_outward(double t, double error, int up)
 {
     const double x = t - error;
@@ -7123,8 +7125,8 @@ TBX_FN int tbx_shot_passes(tbx_calc *c, const tbx_shot *s)
     return above > 0 && below > 0;
 }
 
-/* The same in plain double, for floats of the usual size: is a miss certain? A term of det_i, with its share of the sums,
- * errs by 7 u. */
+/* The same in plain double, for floats of the usual size: is a miss certain? A term of det_i, with its
+ * share of the sums, errs by 7 u. */
 #define TBX_SHOT_ERROR (9.0 * TBX_U64)
 
 TBX_FN int tbx_shot_misses(const float origin[3], const float dir[3], const float *const v[3])
@@ -8717,9 +8719,9 @@ TBX_FN void tbx_segment_walk(tbx_segment *s)
     }
 }
 
-/* Times in double on axis k, in units of u, with Q = (|origin| + |p| + |q| + size) / |q - p| + 1: the difference of
- * origin and p, their distance, the division (4), and two sums, 8 of Q; the step alike, 7 of it in `from` and of step *
- * voxel, which is at most Q + |t|: 22 of Q, 7 of |t|. */
+/* Times in double on axis k, in units of u, with Q = (|origin| + |p| + |q| + size) / |q - p| + 1: the
+ * difference of origin and p, their distance, the division (4), and two sums, 8 of Q; the step alike, 7 of
+ * it in `from` and of step * voxel, which is at most Q + |t|: 22 of Q, 7 of |t|. */
 TBX_FN void tbx_segment_times(tbx_segment *s, int k)
 {
     const double *origin = &s->grid->origin[k];
@@ -8964,7 +8966,8 @@ TBX_COLD int tbx_sphere_sphere_exact(const float a[3], const float b[3], const f
     return tbx_ball_compare(&c, d, &sum) <= 0;
 }
 
-/* A float that came by value, and may be anything, goes out of line as its bits: kept in a register until here. */
+/* A float that came by value, and may be anything, goes out of line as its bits: kept in a register until
+ * here. */
 TBX_FN void tbx_float_of(float *out, uint32_t bits)
 {
     TBX_COPY(out, &bits, sizeof bits);
@@ -9048,8 +9051,8 @@ TBX_COLD int tbx_plane_sphere_exact(const float n[3], const float *d, const floa
     return tbx_ball_compare(&c, normal, &v) < 0 ? sign : 0;
 }
 
-/* v errs by 4 u of the magnitudes of its four terms, whose sum errs by as much of itself; its square and r^2 |n|^2
- * are compared with that taken off, or put on. */
+/* v errs by 4 u of the magnitudes of its four terms, whose sum errs by as much of itself; its square and
+ * r^2 |n|^2 are compared with that taken off, or put on. */
 #define TBX_PLANE_SPHERE_ERROR (6.0 * TBX_U64)
 
 /* What tribox_plane_sphere returns, or UNSURE. */
@@ -9372,8 +9375,8 @@ TBX_FN double tbx_size3(const double x[3])
 
 /* In double: a point of T within r is a hit; a plane across the way from the nearest point to the centre, with T
  * beyond r behind it, is a miss. With M the sum of all coordinates' magnitudes, counted from v0: the point errs
- * by 10 u M from one of T, to which weights of a sum above 1 belong as well, and a corner's distance along the way g by
- * 6 u M |g|. */
+ * by 10 u M from one of T, to which weights of a sum above 1 belong as well, and a corner's distance along
+ * the way g by 6 u M |g|. */
 #define TBX_TOUCH_ERROR (16.0 * TBX_U64)
 
 typedef struct tbx_touched {
@@ -9578,8 +9581,8 @@ TBX_COLD int tbx_ray_sphere_exact(const float origin[3], const float dir[3], con
     return tbx_pierce_run(&x, out);
 }
 
-/* A ray's ends in double; an infinite one is past every time, |B| / A < 2^256. 0 for NaN, subnormals, and what is no
- * ray. */
+/* A ray's ends in double; an infinite one is past every time, |B| / A < 2^256. 0 for NaN, subnormals, and
+ * what is no ray. */
 TBX_FN int tbx_pierce_ends(const float t[2], double out[2])
 {
     const int32_t infinity = 0x7f800000;
@@ -9607,10 +9610,10 @@ TBX_FN int64_t tbx_pierce_end(double t, double error, int e, double own, const f
     return key;
 }
 
-/* In double. In units of u: B errs by 4 of the magnitudes b of its terms, C by 6 of c = m.m + r^2, so D = B^2 - A
- * C by 10 b^2 + 11 A c, its root by half of that over the root and by 5 of itself, and a root of f by what both add
- * up to, over A, and 11 of itself (4 of them a division's). Most rays miss: where D < 0; from t >= 0 on also where C > 0 and B > 0. Returns MISS,
- * HIT with the ends as keys, or UNSURE. */
+/* In double. In units of u: B errs by 4 of the magnitudes b of its terms, C by 6 of c = m.m + r^2, so D =
+ * B^2 - A C by 10 b^2 + 11 A c, its root by half of that over the root and by 5 of itself, and a root of f
+ * by what both add up to, over A, and 11 of itself (4 of them a division's). Most rays miss: where D < 0;
+ * from t >= 0 on also where C > 0 and B > 0. Returns MISS, HIT with the ends as keys, or UNSURE. */
 #define TBX_PIERCE_ERROR (32.0 * TBX_U64)
 
 typedef struct tbx_parabola {
@@ -14512,9 +14515,9 @@ TBX_FN int tbx_within(const float *x, uint32_t least, uint32_t most)
     return tbx_bits32(x) - least < most - least;
 }
 
-/* Both sides err by less than 6 u of themselves, u = 2^-23, and are compared with another u of them. Centres are
- * below 2^60 and radii at least 2^-40, so that what is flushed, 2^-126 of a difference or of a square, is nothing to
- * 2^-19 of their squares. */
+/* Both sides err by less than 6 u of themselves, u = 2^-23, and are compared with another u of them.
+ * Centres are below 2^60 and radii at least 2^-40, so that what is flushed, 2^-126 of a difference or of a
+ * square, is nothing to 2^-19 of their squares. */
 #define TBX_BALL_ERROR4 (16.0f * TBX_U32)
 
 /* Is |d| <= r? */
@@ -14602,11 +14605,12 @@ TBX_FN tbx_dots tbx_dots4(tbx_f4 x, tbx_f4 y)
     return r;
 }
 
-/* v errs by 4 u of the magnitudes of its terms, and their sum by as much of itself: error is 8 u. Sure beyond (|v| +
- * error)^2 - v^2, with 2^-19 = 16 u of |v| more in each factor for the roundings of v^2, 2 u, and of r^2 |n|^2, 6
- * u of itself: where that is above 3 v^2, and its error more than what the factor adds, it is far from |v| + error / 2,
- * which v is not beyond. |n|^2 is at least 2^-40 and r at least 2^-30, so what is flushed or read as 0, 2^-94 of v, is
- * nothing to that. Returns what tribox_plane_sphere does, or UNSURE. */
+/* v errs by 4 u of the magnitudes of its terms, and their sum by as much of itself: error is 8 u. Sure
+ * beyond (|v| + error)^2 - v^2, with 2^-19 = 16 u of |v| more in each factor for the roundings of v^2, 2
+ * u, and of r^2 |n|^2, 6 u of itself: where that is above 3 v^2, and its error more than what the factor
+ * adds, it is far from |v| + error / 2, which v is not beyond. |n|^2 is at least 2^-40 and r at least
+ * 2^-30, so what is flushed or read as 0, 2^-94 of v, is nothing to that. Returns what tribox_plane_sphere
+ * does, or UNSURE. */
 #define TBX_PLANE_SPHERE_ERROR4 (8.0f * TBX_U32)
 
 TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius)
@@ -14681,12 +14685,12 @@ TBX_FN unsigned tbx_gap_not_units(unsigned mask, tbx_i4 zero0, tbx_i4 zero1, tbx
  * edges i x unit z, x, y, 7 the normal; 0: out of range. Names as in tbx_filter4; D is the sum of all
  * magnitudes.
  *
- * In units of u = 2^-23: a difference errs by 1 of itself, w by 2 of what it is made of; an edge: a term of its sums
- * by 9 of itself, and all terms are at most 2 |l| D: less than 32 |l| D, so twice its s by less than 2^-18 D, and by 2^-16
- * of itself for the root; a face's by less. n_k errs by 4 of g_k, the magnitudes of its two products, so a
- * term of n.w or |n|.h, with its share of the sums, by 11 g_k (|w_k| + h_k); |n| itself by 4 of all g_k, over |n| times
- * twice the s, which is at most D: as if D / 8 were added to each |w_k| + h_k. What the root adds to the greatest and to
- * one as great is less than 2^-14 of it.
+ * In units of u = 2^-23: a difference errs by 1 of itself, w by 2 of what it is made of; an edge: a term of
+ * its sums by 9 of itself, and all terms are at most 2 |l| D: less than 32 |l| D, so twice its s by less than
+ * 2^-18 D, and by 2^-16 of itself for the root; a face's by less. n_k errs by 4 of g_k, the magnitudes of its
+ * two products, so a term of n.w or |n|.h, with its share of the sums, by 11 g_k (|w_k| + h_k); |n| itself by
+ * 4 of all g_k, over |n| times twice the s, which is at most D: as if D / 8 were added to each |w_k| + h_k.
+ * What the root adds to the greatest and to one as great is less than 2^-14 of it.
  *
  * An axis that is 0 has the root 2^56, so what is subtracted as `void` drives it far below; others are moved
  * by 2^-26 D, as their roots are at most 2^24, but for normals: these count it as an error.
@@ -14779,7 +14783,8 @@ TBX_FN unsigned tbx_gap_mask(tbx_f4 p0, tbx_f4 p1, tbx_f4 p2, tbx_f4 lo, tbx_f4 
     }
 }
 
-/* Two corners differ, by a number that is subnormal or tiny: by the bits, whatever the processor reads subnormals as. */
+/* Two corners differ, by a number that is subnormal or tiny: by the bits, whatever the processor reads
+ * subnormals as. */
 TBX_FN tbx_i4 tbx_gap_tiny4(tbx_f4 p, tbx_f4 q, tbx_i4 same)
 {
     return ~same & (tbx_magnitude(q - p) - tbx_splat_int(0x33800000)); /* 2^-24 */
@@ -14870,9 +14875,9 @@ TBX_FN int tbx_gap_near_face(const float *const v[3], const float lo[3], const f
 
 /* g/|l| and the direction from what an axis l adds up to: twice the box's centre along it, less that of T, and
  * twice what both reach. 0 unless sure to 2^-40, given the error of both sums, and the square of what the terms
- * of l measure: l errs by 4 u of these, at most 2^7 of itself, which is 2^-43 of s. The root is a guess from floats,
- * whose l may have errors of its own: where its square is off by 2^-15 at most, a step of third order leaves 5/16 of the
- * cube, 2^-46. The error may be .8 * 2^-40. */
+ * of l measure: l errs by 4 u of these, at most 2^7 of itself, which is 2^-43 of s. The root is a guess
+ * from floats, whose l may have errors of its own: where its square is off by 2^-15 at most, a step of
+ * third order leaves 5/16 of the cube, 2^-46. The error may be .8 * 2^-40. */
 #define TBX_GAP_SURE 1374389534720.0    /* 1.25 * 2^40 */
 #define TBX_GAP_LENGTH 6.103515625e-05  /* 2^-14, of squares */
 #define TBX_GAP_GUESS 3.0517578125e-05  /* 2^-15 */
@@ -14890,8 +14895,8 @@ TBX_FN int tbx_gap_near_end(double centre, double reach, double error, double sq
            (int)(square > TBX_GAP_LENGTH * terms) & (int)(tbx_abs(rest) < TBX_GAP_GUESS);
 }
 
-/* An edge x a unit vector, counted from corner p. A difference errs by u, w by 2 u (|w| + h); a term of the sums, with
- * its share of these, by 7 u of its magnitude. */
+/* An edge x a unit vector, counted from corner p. A difference errs by u, w by 2 u (|w| + h); a term of
+ * the sums, with its share of these, by 7 u of its magnitude. */
 #define TBX_GAP_EDGE_ERROR (11.0 * TBX_U64)
 
 TBX_FN int tbx_gap_near_edge(const float *const v[3], const float lo[3], const float hi[3], unsigned edge,
@@ -14924,8 +14929,8 @@ TBX_FN int tbx_gap_near_edge(const float *const v[3], const float lo[3], const f
     return sure;
 }
 
-/* The normal, counted from v0: n_k errs by 4 u of g_k, the magnitudes of its two products, a term of the sums, with its
- * share of these, by 10 u g_k (|w_k| + h_k). */
+/* The normal, counted from v0: n_k errs by 4 u of g_k, the magnitudes of its two products, a term of the
+ * sums, with its share of these, by 10 u g_k (|w_k| + h_k). */
 #define TBX_GAP_NORMAL_ERROR (14.0 * TBX_U64)
 
 TBX_FN int tbx_gap_near_normal(const float *const v[3], const float lo[3], const float hi[3], double root,
