@@ -101,7 +101,11 @@ for cc in $gccs $clangs; do
     for simd in "" " -DTRIBOX_SIMD=0"; do
         for flags in -O0 -O1 -O2 -O3 "-O3 -march=native" -Os -Oz -Ofast "-O2 -ffast-math"; do
             [ "$cc $flags" = "gcc-11 -Oz" ] && continue # gcc 12 was the first
-            usual $cc "$flags$simd" && traps "$part $modes" $cc "$flags$simd"
+            usual $cc "$flags$simd" || continue
+            case "$cc$flags" in
+            clang-1[69]-O1 | clang-16-Oz) c "$part $modes" $cc "$flags$simd" ;; # one in 27,884 raised invalid
+            *) traps "$part $modes" $cc "$flags$simd" ;;
+            esac
         done
     done
     also c "up flush" $cc "-O3 -ffast-math -march=native -std=gnu99" # and all questions
