@@ -11051,8 +11051,8 @@ TBX_FORCED void tbx_load_corners(tbx_points out[3], const tbx_source *s, const s
  * Index boxes come from fixed point: in steps of 2^-16 of a voxel the least and the greatest coordinate of a
  * triangle are whole numbers, index in the upper half, place within the voxel in the lower. With t = v -
  * centre, centre a float near the region's middle, y = t * steps is off by 3 u |y| (the difference, the
- * factor, the product), |y| <= (n / 2 + 2) * 2^16 about the region, by truncation less than 1, by the whole
- * number added less than 1, and by what doubles add. All of this is `slack`. Coordinates that lie within it
+ * factor, the product), |y| <= (n / 2 + 2 + u |centre| / size) * 2^16 about the region, by truncation less
+ * than 1, by the whole number added less than 1, and by what doubles add. All of this is `slack`. Coordinates that lie within it
  * of a grid plane, boxes not all in the region, and corners that are not finite or beyond `far` take the
  * careful way: X = v * inverse - origin / size, plus MARGIN: the product is off by 2 u |v| * inverse, the
  * constant by u |origin| / size, the sum by u |X|, where v lies within MARGIN of the region; doubles add less
@@ -11063,7 +11063,8 @@ TBX_FORCED void tbx_load_corners(tbx_points out[3], const tbx_source *s, const s
  * `spacing`, and with them every high is, below 2^24 of it. low = base_low + i * size_low, at most
  * rho = spacing * (n + 34) / size. (v - high - low) * inverse, v within m voxels, is then off by at most
  *   (m + rho) + 3 rho (low itself) + m + 2 m (the inverse, the product) = 4 (m + rho)
- * in units of u, and what doubles add: delta(m) = 4.1 u m + delta_low.
+ * in units of u, and what doubles add: delta(m) = 4.1 u m + delta_low. Corners of doubles are floats from the centre
+ * on, t above, and so are the planes: that adds what rounding t took, u (n / 2 + 34 + u |centre| / size).
  *
  * Meshes on grid planes touch voxels exactly, which no bound decides. But where all planes are whole numbers
  * of `spacing`, and the places between them that cut a voxel into PARTS, too, all these are floats, exactly;
@@ -11194,14 +11195,16 @@ TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
     const double steps = TBX_STEPS * q->units[k];
     const double most = 1.329227995784916e36 / steps; /* 2^120 */
     const float far_off = (float)(most < 1e38 ? most : 1e38);
-    const double error = 3.0 * (double)TBX_U32 * (0.5 * n + 2.0) + 2.0 * q->delta;
-    double slack = error < 0.125 ? 1.01 * TBX_STEPS * error + 4.0 : 0.0;
+    double error = (0.5 * n + 2.0) * 3.0 * (double)TBX_U32 + 2.0 * q->delta;
+    double slack;
     double bias;
     double near_by;
     float near_float;
-    TBX_KEEP_SCALAR(slack);
     q->centre[k + 1] = (float)(q->origin[k] + 0.5 * n / q->units[k]);
     TBX_KEEP(q->centre[k + 1]);
+    error += 3.0 * (double)TBX_U32 * (double)TBX_U32 * tbx_abs((double)q->centre[k + 1]) * q->units[k];
+    slack = error < 0.125 ? 1.01 * TBX_STEPS * error + 4.0 : 0.0;
+    TBX_KEEP_SCALAR(slack);
     q->subtrahend[k + 1] = is_double ? 0.0f : q->centre[k + 1];
     q->steps[k + 1] = (float)steps;
     q->far_bits[k + 1] = (int32_t)tbx_bits32(&far_off);
@@ -11265,9 +11268,12 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
     q->row_words = t->row_words;
     for (k = 0; k < 3 && q->on; k++) {
         const double size = grid->size[k];
-        const double origin = q->origin[k];
         const double n = (double)q->n[k];
         const double units = q->units[k];
+        const int fits = tbx_fixed_init(q, k, is_double);
+        const double from = is_double ? (double)q->centre[k + 1] : 0.0; /* where the corners' floats count from */
+        const double origin = q->origin[k] - from;
+        const double rounded = is_double ? 1.01 * u * (0.5 * n + 34.0 + u * tbx_abs(from) * units) : 0.0;
         const double start = tbx_abs(origin) * units;
         const double end = tbx_abs(origin * units + n);
         const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + 1e-9;
@@ -11279,13 +11285,13 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
         double base_high;
         double size_high;
         double delta_low;
-        q->on = (slack < 0.125) & tbx_fixed_init(q, k, is_double);
+        q->on = (slack < 0.125) & fits;
         spacing = tbx_floor_pow2(most) * (1.0 / 4194304.0); /* 2^-22 */
         base_high = tbx_floor_to(base, spacing);
         size_high = tbx_floor_to(size, spacing);
         TBX_KEEP(base_high);
         TBX_KEEP(size_high);
-        delta_low = 4.1 * u * spacing * (n + 34.0) * units + 2.0 * q->delta + 1e-12;
+        delta_low = 4.1 * u * spacing * (n + 34.0) * units + 2.0 * q->delta + rounded + 1e-12;
         q->inverse[k + 1] = (float)units;
         q->shift_down[k] = (float)(margin - origin * units - slack);
         q->shift_up[k] = (float)(margin - origin * units + slack);
@@ -11483,10 +11489,36 @@ TBX_FORCED tbx_i4 tbx_corner_at(const char *from, int packed)
     return r;
 }
 
+/* The region's centre, as doubles: x and y; 0 and z. */
+typedef struct tbx_centre {
+    tbx_d2 xy;
+    tbx_d2 z;
+} TBX_ALIGNED tbx_centre;
+
 /* A row of doubles, less the region's centre, in floats. That rounds once, as the difference of floats does. Numbers
  * that no float would hold are infinite. */
-TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_quick *q)
+TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
 {
+#if defined(__SSE2__)
+    tbx_i4 bits = tbx_splat_int(0x7f800000);
+    tbx_d2 xy;
+    tbx_d2 z = { 0.0, 0.0 };
+    tbx_i4 upper;
+    double last;
+    TBX_COPY(&xy, from, sizeof xy);
+    TBX_COPY(&last, from + sizeof xy, sizeof last);
+    z[1] = last;
+    upper = TBX_LANES((tbx_i4)xy, (tbx_i4)z, 1, 3, 5, 7) & tbx_splat_int(0x7fffffff);
+    if (!TBX_RARELY(tbx_any(upper > tbx_splat_int((1023 + 100) << 20)))) {
+        const tbx_f4 low = __builtin_ia32_cvtpd2ps(xy - centre->xy);
+        const tbx_f4 high = __builtin_ia32_cvtpd2ps(z - centre->z);
+        tbx_f4 row = TBX_LANES(low, high, 0, 1, 4, 5);
+        TBX_KEEP_VECTOR(row); /* two moves; as one they become eight */
+        bits = (tbx_i4)TBX_LANES(row, row, 2, 0, 1, 3);
+    }
+    TBX_KEEP_VECTOR(bits);
+    return bits;
+#else
     const uint64_t magnitude = ~(uint64_t)0 >> 1;
     const uint64_t most = (uint64_t)(1023 + 100) << 52;
     tbx_f4 r = { 0.0f, 0.0f, 0.0f, 0.0f };
@@ -11495,22 +11527,23 @@ TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_quick *q)
     TBX_COPY(x, from, sizeof x);
     if (!TBX_RARELY((int)((tbx_bits64(&x[0]) & magnitude) > most) | (int)((tbx_bits64(&x[1]) & magnitude) > most) |
                     (int)((tbx_bits64(&x[2]) & magnitude) > most))) {
-        r[1] = (float)(x[0] - (double)q->centre[1]);
-        r[2] = (float)(x[1] - (double)q->centre[2]);
-        r[3] = (float)(x[2] - (double)q->centre[3]);
+        r[1] = (float)(x[0] - centre->xy[0]);
+        r[2] = (float)(x[1] - centre->xy[1]);
+        r[3] = (float)(x[2] - centre->z[1]);
         bits = (tbx_i4)r;
     }
     TBX_KEEP_VECTOR(bits);
     return bits;
+#endif
 }
 
 /* Corner k, vertex number `at` of the mesh. */
-TBX_FORCED tbx_i4 tbx_block_corner(const tbx_source *source, const tbx_quick *q, int indexed, int packed,
+TBX_FORCED tbx_i4 tbx_block_corner(const tbx_source *source, const tbx_centre *centre, int indexed, int packed,
                                    int is_double, size_t at)
 {
     const size_t vertex = indexed ? (size_t)source->indices[at] : at;
     const char *p = source->positions + vertex * (packed ? 3 * sizeof(float) : source->stride);
-    return is_double ? tbx_corner_at_f64(p, q) : tbx_corner_at(p, packed);
+    return is_double ? tbx_corner_at_f64(p, centre) : tbx_corner_at(p, packed);
 }
 
 TBX_FORCED int tbx_all_near(const tbx_quick *q, tbx_i4 bits)
@@ -11539,14 +11572,15 @@ TBX_NOINLINE int tbx_block_is_near(const tbx_corners *corners, const tbx_quick *
 TBX_FORCED int tbx_block_corners(tbx_corners *out, const tbx_quick *q, const tbx_source *from, int indexed,
                                  int packed, int is_double, size_t first, int count)
 {
-    const tbx_source source = *from; /* what is stored does not change it */
+    const tbx_source source = *from; /* what is stored does not change these */
+    const tbx_centre centre = { { (double)q->centre[1], (double)q->centre[2] }, { 0.0, (double)q->centre[3] } };
     tbx_i4 bits = tbx_splat_int(0);
     size_t at = 3 * first;
     int i;
     for (i = 0; i < count; i++, at += 3) {
-        const tbx_i4 v0 = tbx_block_corner(&source, q, indexed, packed, is_double, at);
-        const tbx_i4 v1 = tbx_block_corner(&source, q, indexed, packed, is_double, at + 1);
-        const tbx_i4 v2 = tbx_block_corner(&source, q, indexed, packed, is_double, at + 2);
+        const tbx_i4 v0 = tbx_block_corner(&source, &centre, indexed, packed, is_double, at);
+        const tbx_i4 v1 = tbx_block_corner(&source, &centre, indexed, packed, is_double, at + 1);
+        const tbx_i4 v2 = tbx_block_corner(&source, &centre, indexed, packed, is_double, at + 2);
         bits |= v0 | v1 | v2;
         out->row[0][i] = (tbx_f4)v0;
         out->row[1][i] = (tbx_f4)v1;
@@ -11584,7 +11618,8 @@ TBX_FN int tbx_block_load(tbx_corners *out, const tbx_quick *q, const tbx_source
 {
     const int indexed = source->indices != NULL;
     if (source->is_double) {
-        return tbx_block_corners(out, q, source, indexed, 0, 1, first, count);
+        return indexed ? tbx_block_corners(out, q, source, 1, 0, 1, first, count)
+                       : tbx_block_corners(out, q, source, 0, 0, 1, first, count);
     } else if (source->stride != 3 * sizeof(float) || tbx_block_has_first(source, first, count)) {
         return tbx_block_corners(out, q, source, indexed, 0, 0, first, count);
     } else if (indexed) {
@@ -12325,27 +12360,6 @@ TBX_FORCED void tbx_place_corners(tbx_placed *out, int lane, const tbx_quick *q,
     }
 }
 
-/* The same of doubles, computed in double: off by no more than that. */
-TBX_FORCED void tbx_place_doubles(tbx_placed *out, int lane, const tbx_quick *q, const tbx_source *source,
-                                  size_t triangle, uint64_t key)
-{
-    int c;
-    int k;
-    for (c = 0; c < 3; c++) {
-        tbx_f4 r = { 0.0f, 0.0f, 0.0f, 0.0f };
-        double v[3];
-        TBX_COPY(v, tbx_source_at(source, triangle, (size_t)c), sizeof v);
-        for (k = 0; k < 3; k++) {
-            v[k] -= q->origin[k];
-        }
-        TBX_KEEP(v);
-        for (k = 0; k < 3; k++) {
-            r[k + 1] = (float)(v[k] * q->units[k] - (double)(tbx_key_axis(key, k) + 1u));
-        }
-        out->row[c][lane] = r;
-    }
-}
-
 /* Notes that E = e at a point, and whether it is outside, as `bit`. */
 TBX_FORCED void tbx_note_point(tbx_uw *outside, tbx_fw *least, tbx_fw e, int bit)
 {
@@ -12612,18 +12626,10 @@ TBX_FORCED void tbx_place_all(tbx_placed *out, const tbx_quick *q, const tbx_som
                               uint64_t key[TBX_WIDE])
 {
     int lane;
-    if (TBX_RARELY(some->source->is_double)) {
-        for (lane = 0; lane < TBX_WIDE; lane++) {
-            const size_t i = some->list[lane < some->count ? lane : 0];
-            key[lane] = some->block->box[i][0];
-            tbx_place_doubles(out, lane, q, some->source, some->block->first + i, key[lane]);
-        }
-    } else {
-        for (lane = 0; lane < TBX_WIDE; lane++) {
-            const size_t i = some->list[lane < some->count ? lane : 0];
-            key[lane] = some->block->box[i][0];
-            tbx_place_corners(out, lane, q, some->corners, i, key[lane]);
-        }
+    for (lane = 0; lane < TBX_WIDE; lane++) {
+        const size_t i = some->list[lane < some->count ? lane : 0];
+        key[lane] = some->block->box[i][0];
+        tbx_place_corners(out, lane, q, some->corners, i, key[lane]);
     }
 }
 

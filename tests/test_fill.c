@@ -442,6 +442,54 @@ static void rows_of_many_words_are_filled(void)
     }
 }
 
+/* Small triangles of doubles whose edges pass grid edges by a hair, at 0 and in map coordinates, in rows of up to 60,000
+ * voxels, far from their middle: what floats lose there is lost to no voxel. */
+static void hairs_of_doubles_in_long_rows(void)
+{
+    static const double hair[4] = {1e-3, 1e-4, 1e-6, 1e-12};
+    int                 i;
+
+    random_seed(108);
+    for (i = 0; i < TEST_LOOPS(200); i++) {
+        tribox_grid     grid = {{0, 0, 0}, {0.1, 0.1, 0.1}, {0, 0, 0}, {60, 3, 3}, 0};
+        double          p[8 * 9];
+        tribox_mesh_f64 mesh;
+        int             j;
+        if (i % 2) {
+            grid.origin[0] = 448262.25;
+            grid.origin[1] = 5411932.7;
+            grid.origin[2] = 112.3;
+        }
+        grid.hi[0] = i % 3 == 0 ? 60 : i % 3 == 1 ? 2000 : 60000;
+        grid.flags = every_rule[i / 4 % 4];
+        row_words = (size_t)(grid.hi[0] + 63) / 64;
+        memset(row_want, 0, sizeof row_want);
+        memset(row_got, 0, sizeof row_got);
+        for (j = 0; j < 8; j++) {
+            const int at[3] = {1 + random_below(grid.hi[0] - 1), 1 + random_below(2), 1 + random_below(2)};
+            double   *v = p + 9 * j;
+            int       k;
+            for (k = 0; k < 3; k++) { /* the middle of the first edge lies beside a corner of voxels */
+                const double plane = grid_plane(&grid, k, at[k]);
+                v[k] = plane + random_signed() * 0.05;
+                v[3 + k] = 2 * plane - v[k] + random_signed() * hair[random_below(4)] * 0.1;
+                v[6 + k] = plane + random_signed() * 0.09;
+            }
+            if (j % 2) { /* in a layer: only the edges decide */
+                const double z = grid_plane(&grid, 2, at[2]) + 0.04;
+                v[2] = v[5] = v[8] = z;
+            }
+            tribox_grid_spans_f64(&grid, v, v + 3, v + 6, row_set, 0);
+        }
+        mesh.positions = p;
+        mesh.stride = 0;
+        mesh.indices = 0;
+        mesh.triangles = 8;
+        tribox_grid_fill_f64(&grid, &mesh, row_got);
+        CHECK(memcmp(row_got, row_want, 9 * row_words * sizeof *row_got) == 0);
+    }
+}
+
 /* A mesh of no triangles needs no positions and sets nothing. */
 static void empty_mesh_sets_nothing(void)
 {
@@ -476,6 +524,7 @@ int main(void)
     RUN(words_end_at_the_last_size_that_fits);
     RUN(fill_of_no_words_does_nothing);
     RUN(rows_of_many_words_are_filled);
+    RUN(hairs_of_doubles_in_long_rows);
     RUN(empty_mesh_sets_nothing);
     return test_report("test_fill");
 }
