@@ -1,6 +1,8 @@
 /* solid_parts.h - the exact solid of a mesh (tribox_grid_fill_solid), of its parts one by one, and its open rows
  *
- * A part is a set of triangles that hang together by corners at the same place. Models are often made of closed
+ * A part is a set of triangles that hang together by corners at the same place. By edges would tear a part at a
+ * T-junction, so parts that touch in one corner stay one: parity fills them as well, unless they overlap elsewhere.
+ * Models are often made of closed
  * parts that overlap, and parity would leave out what two of them share; filled one by one and joined they are what
  * is meant. A part of opposite winding that lies wholly in another is its cavity, and both are filled together.
  */

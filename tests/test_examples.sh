@@ -376,6 +376,10 @@ says 'solid     448 voxels'
 { box 0 8 0 out; box 2 6 8 in; box 7 10 16 out; } > "$tmp/parts.obj"
 run 0 "$bin/voxelize" "$tmp/parts.obj" --size 1 --solid=parts
 says 'solid     2 parts, 1 cavities in them: 474 voxels'
+# Two cubes that touch in one corner are one part, which parity fills as well.
+{ box 0 4 0 out; box 4 8 8 out; } > "$tmp/touch.obj"
+run 0 "$bin/voxelize" "$tmp/touch.obj" --size 1 --solid=parts
+says 'solid     1 parts, 0 cavities in them: 128 voxels'
 run 0 "$bin/voxelize" "$tmp/cube.obj" --size 0.125,0.25,0.5 --origin 0.0625,0.125,0.25 --solid=flood
 says 'surface   114 voxels'
 says 'inside    21 voxels'
