@@ -11353,7 +11353,7 @@ TBX_FN void tbx_group_pad(tbx_group *g)
     }
 }
 
-#define TBX_BLOCK 72 /* the stack stays below 16 KiB */
+#define TBX_BLOCK 64 /* the stack stays below 16 KiB */
 
 /* What a triangle leaves for the row walk: how many triangles before the next block's first it is, and its
  * rows and layers. */
@@ -11846,7 +11846,7 @@ TBX_NOINLINE void tbx_block_careful(tbx_block *b, const tbx_quick *q, const tbx_
     tbx_fixed_of(&f, q);
     for (j = 0; j < count; j++) {
         tbx_i4 beyond = tbx_splat_int(0);
-        uint64_t box[TBX_WIDE / 4][2];
+        uint64_t box[TBX_WIDE / 4][2] = { { 0, 0 } };
         unsigned kind[TBX_WIDE / 4] = { 0 };
         tbx_fw v[3];
         for (c = 0; c < 3; c++) {
@@ -12840,7 +12840,25 @@ typedef struct tbx_precise_axis {
     double origin; /* of the grid */
     double size;
     int points; /* inner grid planes that some box has */
+    double fine[3][TBX_WIDE]; /* the rests, right to 2^-43 */
 } TBX_ALIGNED tbx_precise_axis;
+
+/* What the rounded sum of a and b is more or less than their sum: exact where it rounds to nearest, else off by 2^-52
+ * of itself, 2^-104 of the sum. Taken off what is left of the sum's difference from another number (which is exact
+ * where that is less than half of either), it leaves 2^-60 of the sum right to 2^-44. */
+TBX_FORCED void tbx_precise_lost(tbx_dw *lost, const tbx_dw *a, const tbx_dw *b, const tbx_dw *sum)
+{
+    tbx_dw of_a = *sum - *b;
+    tbx_dw of_b;
+    TBX_KEEP(of_a);
+    of_b = *sum - of_a;
+    TBX_KEEP(of_b);
+    of_a = *a - of_a;
+    of_b = *b - of_b;
+    TBX_KEEP(of_a);
+    TBX_KEEP(of_b);
+    *lost = of_a + of_b;
+}
 
 /* Coordinates v of axis k. Lanes of *unsure cannot be told apart. */
 TBX_FN void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, tbx_iw first, tbx_iw extent,
@@ -12855,7 +12873,7 @@ TBX_FN void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, tbx_
     const tbx_dw high = TBX_ALL(q->high[k]);
     const tbx_dw low = TBX_ALL(q->low[k]);
     const tbx_dw round = TBX_ALL(6755399441055744.0); /* 3 * 2^51: what is added to it becomes whole */
-    const tbx_dw tiny = TBX_ALL(1.0 / 1048576.0);
+    const tbx_dw tiny = TBX_ALL(1.0 / 1048576.0 / 1099511627776.0); /* 2^-60 */
     const tbx_dw zero = TBX_ALL(0.0);
     const tbx_dw base = __builtin_convertvector(first + tbx_wide_int(q->lo[k] + 1), tbx_dw) * pieces;
     const tbx_iw magnitude = tbx_wide_int(0x7fffffff);
@@ -12868,6 +12886,7 @@ TBX_FN void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, tbx_
         tbx_dw along;
         tbx_dw taken;
         tbx_dw back;
+        tbx_dw part;
         tbx_dw lows;
         tbx_dw rest;
         TBX_KEEP(at);
@@ -12883,18 +12902,27 @@ TBX_FN void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, tbx_
                    ((size > tbx_wide_int(0)) & (size < tbx_wide_int(0x00800000)));
         along -= at * high;
         TBX_KEEP(along);
-        lows = origin_low + at * low;
+        part = at * low; /* exact */
+        TBX_KEEP(part);
+        lows = origin_low + part;
         TBX_KEEP(lows);
         rest = along - lows;
         TBX_KEEP(rest);
         if (q->origin_low[k] != 0.0) { /* the sum of both is rounded */
             const tbx_dw most = lows * tiny;
+            tbx_dw lost;
+            tbx_precise_lost(&lost, &origin_low, &part, &lows);
+            rest -= lost;
+            TBX_KEEP(rest);
             *unsure |= __builtin_convertvector((rest < most) & (rest > -most), tbx_iw) |
                        __builtin_convertvector((rest < -most) & (rest > most), tbx_iw) |
                        __builtin_convertvector(rest == zero, tbx_iw);
         }
         a->v[i] = v[i];
-        a->rest[i] = __builtin_convertvector(rest * units, tbx_fw);
+        rest *= units;
+        TBX_KEEP(rest);
+        TBX_COPY(a->fine[i], &rest, sizeof rest);
+        a->rest[i] = __builtin_convertvector(rest, tbx_fw);
         a->place[i] = __builtin_convertvector(at - base, tbx_fw);
         a->whole &= __builtin_convertvector(rest == zero, tbx_iw);
         *unsure |= (tbx_wide_abs(a->rest[i]) < tbx_wide_all(TBX_PRECISE_LEAST)) &
@@ -12931,6 +12959,40 @@ TBX_FORCED tbx_iw tbx_precise_doubt(const tbx_precise_axis *a, int i, int j, tbx
 TBX_FORCED tbx_iw tbx_precise_same(tbx_fw v, tbx_fw w)
 {
     return (tbx_iw)v == (tbx_iw)w;
+}
+
+/* E of the edge from i to j, of which the whole part is 0, at the inner grid point k, l, in lanes *doubt, once more: in
+ * double, where decimals that are off by the same float are not. Rests are right to 2^-43, what is made of them to
+ * 2^-41. Lanes that are sure now leave *doubt, E is then of the right sign. */
+#define TBX_PRECISE_FINE (1.0 / 1099511627776.0) /* 2^-40 */
+
+TBX_NOINLINE void tbx_precise_finer(tbx_fw *e, tbx_iw *doubt, const tbx_precise_axis *x,
+                                    const tbx_precise_axis *y, int i, int j, int k, int l)
+{
+    const double at_x = (double)k * (double)TBX_PIECES;
+    const double at_y = (double)l * (double)TBX_PIECES;
+    int lane;
+    for (lane = 0; lane < TBX_WIDE; lane++) {
+        const double x_i = (double)x->place[i][lane] - at_x;
+        const double x_j = (double)x->place[j][lane] - at_x;
+        const double y_i = (double)y->place[i][lane] - at_y;
+        const double y_j = (double)y->place[j][lane] - at_y;
+        double part[4];
+        double bound;
+        double sum;
+        part[0] = x_i * y->fine[j][lane];
+        part[1] = -(y->fine[i][lane] * (x_j + x->fine[j][lane]));
+        part[2] = x->fine[i][lane] * (y_j + y->fine[j][lane]);
+        part[3] = -(y_i * x->fine[j][lane]);
+        TBX_KEEP(part);
+        sum = (part[0] + part[1]) + (part[2] + part[3]);
+        bound = (tbx_abs(part[0]) + tbx_abs(part[1])) + (tbx_abs(part[2]) + tbx_abs(part[3]));
+        bound *= TBX_PRECISE_FINE;
+        if ((*doubt)[lane] != 0 && x_i * y_j == y_i * x_j && (sum > bound || sum < -bound)) {
+            (*doubt)[lane] = 0;
+            (*e)[lane] = sum > 0.0 ? 1.0f : -1.0f;
+        }
+    }
 }
 
 /* The three edges in the plane of axes x and y, b and c of the groups; where the grid has the same numbers on both,
@@ -13010,13 +13072,18 @@ TBX_NOINLINE tbx_fw tbx_precise_edges(tbx_missed *m, const tbx_precise_axis *x, 
             for (l = 0; l < y->points; l++) {
                 const tbx_fw o = tbx_wide_all((float)l) * pieces;
                 const tbx_fw whole = x_i * (y->place[j] - o) - (y->place[i] - o) * x_j;
-                const tbx_fw e = tbx_precise_kept(whole) + tbx_precise_kept(g + h[l]);
+                tbx_fw e = tbx_precise_kept(whole) + tbx_precise_kept(g + h[l]);
                 const tbx_iw inside = (x->extent > tbx_wide_int(k)) & (y->extent > tbx_wide_int(l)) & edge;
                 const tbx_iw tie =
                     diagonal[i] & diagonal[j] & (x_i == y->place[i] - o) & (x_j == y->place[j] - o);
-                const tbx_iw outside = ((e < zero) ^ sign) & (e != zero) & inside & ~tie;
+                tbx_iw doubt = (tbx_wide_abs(e) <= g_error + h_error[l]) & inside & ((any & ~tie) | open);
                 const int up = (b == 2 ? 0 : k * TBX_STRIDE(4, b)) + (c == 2 ? 0 : l * TBX_STRIDE(4, c));
-                m->unsure |= (tbx_wide_abs(e) <= g_error + h_error[l]) & inside & ((any & ~tie) | open);
+                tbx_iw outside;
+                if (TBX_RARELY(tbx_wide_any(doubt))) {
+                    tbx_precise_finer(&e, &doubt, x, y, i, j, k, l);
+                }
+                outside = ((e < zero) ^ sign) & (e != zero) & inside & ~tie;
+                m->unsure |= doubt;
                 tbx_group_miss(m, tbx_wide_up(cell, up) & outside, 4, b == 2 ? k : c == 2 ? l : -1);
             }
         }
