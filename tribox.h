@@ -41,8 +41,8 @@
  *                  flush-to-zero (subnormals still count). A caller compiled with -ffinite-math-only cannot
  *                  pass a NaN or an infinity by value (t_min, t_max, d, radii), nor read tribox_gap's infinity.
  *                  Voxel indices are int, INT_MAX excluded. Functions raise "inexact" and "underflow"; other
- *                  exceptions only tribox_sat, and clang 16 and 19 at -O1 and -Oz, rarely, in lanes that nobody
- *                  reads. Needs IEEE 754 formats; on Alpha -mieee.
+ *                  exceptions only tribox_sat, and clang 16 at -Oz, rarely, in lanes that nobody reads. Needs
+ *                  IEEE 754 formats; on Alpha -mieee.
  *
  * REFERENCES       [AM01] Akenine-Moller, Fast 3D triangle-box overlap testing, JGT 6(1), 2001
  *                  [SS10] Schwarz, Seidel, Fast parallel surface and solid voxelization, ACM TOG 29(6), 2010
