@@ -1032,6 +1032,11 @@ TBX_FN int64_t tbx_key_of_bits(uint64_t bits)
     return (bits >> 63) != 0 ? -magnitude : magnitude;
 }
 
+TBX_FN uint64_t tbx_magnitude64(int64_t key)
+{
+    return key < 0 ? (uint64_t)0 - (uint64_t)key : (uint64_t)key;
+}
+
 TBX_FN int64_t tbx_key64(const double *x)
 {
     return tbx_key_of_bits(tbx_bits64(x));
@@ -1061,31 +1066,190 @@ TBX_FN double tbx_max(double a, double b)
 
 /* ---- 5. Exact integers ------------------------------------------------------------------------------------
  *
+ * Integers of any length, for the signs asked below and, in section 10, for all that companions compute. */
+
+#if TBX_GNU && defined(__SIZEOF_INT128__) && !defined(__CUDACC__) && !defined(__HIP__) && !defined(__wasm__)
+typedef uint64_t tbx_limb;
+__extension__ typedef unsigned __int128 tbx_two_limbs;
+#define TBX_LIMB_BITS 64
+#else
+typedef uint32_t tbx_limb;
+typedef uint64_t tbx_two_limbs;
+#define TBX_LIMB_BITS 32
+#endif
+
+/* Where the limbs of a calculation's numbers lie, one behind the other. */
+typedef struct tbx_calc {
+    int exact;       /* 1: in integers; 0, in section 10 only: in double */
+    int unsure;      /* in double: some sign was not certain, what follows means nothing */
+    int used;        /* limbs of the store */
+    tbx_limb *store; /* in integers */
+} tbx_calc;
+
+/* A value of either kind. Limbs are never changed once they are written, so numbers may be copied. */
+typedef struct tbx_num {
+    double mid; /* in double: see section 10 */
+    double rad;
+    int sign; /* in integers: sign * sum of store[at + i] * base^(exponent + i), i < n, base 2^LIMB_BITS */
+    int exponent;
+    int at;
+    int n; /* the first and the last limb are not 0; no limbs, no sign, for 0 */
+} tbx_num;
+
+/* Ends a number whose n limbs were written at the end of the store: drops zeros at both ends. */
+TBX_FN void tbx_num_end(tbx_calc *c, tbx_num *r, int n, int exponent, int sign)
+{
+    r->at = c->used;
+    c->used += n;
+    while (n > 0 && c->store[r->at + n - 1] == 0) {
+        n--;
+    }
+    while (n > 0 && c->store[r->at] == 0) {
+        r->at++;
+        exponent++;
+        n--;
+    }
+    r->mid = 0.0; /* unused; compilers warn of what they cannot see */
+    r->rad = 0.0;
+    r->n = n;
+    r->exponent = exponent;
+    r->sign = n == 0 ? 0 : sign;
+}
+
+/* Moves a number's limbs. */
+TBX_FN void tbx_num_move(const tbx_calc *c, tbx_num *r, int at)
+{
+    int i;
+    for (i = 0; i < r->n; i++) {
+        c->store[at + i] = c->store[r->at + i];
+    }
+    r->at = at;
+}
+
+/* Gives back what was used since `mark`, but for the numbers r, in the order in which they were made, whose
+ * limbs are moved there. */
+TBX_FN void tbx_num_keep(tbx_calc *c, int mark, tbx_num *r, int count)
+{
+    int i;
+    for (i = 0; i < count && c->exact; i++) {
+        tbx_num_move(c, &r[i], mark);
+        mark += r[i].n;
+    }
+    c->used = mark;
+}
+
+/* r = mantissa * 2^exponent */
+TBX_NOINLINE void tbx_num_set_exact(tbx_calc *c, tbx_num *r, int64_t mantissa, int exponent)
+{
+    uint64_t rest = tbx_magnitude64(mantissa);
+    const int limb = (exponent + 128 * TBX_LIMB_BITS) / TBX_LIMB_BITS - 128; /* rounded down */
+    const int shift = exponent - limb * TBX_LIMB_BITS;
+    tbx_limb *to = c->store + c->used;
+    tbx_two_limbs carry = 0;
+    int n = 0;
+    while (rest != 0 || carry != 0) {
+        carry += (tbx_two_limbs)(tbx_limb)rest << shift;
+        to[n++] = (tbx_limb)carry;
+        carry >>= TBX_LIMB_BITS;
+        rest = TBX_LIMB_BITS < 64 ? rest >> (TBX_LIMB_BITS & 63) : 0;
+    }
+    tbx_num_end(c, r, n, limb, mantissa < 0 ? -1 : 1);
+}
+
+/* The limb worth base^i. */
+TBX_FN tbx_limb tbx_num_limb(const tbx_calc *c, const tbx_num *a, int i)
+{
+    return i >= a->exponent && i - a->exponent < a->n ? c->store[a->at + i - a->exponent] : 0;
+}
+
+/* r = a + sign * b. Where signs differ, the magnitudes' difference in two's complement, negated if it is below 0. */
+TBX_NOINLINE void tbx_num_add_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
+{
+    const int b_sign = sign * b->sign;
+    const int a_hi = a->exponent + a->n;
+    const int b_hi = b->exponent + b->n;
+    const int lo = a->exponent < b->exponent ? a->exponent : b->exponent;
+    const int n = (a_hi > b_hi ? a_hi : b_hi) - lo + 1;
+    const int opposite = a->sign != b_sign;
+    const tbx_limb flip = (tbx_limb)0 - (tbx_limb)opposite;
+    tbx_limb *to = c->store + c->used;
+    tbx_two_limbs carry = (tbx_two_limbs)opposite;
+    int i;
+    if (a->sign == 0 || b_sign == 0) {
+        const int r_sign = a->sign + b_sign;
+        *r = a->sign != 0 ? *a : *b;
+        r->sign = r_sign;
+        return;
+    }
+    for (i = 0; i < n; i++) {
+        carry += (tbx_two_limbs)tbx_num_limb(c, a, lo + i) + (tbx_num_limb(c, b, lo + i) ^ flip);
+        to[i] = (tbx_limb)carry;
+        carry >>= TBX_LIMB_BITS;
+    }
+    if (opposite && to[n - 1] != 0) {
+        carry = 1;
+        for (i = 0; i < n; i++) {
+            carry += (tbx_limb)~to[i];
+            to[i] = (tbx_limb)carry;
+            carry >>= TBX_LIMB_BITS;
+        }
+        tbx_num_end(c, r, n, lo, b_sign);
+    } else {
+        tbx_num_end(c, r, n, lo, a->sign);
+    }
+}
+
+/* r = a * b */
+TBX_NOINLINE void tbx_num_mul_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b)
+{
+    const tbx_limb *x = c->store + a->at;
+    const tbx_limb *y = c->store + b->at;
+    tbx_limb *to = c->store + c->used;
+    const int n = a->n;
+    const int m = b->n;
+    int i;
+    int j;
+    for (i = 0; i < m; i++) {
+        to[i] = 0;
+    }
+    for (i = 0; i < n && m > 0; i++) {
+        tbx_two_limbs carry = 0;
+        for (j = 0; j < m; j++) {
+            carry += (tbx_two_limbs)x[i] * y[j] + to[i + j];
+            to[i + j] = (tbx_limb)carry;
+            carry >>= TBX_LIMB_BITS;
+        }
+        to[i + m] = (tbx_limb)carry;
+    }
+    tbx_num_end(c, r, n > 0 && m > 0 ? n + m : 0, a->exponent + b->exponent, a->sign * b->sign);
+}
+
+/* ---- Coordinates
+ *
  * A coordinate is base + half*(step/2): a corner (half = 0), a face p + size (half = 2), a grid face
  * origin + i*size (half = 2i), or the centre of a voxel (half = 2i + 1). All coordinates of one question are
  * multiples of one power of two 2^e, so every sign asked below is the sign of an integer.
  *
  * Width: a finite double is a multiple of 2^-1074 below 2^1024. |half| <= 2^32, so a coordinate times 2^1075
- * is below 2^(1024 + 33 + 1075) = 2^2132, a difference below 2^2133, a degree-3 determinant below
- * 6 * 2^6399 < 2^6402: 201 limbs of 32 bits. */
-#define TBX_LIMBS 208
+ * is below 2^(1024 + 33 + 1075) = 2^2132. A difference of two has at most 2133 bits, R with two limbs for its unaligned
+ * ends; a determinant of degree d takes at most d R. A question keeps 15 differences; most more are held at one time
+ * in tbx_orient3_long: the sum, 3 R, and in tbx_num_orient2 the first product, 2 R, two differences, R each, their
+ * product, 2 R, and the difference of products, 2 R: 15 R + 11 R. */
+#define TBX_SIGN_STORE(count) ((count) * (2133 + 128) / TBX_LIMB_BITS + 1)
 
 typedef struct tbx_coord {
-    uint64_t base; /* bits of doubles */
-    uint64_t step;
+    int64_t base; /* as odd integers times powers of two */
+    int64_t step; /* step/2 */
     int64_t half;
+    int64_t key; /* of the base */
+    int base_exponent;
+    int step_exponent;
 } tbx_coord;
-
-/* sign * sum of limb[i] * 2^(32 i); limb[n - 1] != 0; sign = 0 iff n = 0 */
-typedef struct tbx_big {
-    int sign;
-    int n;
-    uint32_t limb[TBX_LIMBS];
-} tbx_big;
 
 #define TBX_NO_EXPONENT 4096 /* above every exponent: of zero */
 
-/* The double with these bits is mantissa * 2^exponent with an odd mantissa. Returns the exponent (NO_EXPONENT for 0). */
+/* The double with these bits is mantissa * 2^exponent with an odd mantissa. Returns the exponent, NO_EXPONENT
+ * for 0. */
 TBX_FN int tbx_split(uint64_t bits, int64_t *out_mantissa)
 {
     uint64_t mantissa = bits & 0x000fffffffffffffu;
@@ -1112,161 +1276,57 @@ TBX_FN int tbx_split(uint64_t bits, int64_t *out_mantissa)
     return exponent;
 }
 
+/* The coordinate base + half*(step/2); an infinite number is read as 2^1024. */
+TBX_NOINLINE tbx_coord tbx_at(const double *base, const double *step, int64_t half)
+{
+    const uint64_t bits = tbx_bits64(base);
+    tbx_coord x;
+    x.base_exponent = tbx_split(bits, &x.base);
+    x.key = tbx_key_of_bits(bits);
+    x.half = half;
+    x.step = 0;
+    x.step_exponent = TBX_NO_EXPONENT;
+    if (half != 0) {
+        x.step_exponent = tbx_split(tbx_bits64(step), &x.step) - 1;
+    }
+    return x;
+}
+
 /* The least power of two that divides both base and step/2. */
 TBX_FN int tbx_coord_exponent(const tbx_coord *x)
 {
-    int64_t mantissa;
-    const int base = tbx_split(x->base, &mantissa);
-    const int step = x->half != 0 ? tbx_split(x->step, &mantissa) - 1 : TBX_NO_EXPONENT;
-    return base < step ? base : step;
+    return x->base_exponent < x->step_exponent ? x->base_exponent : x->step_exponent;
 }
 
-/* mantissa * 2^shift, shift >= 0 */
-TBX_FN void tbx_big_set(tbx_big *r, int64_t mantissa, int shift)
+/* r = b - a */
+TBX_NOINLINE void tbx_coord_difference(tbx_calc *c, tbx_num *r, const tbx_coord *b, const tbx_coord *a)
 {
-    const uint64_t m = mantissa < 0 ? (uint64_t)0 - (uint64_t)mantissa : (uint64_t)mantissa;
-    const int bit = shift & 31;
-    const uint64_t low = (m & 0xffffffffu) << bit;
-    const uint64_t high = ((m >> 32) << bit) + (low >> 32);
-    int n = shift >> 5;
-    int i;
-    r->sign = (mantissa > 0) - (mantissa < 0);
-    if (r->sign == 0) {
-        r->n = 0;
-        return;
-    }
-    for (i = 0; i < n; i++) {
-        r->limb[i] = 0;
-    }
-    r->limb[n++] = (uint32_t)low;
-    r->limb[n++] = (uint32_t)high;
-    r->limb[n++] = (uint32_t)(high >> 32);
-    while (r->limb[n - 1] == 0) {
-        n--;
-    }
-    r->n = n;
-}
-
-TBX_FN int tbx_big_compare_magnitude(const tbx_big *a, const tbx_big *b)
-{
-    int i;
-    if (a->n != b->n) {
-        return a->n < b->n ? -1 : 1;
-    }
-    for (i = a->n - 1; i >= 0; i--) {
-        if (a->limb[i] != b->limb[i]) {
-            return a->limb[i] < b->limb[i] ? -1 : 1;
+    const int mark = c->used;
+    int sign;
+    tbx_num_set_exact(c, r, 0, 0);
+    for (sign = 1; sign >= -1; sign -= 2) {
+        const tbx_coord *x = sign > 0 ? b : a;
+        tbx_num base;
+        tbx_num step;
+        tbx_num half;
+        tbx_num_set_exact(c, &base, x->base, x->base_exponent);
+        tbx_num_add_exact(c, r, r, &base, sign);
+        if (x->half != 0) {
+            tbx_num_set_exact(c, &step, x->step, x->step_exponent);
+            tbx_num_set_exact(c, &half, x->half, 0);
+            tbx_num_mul_exact(c, &step, &step, &half);
+            tbx_num_add_exact(c, r, r, &step, sign);
         }
     }
-    return 0;
-}
-
-/* r += sign * b, sign -1 or +1; r and b are different objects */
-TBX_FN void tbx_big_add(tbx_big *r, const tbx_big *b, int sign)
-{
-    const int b_sign = sign * b->sign;
-    uint64_t carry = 0;
-    int i;
-    if (b_sign == 0) {
-        return;
-    }
-    if (r->sign == 0 || r->sign == b_sign) {
-        const int n = r->n > b->n ? r->n : b->n;
-        for (i = 0; i < n; i++) {
-            carry += (uint64_t)(i < r->n ? r->limb[i] : 0) + (i < b->n ? b->limb[i] : 0);
-            r->limb[i] = (uint32_t)carry;
-            carry >>= 32;
-        }
-        r->n = n;
-        if (carry != 0) {
-            r->limb[r->n++] = (uint32_t)carry;
-        }
-        r->sign = b_sign;
-        return;
-    }
-    { /* opposite signs: the smaller magnitude from the larger */
-        const int order = tbx_big_compare_magnitude(r, b);
-        const tbx_big *large = order < 0 ? b : r;
-        const tbx_big *lesser = order < 0 ? r : b;
-        const int lesser_n = lesser->n;
-        int n = large->n;
-        for (i = 0; i < n; i++) {
-            const uint64_t take = (uint64_t)(i < lesser_n ? lesser->limb[i] : 0) + carry;
-            const uint64_t from = large->limb[i];
-            r->limb[i] = (uint32_t)(from - take);
-            carry = from < take;
-        }
-        while (n > 0 && r->limb[n - 1] == 0) {
-            n--;
-        }
-        r->n = n;
-        r->sign = n == 0 ? 0 : order < 0 ? b_sign : r->sign;
-    }
-}
-
-/* r = a * b; r is neither a nor b */
-TBX_FN void tbx_big_mul(tbx_big *r, const tbx_big *a, const tbx_big *b)
-{
-    int i;
-    int j;
-    r->sign = a->sign * b->sign;
-    r->n = 0;
-    if (r->sign == 0) {
-        return;
-    }
-    r->n = a->n + b->n;
-    for (i = 0; i < r->n; i++) {
-        r->limb[i] = 0;
-    }
-    for (i = 0; i < a->n; i++) {
-        uint64_t carry = 0;
-        for (j = 0; j < b->n; j++) {
-            carry += (uint64_t)a->limb[i] * b->limb[j] + r->limb[i + j];
-            r->limb[i + j] = (uint32_t)carry;
-            carry >>= 32;
-        }
-        r->limb[i + b->n] = (uint32_t)carry;
-    }
-    while (r->limb[r->n - 1] == 0) {
-        r->n--;
-    }
-}
-
-/* r += sign * x / 2^e */
-TBX_FN void tbx_big_add_coord(tbx_big *r, const tbx_coord *x, int e, int sign)
-{
-    tbx_big a;
-    int64_t mantissa;
-    int exponent = tbx_split(x->base, &mantissa);
-    tbx_big_set(&a, mantissa, exponent - e);
-    tbx_big_add(r, &a, sign);
-    if (x->half != 0) {
-        tbx_big half;
-        tbx_big step;
-        exponent = tbx_split(x->step, &mantissa) - 1;
-        tbx_big_set(&step, mantissa, exponent - e);
-        tbx_big_set(&half, x->half, 0);
-        tbx_big_mul(&a, &step, &half);
-        tbx_big_add(r, &a, sign);
-    }
-}
-
-/* r = (a - b) / 2^e */
-TBX_FN void tbx_big_difference(tbx_big *r, const tbx_coord *a, const tbx_coord *b, int e)
-{
-    r->sign = 0;
-    r->n = 0;
-    tbx_big_add_coord(r, a, e, 1);
-    tbx_big_add_coord(r, b, e, -1);
+    tbx_num_keep(c, mark, r, 1);
 }
 
 /* The short path: x / 2^e as a 62-bit integer. Returns 0 where it needs more. */
 TBX_FN int tbx_short(const tbx_coord *x, int e, int64_t *out)
 {
     const int64_t limit = (int64_t)1 << 61;
-    int64_t value;
-    int64_t step;
-    int shift = tbx_split(x->base, &value) - e;
+    int64_t value = x->base;
+    int shift = x->base_exponent - e;
     if (value != 0) {
         if (shift > 60 || value > (limit >> shift) || value < -(limit >> shift)) {
             return 0;
@@ -1275,12 +1335,12 @@ TBX_FN int tbx_short(const tbx_coord *x, int e, int64_t *out)
     }
     if (x->half != 0) {
         const int64_t half = x->half < 0 ? -x->half : x->half;
-        shift = tbx_split(x->step, &step) - 1 - e;
-        if (step != 0) {
-            if (shift > 60 || (step < 0 ? -step : step) > (limit >> shift) / half) {
+        shift = x->step_exponent - e;
+        if (x->step != 0) {
+            if (shift > 60 || (x->step < 0 ? -x->step : x->step) > (limit >> shift) / half) {
                 return 0;
             }
-            value += step * ((int64_t)1 << shift) * x->half;
+            value += x->step * ((int64_t)1 << shift) * x->half;
         }
     }
     *out = value;
@@ -1293,26 +1353,28 @@ enum { TBX_LO = 3, TBX_MID = 4, TBX_HI = 5, TBX_ROWS = 6 };
 typedef struct tbx_exact {
     tbx_coord x[TBX_ROWS][3]; /* rows 0..2: corners; LO, MID, HI */
     int64_t s[TBX_ROWS][3];   /* x / 2^e - (v0 / 2^e), if is_short: |s| < 2^28 */
+    tbx_num d[TBX_ROWS][3];   /* x - v0, if not */
+    tbx_calc calc;
     int e;
     int is_short;
+    tbx_limb store[TBX_SIGN_STORE(26)];
 } tbx_exact;
 
-TBX_FN tbx_coord tbx_at(const double *base, const double *step, int64_t half)
+/* The differences of the long path. */
+TBX_COLD void tbx_exact_long(tbx_exact *f)
 {
-    tbx_coord x;
-    x.base = tbx_bits64(base);
-    x.step = tbx_bits64(step);
-    x.half = half;
-    return x;
-}
-
-TBX_FN tbx_coord tbx_at_number(const double *base)
-{
-    tbx_coord x;
-    x.base = tbx_bits64(base);
-    x.step = 0;
-    x.half = 0;
-    return x;
+    int row;
+    int a;
+    f->is_short = 0;
+    f->calc.exact = 1;
+    f->calc.unsure = 0;
+    f->calc.used = 0;
+    f->calc.store = f->store;
+    for (row = 0; row < TBX_ROWS; row++) {
+        for (a = 0; a < 3; a++) {
+            tbx_coord_difference(&f->calc, &f->d[row][a], &f->x[row][a], &f->x[0][a]);
+        }
+    }
 }
 
 /* Finds the common unit of all rows, and whether the short path can carry them. */
@@ -1332,14 +1394,14 @@ TBX_FN void tbx_exact_finish(tbx_exact *f)
     for (a = 0; a < 3; a++) {
         int64_t v0;
         if (!tbx_short(&f->x[0][a], f->e, &v0)) {
-            f->is_short = 0;
+            tbx_exact_long(f);
             return;
         }
         f->s[0][a] = 0;
         for (row = 1; row < TBX_ROWS; row++) {
             int64_t s;
             if (!tbx_short(&f->x[row][a], f->e, &s) || s - v0 >= limit || s - v0 <= -limit) {
-                f->is_short = 0;
+                tbx_exact_long(f);
                 return;
             }
             f->s[row][a] = s - v0;
@@ -1358,57 +1420,54 @@ TBX_COLD int tbx_compare(const tbx_coord *a, const tbx_coord *b)
     if (tbx_short(a, e, &sa) && tbx_short(b, e, &sb)) {
         return (sa > sb) - (sa < sb);
     } else {
-        tbx_big d;
-        tbx_big_difference(&d, a, b, e);
+        tbx_limb store[TBX_SIGN_STORE(3)];
+        tbx_calc c = { 1, 0, 0, NULL };
+        tbx_num d;
+        c.store = store;
+        tbx_coord_difference(&c, &d, a, b);
         return d.sign;
     }
 }
 
-/* r += sign * (b - a).x * (q - a).y, the points a, b, q being rows */
-TBX_FN void tbx_big_add_product(tbx_big *r, const tbx_exact *f, const tbx_coord *a_x, const tbx_coord *b_x,
-                                const tbx_coord *a_y, const tbx_coord *q_y, int sign)
+/* (b - a) x (q - a) in the plane of axes x, y; a, b are corners, q is (x of row qx, y of row qy) */
+TBX_NOINLINE tbx_num tbx_num_orient2(tbx_calc *c, const tbx_exact *f, int x, int y, int a, int b, int qx,
+                                     int qy)
 {
-    tbx_big x;
-    tbx_big y;
-    tbx_big xy;
-    tbx_big_difference(&x, b_x, a_x, f->e);
-    tbx_big_difference(&y, q_y, a_y, f->e);
-    tbx_big_mul(&xy, &x, &y);
-    tbx_big_add(r, &xy, sign);
-}
-
-/* r = (b - a) x (q - a) in the plane of axes x, y; a, b are corners, q is (x of row qx, y of row qy) */
-TBX_FN void tbx_big_orient2(tbx_big *r, const tbx_exact *f, int x, int y, int a, int b, int qx, int qy)
-{
-    r->sign = 0;
-    r->n = 0;
-    tbx_big_add_product(r, f, &f->x[a][x], &f->x[b][x], &f->x[a][y], &f->x[qy][y], 1);
-    tbx_big_add_product(r, f, &f->x[a][y], &f->x[b][y], &f->x[a][x], &f->x[qx][x], -1);
+    const int mark = c->used;
+    tbx_num r;
+    int sign;
+    tbx_num_set_exact(c, &r, 0, 0);
+    for (sign = 1; sign >= -1; sign -= 2) {
+        const int k = sign > 0 ? x : y;
+        const int l = sign > 0 ? y : x;
+        tbx_num u;
+        tbx_num v;
+        tbx_num_add_exact(c, &u, &f->d[b][k], &f->d[a][k], -1);
+        tbx_num_add_exact(c, &v, &f->d[sign > 0 ? qy : qx][l], &f->d[a][l], -1);
+        tbx_num_mul_exact(c, &u, &u, &v);
+        tbx_num_add_exact(c, &r, &r, &u, sign);
+        tbx_num_keep(c, mark, &r, 1);
+    }
+    return r;
 }
 
 TBX_COLD int tbx_orient2_long(const tbx_exact *f, int x, int y, int a, int b, int qx, int qy)
 {
-    tbx_big r;
-    tbx_big_orient2(&r, f, x, y, a, b, qx, qy);
-    return r.sign;
+    tbx_calc c = f->calc;
+    return tbx_num_orient2(&c, f, x, y, a, b, qx, qy).sign;
 }
 
 TBX_COLD int tbx_orient3_long(const tbx_exact *f, const int q[3])
 {
-    tbx_big sum;
+    tbx_calc c = f->calc;
+    tbx_num sum;
     int a;
-    sum.sign = 0;
-    sum.n = 0;
+    tbx_num_set_exact(&c, &sum, 0, 0);
     for (a = 0; a < 3; a++) {
-        const int b = (a + 1) % 3;
-        const int c = (a + 2) % 3;
-        tbx_big n;
-        tbx_big d;
-        tbx_big nd;
-        tbx_big_orient2(&n, f, b, c, 0, 1, 2, 2);
-        tbx_big_difference(&d, &f->x[q[a]][a], &f->x[0][a], f->e);
-        tbx_big_mul(&nd, &n, &d);
-        tbx_big_add(&sum, &nd, 1);
+        tbx_num n = tbx_num_orient2(&c, f, (a + 1) % 3, (a + 2) % 3, 0, 1, 2, 2);
+        tbx_num_mul_exact(&c, &n, &n, &f->d[q[a]][a]);
+        tbx_num_add_exact(&c, &sum, &sum, &n, 1);
+        tbx_num_keep(&c, f->calc.used, &sum, 1);
     }
     return sum.sign;
 }
@@ -1458,8 +1517,8 @@ TBX_FN int tbx_orient3(const tbx_exact *f, const int q[3])
 /* The sign of component k of edge v[i+1] - v[i]. */
 TBX_FN int tbx_edge_sign(const tbx_exact *f, int i, int k)
 {
-    const int64_t from = tbx_key_of_bits(f->x[i][k].base);
-    const int64_t to = tbx_key_of_bits(f->x[(i + 1) % 3][k].base);
+    const int64_t from = f->x[i][k].key;
+    const int64_t to = f->x[(i + 1) % 3][k].key;
     return (to > from) - (to < from);
 }
 
@@ -1585,9 +1644,8 @@ TBX_FN tbx_coord tbx_exact_extreme(const tbx_exact *f, int k, int side)
     int best = 0;
     int i;
     for (i = 1; i < 3; i++) {
-        const int64_t key = tbx_key_of_bits(f->x[i][k].base);
-        const int64_t best_key = tbx_key_of_bits(f->x[best][k].base);
-        best = (side < 0 ? key < best_key : key > best_key) ? i : best;
+        const int64_t key = f->x[i][k].key;
+        best = (side < 0 ? key < f->x[best][k].key : key > f->x[best][k].key) ? i : best;
     }
     return f->x[best][k];
 }
@@ -1632,9 +1690,9 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
 {
     int k;
     for (k = 0; k < 3; k++) {
-        f->x[0][k] = tbx_at_number(&v0[k]);
-        f->x[1][k] = tbx_at_number(&v1[k]);
-        f->x[2][k] = tbx_at_number(&v2[k]);
+        f->x[0][k] = tbx_at(&v0[k], NULL, 0);
+        f->x[1][k] = tbx_at(&v1[k], NULL, 0);
+        f->x[2][k] = tbx_at(&v2[k], NULL, 0);
     }
 }
 
@@ -1898,11 +1956,6 @@ TBX_FN int tbx_is_whole(double x, double unit)
     return TBX_DOUBLE_IS_53_BITS & !(sum < x) & !(sum > x) & (tbx_abs(x) < unit * 2251799813685248.0); /* 2^51 */
 }
 
-TBX_FN int tbx_whole3(const double x[3], double unit)
-{
-    return tbx_is_whole(x[0], unit) & tbx_is_whole(x[1], unit) & tbx_is_whole(x[2], unit);
-}
-
 /* The same of any x below 2^900, in units of 1/scale; subnormals, which may be read as zero, are none. */
 TBX_FN int tbx_on_lattice(double x, double scale)
 {
@@ -1931,8 +1984,13 @@ TBX_FN int tbx_clip_on_lattice(const double v0[3], const double v1[3], const dou
     const double longest = tbx_greater(tbx_greater(tbx_extent64(v0, v1, v2, 0), tbx_extent64(v0, v1, v2, 1)),
                                        tbx_extent64(v0, v1, v2, 2));
     const double unit = tbx_lattice_unit(longest);
-    return tbx_whole3(v0, unit) && tbx_whole3(v1, unit) && tbx_whole3(v2, unit) && tbx_whole3(clip->lo, unit) &&
-           tbx_whole3(clip->hi, unit);
+    int whole = 1;
+    int k;
+    for (k = 0; k < 3; k++) {
+        whole &= tbx_is_whole(v0[k], unit) & tbx_is_whole(v1[k], unit) & tbx_is_whole(v2[k], unit) &
+                 tbx_is_whole(clip->lo[k], unit) & tbx_is_whole(clip->hi[k], unit);
+    }
+    return whole;
 }
 
 /* Do the projections of three usual corners lie on one line? So where they do not move along one of the axes, or
@@ -1991,9 +2049,9 @@ TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const dou
     int k;
     tbx_exact_corners(&f, v0, v1, v2);
     for (k = 0; k < 3; k++) {
-        f.x[TBX_LO][k] = tbx_at_number(&clip->lo[k]);
+        f.x[TBX_LO][k] = tbx_at(&clip->lo[k], NULL, 0);
         f.x[TBX_MID][k] = f.x[TBX_LO][k]; /* unused */
-        f.x[TBX_HI][k] = tbx_at_number(&clip->hi[k]);
+        f.x[TBX_HI][k] = tbx_at(&clip->hi[k], NULL, 0);
     }
     tbx_exact_finish(&f);
     return tbx_exact_axes(&f, unsure, clip->open_lo, clip->open_hi);
@@ -2072,11 +2130,16 @@ TBX_COLD int tbx_overlap_unusual(const double v0[3], const double v1[3], const d
                                  const double box_min[3], const double box_max[3], unsigned flags)
 {
     tbx_clip clip;
+    const double *lo;
+    const double *hi;
     if (!tbx_corners_finite(v0, v1, v2) || !tbx_clip_box(&clip, v0, v1, v2, box_min, box_max, flags)) {
         return 0;
     }
-    if (flags == 0 && tbx_all_usual(v0, v1, v2, clip.lo, clip.hi)) { /* an infinite box, perhaps */
-        return tbx_overlap_usual(v0, v1, v2, clip.lo, clip.hi, 0);
+    /* a box that was infinite is usual once it is clipped, but then rules mean nothing to it */
+    lo = flags == 0 ? clip.lo : box_min;
+    hi = flags == 0 ? clip.hi : box_max;
+    if (tbx_all_usual(v0, v1, v2, lo, hi)) {
+        return tbx_overlap_usual(v0, v1, v2, lo, hi, flags);
     }
     return tbx_clipped_exact(v0, v1, v2, &clip, TBX_ALL_AXES);
 }
@@ -2173,12 +2236,17 @@ TBX_COLD int tbx_overlap_widened_unusual(const float v0[3], const float v1[3], c
                                          const float box_min[3], const float box_max[3], unsigned flags)
 {
     double wide[5][3];
-    tbx_widen3(wide[0], v0);
-    tbx_widen3(wide[1], v1);
-    tbx_widen3(wide[2], v2);
-    tbx_widen3(wide[3], box_min);
-    tbx_widen3(wide[4], box_max);
-    return tbx_overlap(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
+    const float *from[5];
+    int i;
+    from[0] = v0;
+    from[1] = v1;
+    from[2] = v2;
+    from[3] = box_min;
+    from[4] = box_max;
+    for (i = 0; i < 5; i++) {
+        tbx_widen3(wide[i], from[i]);
+    }
+    return tbx_overlap_unusual(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
 }
 
 /* The float entry of the scalar body. As doubles, zeros and normal floats are usual. */
@@ -2397,7 +2465,7 @@ TBX_FN int tbx_face_sign(const double *p, const double *size, int count, const d
     }
     {
         const tbx_coord face = tbx_at(p, size, 2 * count);
-        const tbx_coord plane = tbx_at_number(t);
+        const tbx_coord plane = tbx_at(t, NULL, 0);
         return tbx_compare(&face, &plane);
     }
 }
@@ -2803,8 +2871,27 @@ TBX_FN int tbx_exact_sum(double *out, const double *a, const double *b)
     return tbx_is_sum(*out, *a, *b);
 }
 
-/* The box at p + (octant's bits)*size, its faces being known to hold, by exact signs; by the test of one box where its
- * faces are doubles. */
+/* The box at p + (octant's bits)*size, its faces being known to hold, by exact signs. */
+TBX_COLD int tbx_tri_exact(const tribox_tri *tri, const double p[3], unsigned octant)
+{
+    double v[3][3];
+    double size[3];
+    tbx_exact f;
+    int k;
+    TBX_COPY(v, tri->v, sizeof v);
+    TBX_COPY(size, tri->size, sizeof size);
+    for (k = 0; k < 3; k++) {
+        const int upper = (int)(octant >> k & 1u);
+        f.x[TBX_LO][k] = tbx_at(&p[k], &size[k], 2 * upper);
+        f.x[TBX_MID][k] = tbx_at(&p[k], &size[k], 2 * upper + 1);
+        /* an infinite step is read as 2^1024; four of them from any p lie beyond every corner */
+        f.x[TBX_HI][k] = tbx_at(&p[k], &size[k], tbx_is_finite(&size[k]) ? 2 * upper + 2 : 8);
+    }
+    tbx_exact_corners(&f, v[0], v[1], v[2]);
+    return tbx_exact_overlap(&f, tri->flags);
+}
+
+/* The same, by the test of one box where the box's faces are doubles. */
 TBX_COLD int tbx_tri_decide(const tribox_tri *tri, const double p[3], unsigned octant)
 {
     double v[3][3];
@@ -2812,27 +2899,17 @@ TBX_COLD int tbx_tri_decide(const tribox_tri *tri, const double p[3], unsigned o
     double lo[3];
     double hi[3];
     int one_box = (tri->flags & TRIBOX_THIN) == 0;
-    tbx_exact f;
     int k;
     TBX_COPY(v, tri->v, sizeof v);
     TBX_COPY(size, tri->size, sizeof size);
     for (k = 0; k < 3; k++) {
         const int upper = (int)(octant >> k & 1u);
-        const int finite = tbx_is_finite(&size[k]);
-        f.x[TBX_LO][k] = tbx_at(&p[k], &size[k], 2 * upper);
-        f.x[TBX_MID][k] = tbx_at(&p[k], &size[k], 2 * upper + 1);
-        /* an infinite step is read as 2^1024; four of them from any p lie beyond every corner */
-        f.x[TBX_HI][k] = tbx_at(&p[k], &size[k], finite ? 2 * upper + 2 : 8);
         lo[k] = p[k];
         hi[k] = size[k];
         one_box = one_box && (!upper || tbx_exact_sum(&lo[k], &p[k], &size[k])) &&
-                  (!finite || tbx_exact_sum(&hi[k], &lo[k], &size[k]));
+                  (!tbx_is_finite(&size[k]) || tbx_exact_sum(&hi[k], &lo[k], &size[k]));
     }
-    if (one_box) {
-        return tribox_overlap_rule_f64(v[0], v[1], v[2], lo, hi, tri->flags);
-    }
-    tbx_exact_corners(&f, v[0], v[1], v[2]);
-    return tbx_exact_overlap(&f, tri->flags);
+    return one_box ? tribox_overlap_rule_f64(v[0], v[1], v[2], lo, hi, tri->flags) : tbx_tri_exact(tri, p, octant);
 }
 
 /* The specification of the test: faces, the conditions in float, what they leave open. */
@@ -3115,7 +3192,7 @@ TBX_FN int tbx_plane_compare(const tribox_grid *grid, int k, int64_t i, double x
     }
     {
         const tbx_coord plane = tbx_at(origin, size, 2 * i);
-        const tbx_coord point = tbx_at_number(&x);
+        const tbx_coord point = tbx_at(&x, NULL, 0);
         return tbx_compare(&plane, &point);
     }
 }
@@ -4757,10 +4834,20 @@ TBX_FN int tbx_crosses_filter(double v[3][3], const double p[3])
     return value > error ? 1 : value < -error ? 0 : -1;
 }
 
+TBX_COLD int tbx_crosses_unsure(double v[3][3], const double p[3])
+{
+    tbx_exact f;
+    int k;
+    tbx_exact_corners(&f, v[0], v[1], v[2]);
+    for (k = 0; k < 3; k++) {
+        tbx_exact_point(&f, k, p[k], 0.0, 0);
+    }
+    return tbx_crosses_exact(&f);
+}
+
 /* tribox_ray_crosses, corners and point finite. */
 TBX_FN int tbx_crosses(double v[3][3], const double p[3])
 {
-    tbx_exact f;
     int sure;
     int k;
     for (k = 0; k < 3; k++) { /* off the triangle's box */
@@ -4773,14 +4860,7 @@ TBX_FN int tbx_crosses(double v[3][3], const double p[3])
         }
     }
     sure = tbx_crosses_filter(v, p);
-    if (sure >= 0) {
-        return sure;
-    }
-    tbx_exact_corners(&f, v[0], v[1], v[2]);
-    for (k = 0; k < 3; k++) {
-        tbx_exact_point(&f, k, p[k], 0.0, 0);
-    }
-    return tbx_crosses_exact(&f);
+    return sure >= 0 ? sure : tbx_crosses_unsure(v, p);
 }
 
 TRIBOX_FN int tribox_ray_crosses(const float v0[3], const float v1[3], const float v2[3],
@@ -4934,7 +5014,7 @@ TBX_COLD int tbx_solid_sign(const tbx_solid_tri *t, const tbx_growing *g, const 
     }
     if (g->id > 3) {
         const double *face = g->id == 4 ? t->least : t->most;
-        const tbx_coord bound = tbx_at_number(&face[g->axis]);
+        const tbx_coord bound = tbx_at(&face[g->axis], NULL, 0);
         return tbx_compare(&f.x[TBX_MID][g->axis], &bound);
     }
     tbx_exact_finish(&f);
@@ -5454,11 +5534,6 @@ typedef struct tbx_real {
 
 #define TBX_KEY_INFINITY ((int64_t)2047 << 52)
 
-TBX_FN uint64_t tbx_magnitude64(int64_t key)
-{
-    return key < 0 ? (uint64_t)0 - (uint64_t)key : (uint64_t)key;
-}
-
 TBX_FN int tbx_key_sign(int64_t key)
 {
     return (key > 0) - (key < 0);
@@ -5693,183 +5768,13 @@ TBX_FN int tbx_box_valid(const tbx_real lo[3], const tbx_real hi[3])
     return valid;
 }
 
-/* ---- numbers of the two runs */
-
-/* WebAssembly multiplies 128 bits by a function of a library, which there need not be. */
-#if TBX_GNU && defined(__SIZEOF_INT128__) && !defined(__CUDACC__) && !defined(__HIP__) && !defined(__wasm__)
-typedef uint64_t tbx_limb;
-__extension__ typedef unsigned __int128 tbx_two_limbs;
-#define TBX_LIMB_BITS 64
-#else
-typedef uint32_t tbx_limb;
-typedef uint64_t tbx_two_limbs;
-#define TBX_LIMB_BITS 32
-#endif
+/* ---- numbers of the two runs: tbx_num, whose integers are those of section 5 */
 
 /* The limbs of the numbers of one run in integers; at most 12 KiB are ever used (the tests look). A number of degree d
  * takes at most 280 d + 8 bits from floats, 2100 d + 8 from doubles, and two limbs for its unaligned ends. */
 #define TBX_STORE (98304 / TBX_LIMB_BITS)
 
-typedef struct tbx_calc {
-    int exact;       /* which of the two runs */
-    int unsure;      /* some sign was not certain: what follows means nothing */
-    int used;        /* limbs of the store */
-    tbx_limb *store; /* in integers */
-} tbx_calc;
-
-/* A value of either run. Limbs are never changed once they are written, so numbers may be copied. */
-typedef struct tbx_num {
-    double mid; /* in double */
-    double rad;
-    int sign; /* in integers: sign * sum of store[at + i] * base^(exponent + i), i < n, base 2^LIMB_BITS */
-    int exponent;
-    int at;
-    int n; /* the first and the last limb are not 0; no limbs, no sign, for 0 */
-} tbx_num;
-
-/* Ends a number whose n limbs were written at the end of the store: drops zeros at both ends. */
-TBX_FN void tbx_num_end(tbx_calc *c, tbx_num *r, int n, int exponent, int sign)
-{
-    r->at = c->used;
-    c->used += n;
-    while (n > 0 && c->store[r->at + n - 1] == 0) {
-        n--;
-    }
-    while (n > 0 && c->store[r->at] == 0) {
-        r->at++;
-        exponent++;
-        n--;
-    }
-    r->mid = 0.0; /* unused; compilers warn of what they cannot see */
-    r->rad = 0.0;
-    r->n = n;
-    r->exponent = exponent;
-    r->sign = n == 0 ? 0 : sign;
-}
-
-/* Moves a number's limbs. */
-TBX_FN void tbx_num_move(const tbx_calc *c, tbx_num *r, int at)
-{
-    int i;
-    for (i = 0; i < r->n; i++) {
-        c->store[at + i] = c->store[r->at + i];
-    }
-    r->at = at;
-}
-
-/* Gives back what was used since `mark`, but for the numbers r, in the order in which they were made, whose
- * limbs are moved there. */
-TBX_FN void tbx_num_keep(tbx_calc *c, int mark, tbx_num *r, int count)
-{
-    int i;
-    for (i = 0; i < count && c->exact; i++) {
-        tbx_num_move(c, &r[i], mark);
-        mark += r[i].n;
-    }
-    c->used = mark;
-}
-
-/* r = mantissa * 2^exponent */
-TBX_NOINLINE void tbx_num_set_exact(tbx_calc *c, tbx_num *r, int64_t mantissa, int exponent)
-{
-    uint64_t rest = tbx_magnitude64(mantissa);
-    const int limb = (exponent + 128 * TBX_LIMB_BITS) / TBX_LIMB_BITS - 128; /* rounded down */
-    const int shift = exponent - limb * TBX_LIMB_BITS;
-    tbx_limb *to = c->store + c->used;
-    tbx_two_limbs carry = 0;
-    int n = 0;
-    while (rest != 0 || carry != 0) {
-        carry += (tbx_two_limbs)(tbx_limb)rest << shift;
-        to[n++] = (tbx_limb)carry;
-        carry >>= TBX_LIMB_BITS;
-        rest = TBX_LIMB_BITS < 64 ? rest >> (TBX_LIMB_BITS & 63) : 0;
-    }
-    tbx_num_end(c, r, n, limb, mantissa < 0 ? -1 : 1);
-}
-
-/* The limb worth base^i. */
-TBX_FN tbx_limb tbx_num_limb(const tbx_calc *c, const tbx_num *a, int i)
-{
-    return i >= a->exponent && i - a->exponent < a->n ? c->store[a->at + i - a->exponent] : 0;
-}
-
-/* The sign of |a| - |b|, from the highest limb down to the one worth base^lo. */
-TBX_FN int tbx_num_order(const tbx_calc *c, const tbx_num *a, const tbx_num *b, int lo, int hi)
-{
-    int i;
-    for (i = hi - 1; i >= lo; i--) {
-        const tbx_limb x = tbx_num_limb(c, a, i);
-        const tbx_limb y = tbx_num_limb(c, b, i);
-        if (x != y) {
-            return x < y ? -1 : 1;
-        }
-    }
-    return 0;
-}
-
-/* r = a + sign * b */
-TBX_NOINLINE void tbx_num_add_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
-{
-    const int b_sign = sign * b->sign;
-    const int a_hi = a->exponent + a->n;
-    const int b_hi = b->exponent + b->n;
-    const int lo = a->exponent < b->exponent ? a->exponent : b->exponent;
-    const int hi = a_hi > b_hi ? a_hi : b_hi;
-    tbx_limb *to = c->store + c->used;
-    tbx_two_limbs carry = 0;
-    int i;
-    if (a->sign == 0 || b_sign == 0) {
-        const int r_sign = a->sign + b_sign;
-        *r = a->sign != 0 ? *a : *b;
-        r->sign = r_sign;
-        return;
-    }
-    if (a->sign == b_sign) {
-        for (i = lo; i < hi; i++) {
-            carry += (tbx_two_limbs)tbx_num_limb(c, a, i) + tbx_num_limb(c, b, i);
-            to[i - lo] = (tbx_limb)carry;
-            carry >>= TBX_LIMB_BITS;
-        }
-        to[hi - lo] = (tbx_limb)carry;
-        tbx_num_end(c, r, hi - lo + 1, lo, b_sign);
-    } else { /* the smaller magnitude from the larger */
-        const int order = tbx_num_order(c, a, b, lo, hi);
-        const tbx_num *large = order < 0 ? b : a;
-        const tbx_num *less = order < 0 ? a : b;
-        for (i = lo; i < hi; i++) {
-            carry = (tbx_two_limbs)tbx_num_limb(c, large, i) - tbx_num_limb(c, less, i) - carry;
-            to[i - lo] = (tbx_limb)carry;
-            carry = carry >> TBX_LIMB_BITS & 1u;
-        }
-        tbx_num_end(c, r, hi - lo, lo, order < 0 ? b_sign : a->sign);
-    }
-}
-
-/* r = a * b */
-TBX_NOINLINE void tbx_num_mul_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b)
-{
-    const tbx_limb *x = c->store + a->at;
-    const tbx_limb *y = c->store + b->at;
-    tbx_limb *to = c->store + c->used;
-    const int n = a->n;
-    const int m = b->n;
-    int i;
-    int j;
-    for (i = 0; i < m; i++) {
-        to[i] = 0;
-    }
-    for (i = 0; i < n && m > 0; i++) {
-        tbx_two_limbs carry = 0;
-        for (j = 0; j < m; j++) {
-            carry += (tbx_two_limbs)x[i] * y[j] + to[i + j];
-            to[i + j] = (tbx_limb)carry;
-            carry >>= TBX_LIMB_BITS;
-        }
-        to[i + m] = (tbx_limb)carry;
-    }
-    tbx_num_end(c, r, n > 0 && m > 0 ? n + m : 0, a->exponent + b->exponent, a->sign * b->sign);
-}
-
+/* WebAssembly multiplies 128 bits by a function of a library, which there need not be. */
 /* |a|, not 0, as out_value * 2^(the exponent returned), out_value in [1, 2^33), to within 2^-32 (2^-20 where
  * double arithmetic has 24 bits) of itself: its highest 96 bits. */
 TBX_COLD int tbx_num_value_exact(const tbx_calc *c, const tbx_num *a, double *out_value)
@@ -16314,7 +16219,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_EVAL_METHOD
 #undef TBX_DOUBLE_IS_53_BITS
 #undef TBX_POW2
-#undef TBX_LIMBS
+#undef TBX_SIGN_STORE
 #undef TBX_OCTANTS_UNSURE
 #undef TBX_TRI_ULPS
 #undef TBX_NORMAL_ULPS
