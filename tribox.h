@@ -1232,9 +1232,10 @@ TBX_NOINLINE void tbx_num_mul_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, c
  *
  * Width: a finite double is a multiple of 2^-1074 below 2^1024. |half| <= 2^32, so a coordinate times 2^1075
  * is below 2^(1024 + 33 + 1075) = 2^2132. A difference of two has at most 2133 bits, R with two limbs for its unaligned
- * ends; a determinant of degree d takes at most d R. A question keeps 15 differences; most more are held at one time
- * in tbx_orient3_long: the sum, 3 R, and in tbx_num_orient2 the first product, 2 R, two differences, R each, their
- * product, 2 R, and the difference of products, 2 R: 15 R + 11 R. */
+ * ends; a determinant of degree d takes at most d R. A question keeps 15 differences. Besides,
+ * tbx_orient3_long holds the sum, 3 R, and either what tbx_num_orient2 needs, 6 R (a product, 2 R, with two differences,
+ * R each, and their product, 2 R, or with that and the difference of products, 2 R), or the next term and the new sum,
+ * 6 R: 15 R + 9 R. */
 #define TBX_SIGN_STORE(count) ((count) * (2133 + 128) / TBX_LIMB_BITS + 1)
 
 typedef struct tbx_coord {
@@ -1357,7 +1358,7 @@ typedef struct tbx_exact {
     tbx_calc calc;
     int e;
     int is_short;
-    tbx_limb store[TBX_SIGN_STORE(26)];
+    tbx_limb store[TBX_SIGN_STORE(24)];
 } tbx_exact;
 
 /* The differences of the long path. */
@@ -1440,11 +1441,13 @@ TBX_NOINLINE tbx_num tbx_num_orient2(tbx_calc *c, const tbx_exact *f, int x, int
     for (sign = 1; sign >= -1; sign -= 2) {
         const int k = sign > 0 ? x : y;
         const int l = sign > 0 ? y : x;
+        const int mark_u = c->used;
         tbx_num u;
         tbx_num v;
         tbx_num_add_exact(c, &u, &f->d[b][k], &f->d[a][k], -1);
         tbx_num_add_exact(c, &v, &f->d[sign > 0 ? qy : qx][l], &f->d[a][l], -1);
         tbx_num_mul_exact(c, &u, &u, &v);
+        tbx_num_keep(c, mark_u, &u, 1);
         tbx_num_add_exact(c, &r, &r, &u, sign);
         tbx_num_keep(c, mark, &r, 1);
     }
@@ -1464,8 +1467,10 @@ TBX_COLD int tbx_orient3_long(const tbx_exact *f, const int q[3])
     int a;
     tbx_num_set_exact(&c, &sum, 0, 0);
     for (a = 0; a < 3; a++) {
+        const int mark = c.used;
         tbx_num n = tbx_num_orient2(&c, f, (a + 1) % 3, (a + 2) % 3, 0, 1, 2, 2);
         tbx_num_mul_exact(&c, &n, &n, &f->d[q[a]][a]);
+        tbx_num_keep(&c, mark, &n, 1);
         tbx_num_add_exact(&c, &sum, &sum, &n, 1);
         tbx_num_keep(&c, f->calc.used, &sum, 1);
     }
