@@ -10449,9 +10449,10 @@ TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[
     const tbx_f4 p1 = tbx_load3(v1);
     const tbx_f4 p2 = tbx_load3(v2);
     const tbx_i4 sizes = (tbx_i4)tbx_load3(size);
+    /* sizes of -0 wrap, as unsigned */
     const tbx_i4 far_off = tbx_above(tbx_abs4(p0), most) | tbx_above(tbx_abs4(p1), most) |
                            tbx_above(tbx_abs4(p2), most) | tbx_above((tbx_f4)sizes, most) |
-                           (sizes - tbx_splat_int(hi_is_open));
+                           (tbx_i4)((tbx_u4)sizes - (tbx_u4)tbx_splat_int(hi_is_open));
     if (TBX_RARELY((tbx_signs(far_off | sizes) & 7) != 0)) {
         return 0;
     }
