@@ -16234,6 +16234,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_VALUE
 #undef TBX_EDGES
 #undef TBX_NO_EXPONENT
+#undef TBX_NO_SKIP
 #undef TBX_ALL_AXES
 #undef TBX_ULPS
 #undef TBX_U32
