@@ -11264,7 +11264,7 @@ TBX_FN void tbx_group_pad(tbx_group *g)
     }
 }
 
-#define TBX_BLOCK 64 /* the stack stays below 16 KiB */
+#define TBX_BLOCK 72 /* the stack stays below 16 KiB */
 
 /* What a triangle leaves for the row walk: how many triangles before the next block's first it is, and its
  * rows and layers. */
