@@ -143,12 +143,15 @@ tidy() {
 
 # uninitvar: does not see that a door writes what a void pointer names; selfAssignment: it is volatile, a barrier;
 # compareBoolExpressionWithInt: compares the order of two numbers with a flag, on purpose
+# The numbers of <float.h>, which it does not find, are told: else it would stop at an #error and say nothing.
 # missingIncludeSystem, toomanyconfigs, normalCheckLevelMaxBranches: remarks on its own limits
 check_cpp() {
     cppcheck --quiet --error-exitcode=1 --std=c99 --enable=warning,performance,portability --inline-suppr \
         --suppress=uninitvar --suppress=selfAssignment --suppress=compareBoolExpressionWithInt \
         --suppress=missingIncludeSystem --suppress=toomanyconfigs --suppress=normalCheckLevelMaxBranches \
-        -I. "$CHECK_DIR/header/alone.c"
+        -DFLT_RADIX=2 -DFLT_MANT_DIG=24 -DFLT_MIN_EXP=-125 -DFLT_MAX_EXP=128 -DFLT_EVAL_METHOD=0 \
+        -DDBL_MANT_DIG=53 -DDBL_MIN_EXP=-1021 -DDBL_MAX_EXP=1024 -D__GNUC__=12 -D__x86_64__ -D__SSE2__ \
+        -DTRIBOX_SIMD=0 -I. "$CHECK_DIR/header/alone.c"
 }
 export -f tidy check_cpp
 
