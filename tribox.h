@@ -16217,6 +16217,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_KEEP_VECTOR
 #undef TBX_KEEP_POINTER
 #undef TBX_NO_SKIP
+#undef TBX_PRECISE_FINE
 #undef TBX_VECTOR_PLACE
 #undef TBX_HAS_ASM
 #undef TBX_HAS_VECTORS
