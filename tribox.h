@@ -10967,8 +10967,8 @@ TBX_FORCED void tbx_load_corners(tbx_points out[3], const tbx_source *s, const s
  * of a grid plane, boxes not all in the region, and corners that are not finite or beyond `far` take the
  * careful way: X = v * inverse - origin / size, plus MARGIN: the product is off by 2 u |v| * inverse, the
  * constant by u |origin| / size, the sum by u |X|, where v lies within MARGIN of the region; doubles add less
- * than 1e-9. Subnormals read as zero move X by less than 2^-126 * inverse, inverse <= 2^60. What that leaves
- * unsure is asked exactly.
+ * than 1e-9, and the corners of doubles `rounded`, which is what they took to become floats. Subnormals read as
+ * zero move X by less than 2^-126 * inverse, inverse <= 2^60. What that leaves unsure is asked exactly.
  *
  * A grid plane i is high + low, where high = base_high + i * size_high is exact: both are multiples of
  * `spacing`, and with them every high is, below 2^24 of it. low = base_low + i * size_low, at most
@@ -11187,7 +11187,7 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
         const double rounded = is_double ? 1.01 * u * (0.5 * n + 34.0 + u * tbx_abs(from) * units) : 0.0;
         const double start = tbx_abs(origin) * units;
         const double end = tbx_abs(origin * units + n);
-        const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + 1e-9;
+        const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + rounded + 1e-9;
         const double base = origin + size;
         const double before = tbx_abs(origin - margin * size);
         const double last = tbx_abs(origin + (n + 2.0 * margin) * size);
