@@ -40,9 +40,8 @@
  * LIMITS           Answers do not depend on compiler, optimisation, fast-math, FMA, rounding mode, x87, or
  *                  flush-to-zero (subnormals still count). A caller compiled with -ffinite-math-only cannot
  *                  pass a NaN or an infinity by value (t_min, t_max, d, radii), nor read tribox_gap's infinity.
- *                  Voxel indices are int, INT_MAX excluded. Functions raise "inexact" and "underflow"; other
- *                  exceptions only tribox_sat, and clang 16 at -Oz, rarely, in lanes that nobody reads. Needs
- *                  IEEE 754 formats; on Alpha -mieee.
+ *                  Voxel indices are int, INT_MAX excluded. Only "inexact" and "underflow" are raised, but by
+ *                  tribox_sat, and rarely by clang 16 at -Oz. Needs IEEE 754 formats; on Alpha -mieee.
  *
  * REFERENCES       [AM01] Akenine-Moller, Fast 3D triangle-box overlap testing, JGT 6(1), 2001
  *                  [SS10] Schwarz, Seidel, Fast parallel surface and solid voxelization, ACM TOG 29(6), 2010
@@ -4731,16 +4730,6 @@ TBX_FN const void *tbx_corner(const tribox_mesh *mesh, size_t t, int c)
     return (const char *)mesh->positions + (mesh->indices != NULL ? (size_t)mesh->indices[at] : at) * stride;
 }
 
-TBX_FN void tbx_mesh_corner(const tribox_mesh *mesh, size_t t, int c, double out_v[3])
-{
-    float x[3];
-    int k;
-    TBX_COPY(x, tbx_corner(mesh, t, c), sizeof x);
-    for (k = 0; k < 3; k++) {
-        tbx_widen(&out_v[k], x + k);
-    }
-}
-
 /* ---- Solid
  *
  * A ray from c toward -x crosses a triangle iff, for c + (e, e^2, e^3) and every small enough e > 0, it meets
@@ -6468,8 +6457,8 @@ TBX_FOR_FORMAT int tbx_slabs_filter(const tbx_ray_ask *a, double t[2], int axis[
     double last[4];
     double error;
     int outside = 0;
-    int doubt = tbx_read(t_end, a->t, 2, format);
-    if (!TBX_DOUBLE_IS_53_BITS || doubt || tbx_key_is_nan(t_end[0].key) || tbx_key_is_nan(t_end[1].key) ||
+    int unsure = tbx_read(t_end, a->t, 2, format);
+    if (!TBX_DOUBLE_IS_53_BITS || unsure || tbx_key_is_nan(t_end[0].key) || tbx_key_is_nan(t_end[1].key) ||
         (tbx_scan3(a->origin, format) | tbx_scan3(a->dir, format) | tbx_scan3(a->box_min, format) |
          tbx_scan3(a->box_max, format)) < 0) {
         return TBX_UNSURE;
@@ -6478,9 +6467,9 @@ TBX_FOR_FORMAT int tbx_slabs_filter(const tbx_ray_ask *a, double t[2], int axis[
     tbx_take3(x[1], a->dir, format);
     tbx_take3(x[2], a->box_min, format);
     tbx_take3(x[3], a->box_max, format);
-    doubt = tbx_slab_times(x, 0, &first[0], &last[0], &outside);
-    doubt |= tbx_slab_times(x, 1, &first[1], &last[1], &outside);
-    doubt |= tbx_slab_times(x, 2, &first[2], &last[2], &outside);
+    unsure = tbx_slab_times(x, 0, &first[0], &last[0], &outside);
+    unsure |= tbx_slab_times(x, 1, &first[1], &last[1], &outside);
+    unsure |= tbx_slab_times(x, 2, &first[2], &last[2], &outside);
     first[3] = tbx_slab_limit(&t_end[0]);
     last[3] = tbx_slab_limit(&t_end[1]);
     t[0] = first[0] > first[1] ? first[0] : first[1];
@@ -6490,7 +6479,7 @@ TBX_FOR_FORMAT int tbx_slabs_filter(const tbx_ray_ask *a, double t[2], int axis[
     t[0] = first[3] > t[0] ? first[3] : t[0];
     t[1] = last[3] < t[1] ? last[3] : t[1];
     error = TBX_SLAB_ERROR * (tbx_abs(t[0]) + tbx_abs(t[1]));
-    if (doubt) {
+    if (unsure) {
         return TBX_UNSURE;
     }
     if (outside | (t[0] - t[1] > error)) {
@@ -7426,7 +7415,7 @@ typedef struct tbx_gap {
 TBX_FN void tbx_gap_measure(tbx_calc *c, tbx_gap *a)
 {
     double y;
-    double doubt;
+    double root_error;
     if (c->exact) {
         return;
     }
@@ -7435,9 +7424,9 @@ TBX_FN void tbx_gap_measure(tbx_calc *c, tbx_gap *a)
         return;
     }
     y = tbx_inverse_root(a->square.mid);
-    doubt = a->square.rad * y * y * 1.5;
+    root_error = a->square.rad * y * y * 1.5;
     a->s = a->g.mid * y;
-    a->error = 3.0 * a->g.rad * y + (doubt + 1.0 / 70368744177664.0) * tbx_abs(a->s);
+    a->error = 3.0 * a->g.rad * y + (root_error + 1.0 / 70368744177664.0) * tbx_abs(a->s);
     if (a->g.rad == 0.0 && a->square.rad == 0.0 && a->square.mid == 1.0) {
         a->error = 0.0; /* a face: s = g */
     }
@@ -9794,12 +9783,6 @@ TBX_FN tbx_f4 tbx_abs4(tbx_f4 a)
     return (tbx_f4)tbx_magnitude(a);
 }
 
-/* Towards zero, as floats; magnitudes below 2^31. */
-TBX_FN tbx_f4 tbx_truncate(tbx_f4 a)
-{
-    return __builtin_convertvector(__builtin_convertvector(a, tbx_i4), tbx_f4);
-}
-
 /* r_i = |e_b| h_c + |e_c| h_b, as z, x, y; e absolute */
 TBX_FN tbx_f4 tbx_radius4(tbx_f4 e, tbx_f4 h, tbx_f4 h_yzx)
 {
@@ -9978,8 +9961,8 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
             /* h < 0: a face parts them, or min > max */
             const int miss = tbx_signs((tbx_i4)(tbx_min4(h, value + bound) < zero)) != 0;
             const int at_face = rule ? tbx_signs((lo >= t_max) | (t_min >= hi) | (lo >= hi)) & 7 : 0;
-            const int doubt = (tbx_signs((tbx_i4)(value - bound)) | at_face) != 0;
-            const int open = doubt & !miss;
+            const int unsure = (tbx_signs((tbx_i4)(value - bound)) | at_face) != 0;
+            const int open = unsure & !miss;
             /* one branch, hardly ever taken: miss alone is a coin toss */
             if (TBX_RARELY((refused != 8) | open)) {
                 int found = TBX_UNSURE;
@@ -10227,8 +10210,8 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
         const int refused = tbx_signs2(z.refused) | tbx_signs2(xy.refused) << 2;
         const int miss = tbx_signs2(faces | axes) != 0;
         const int at_face = rule ? tbx_signs2(xy.at_face) | (tbx_signs2(z.at_face) & 1) : 0;
-        const int doubt = (tbx_signs2(below) | at_face) != 0;
-        const int open = doubt & !miss;
+        const int unsure = (tbx_signs2(below) | at_face) != 0;
+        const int open = unsure & !miss;
         if (TBX_RARELY((refused != 2) | open)) {
             if (open || (refused & ~2) != 0 || !tbx_all_usual(v0, v1, v2, box_min, box_max)) {
                 return TBX_UNSURE;
@@ -10669,9 +10652,9 @@ TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
         const unsigned asked = ~(tbx_lower_halves((unsigned)tbx_signs(out) & 7u) |
                                  tbx_upper_halves((unsigned)tbx_signs(out_up) & 7u)) &
                                0xffu;
-        unsigned doubt;
-        const unsigned hits = tbx_octant_lanes(tri, lower, upper, &doubt);
-        if (TBX_RARELY(((doubt & asked) | (unsigned)tbx_signs(unsure)) != 0)) {
+        unsigned unsure_octants;
+        const unsigned hits = tbx_octant_lanes(tri, lower, upper, &unsure_octants);
+        if (TBX_RARELY(((unsure_octants & asked) | (unsigned)tbx_signs(unsure)) != 0)) {
             return TBX_OCTANTS_UNSURE;
         }
         return hits & asked;
@@ -11268,13 +11251,13 @@ TBX_FN void tbx_group_pad(tbx_group *g)
 
 /* What a triangle leaves for the row walk: how many triangles before the next block's first it is, and its
  * rows and layers. */
-typedef struct tbx_doubt {
+typedef struct tbx_later {
     uint16_t back;
     uint16_t first[2];
     uint16_t last[2];
-} tbx_doubt;
+} tbx_later;
 
-/* What the ways of a fill share. Doubts wait until the stack is free of all else. */
+/* What the ways of a fill share. What is unsure waits until the stack is free of all else. */
 typedef struct tbx_fill {
     tbx_group rows[2]; /* boxes of up to FEW^3, ROWS^3 */
     tbx_group again;   /* of up to 4^3, unsure in floats */
@@ -11284,18 +11267,18 @@ typedef struct tbx_fill {
     tbx_quick quick;
     size_t next;       /* the first triangle of the next block */
     int on_planes;     /* the last block's boxes were mostly beside grid planes */
-    int doubts;        /* a block's, and of what waited in groups, at most */
-    tbx_doubt doubt[TBX_BLOCK + 3 * TBX_WIDE];
+    int later_count;   /* a block's, and of what waited in groups, at most */
+    tbx_later later[TBX_BLOCK + 3 * TBX_WIDE];
 } TBX_ALIGNED tbx_fill;
 
-TBX_FN tbx_doubt *tbx_fill_later(tbx_fill *fill, size_t triangle)
+TBX_FN tbx_later *tbx_fill_later(tbx_fill *fill, size_t triangle)
 {
-    tbx_doubt *d = &fill->doubt[fill->doubts];
+    tbx_later *d = &fill->later[fill->later_count];
     d->back = (uint16_t)(fill->next - triangle);
     d->first[0] = d->first[1] = 0;
     d->last[0] = (uint16_t)(fill->quick.n[1] - 1);
     d->last[1] = (uint16_t)(fill->quick.n[2] - 1);
-    fill->doubts++;
+    fill->later_count++;
     return d;
 }
 
@@ -12859,7 +12842,7 @@ TBX_FORCED tbx_fw tbx_precise_edge(const tbx_precise_axis *a, int i, int j)
 }
 
 /* Lanes in which corners i and j differ on an axis by less than the rests are off by, d as computed. */
-TBX_FORCED tbx_iw tbx_precise_doubt(const tbx_precise_axis *a, int i, int j, tbx_fw d)
+TBX_FORCED tbx_iw tbx_precise_unsure(const tbx_precise_axis *a, int i, int j, tbx_fw d)
 {
     const tbx_fw error =
         (tbx_wide_abs(a->rest[i]) + tbx_wide_abs(a->rest[j])) * tbx_wide_all(TBX_PRECISE_ERROR);
@@ -12872,12 +12855,12 @@ TBX_FORCED tbx_iw tbx_precise_same(tbx_fw v, tbx_fw w)
     return (tbx_iw)v == (tbx_iw)w;
 }
 
-/* E of the edge from i to j, of which the whole part is 0, at the inner grid point k, l, in lanes *doubt, once more: in
+/* E of the edge from i to j, of which the whole part is 0, at the inner grid point k, l, in lanes *unsure, once more: in
  * double, where decimals that are off by the same float are not. Rests are right to 2^-43, what is made of them to
- * 2^-41. Lanes that are sure now leave *doubt, E is then of the right sign. */
+ * 2^-41. Lanes that are sure now leave *unsure, E is then of the right sign. */
 #define TBX_PRECISE_FINE (1.0 / 1099511627776.0) /* 2^-40 */
 
-TBX_NOINLINE void tbx_precise_finer(tbx_fw *e, tbx_iw *doubt, const tbx_precise_axis *x,
+TBX_NOINLINE void tbx_precise_finer(tbx_fw *e, tbx_iw *unsure, const tbx_precise_axis *x,
                                     const tbx_precise_axis *y, int i, int j, int k, int l)
 {
     const double at_x = (double)k * (double)TBX_PIECES;
@@ -12899,8 +12882,8 @@ TBX_NOINLINE void tbx_precise_finer(tbx_fw *e, tbx_iw *doubt, const tbx_precise_
         sum = (part[0] + part[1]) + (part[2] + part[3]);
         bound = (tbx_abs(part[0]) + tbx_abs(part[1])) + (tbx_abs(part[2]) + tbx_abs(part[3]));
         bound *= TBX_PRECISE_FINE;
-        if ((*doubt)[lane] != 0 && x_i * y_j == y_i * x_j && (sum > bound || sum < -bound)) {
-            (*doubt)[lane] = 0;
+        if ((*unsure)[lane] != 0 && x_i * y_j == y_i * x_j && (sum > bound || sum < -bound)) {
+            (*unsure)[lane] = 0;
             (*e)[lane] = sum > 0.0 ? 1.0f : -1.0f;
         }
     }
@@ -12963,8 +12946,8 @@ TBX_NOINLINE tbx_fw tbx_precise_edges(tbx_missed *m, const tbx_precise_axis *x, 
         int k;
         int l;
         /* the sign of d where it is not 0 and less than the rests are off by */
-        m->unsure |= tbx_precise_doubt(x, i, j, d_b) & ~across;
-        m->unsure |= tbx_precise_doubt(y, i, j, d_c) & ~across;
+        m->unsure |= tbx_precise_unsure(x, i, j, d_b) & ~across;
+        m->unsure |= tbx_precise_unsure(y, i, j, d_c) & ~across;
         for (l = 0; l < y->points; l++) {
             const tbx_fw p = tbx_wide_all((float)l) * pieces;
             const tbx_fw h0 = x->rest[i] * (tbx_precise_kept(y->place[j] - p) + y->rest[j]);
@@ -12987,14 +12970,14 @@ TBX_NOINLINE tbx_fw tbx_precise_edges(tbx_missed *m, const tbx_precise_axis *x, 
                 const tbx_iw inside = (x->extent > tbx_wide_int(k)) & (y->extent > tbx_wide_int(l)) & edge;
                 const tbx_iw tie =
                     diagonal[i] & diagonal[j] & (x_i == y->place[i] - o) & (x_j == y->place[j] - o);
-                tbx_iw doubt = (tbx_wide_abs(e) <= g_error + h_error[l]) & inside & ((any & ~tie) | open);
+                tbx_iw unsure = (tbx_wide_abs(e) <= g_error + h_error[l]) & inside & ((any & ~tie) | open);
                 const int up = (b == 2 ? 0 : k * TBX_STRIDE(4, b)) + (c == 2 ? 0 : l * TBX_STRIDE(4, c));
                 tbx_iw outside;
-                if (TBX_RARELY(tbx_wide_any(doubt))) {
-                    tbx_precise_finer(&e, &doubt, x, y, i, j, k, l);
+                if (TBX_RARELY(tbx_wide_any(unsure))) {
+                    tbx_precise_finer(&e, &unsure, x, y, i, j, k, l);
                 }
                 outside = ((e < zero) ^ sign) & (e != zero) & inside & ~tie;
-                m->unsure |= doubt;
+                m->unsure |= unsure;
                 tbx_group_miss(m, tbx_wide_up(cell, up) & outside, 4, b == 2 ? k : c == 2 ? l : -1);
             }
         }
@@ -13009,7 +12992,7 @@ TBX_NOINLINE void tbx_precise_plane(tbx_missed *m, const tbx_precise_axis axis[3
     const tbx_fw pieces = tbx_wide_all(TBX_PIECES);
     const tbx_fw zero = tbx_wide_all(0.0f);
     const tbx_iw whole = axis[0].whole & axis[1].whole & axis[2].whole;
-    const tbx_iw doubtful = ~whole | tbx_wide_int(closed - 1);
+    const tbx_iw may_be_unsure = ~whole | tbx_wide_int(closed - 1);
     tbx_iw cell = tbx_wide_int(-1);
     tbx_iw other = cell;
     tbx_fw d = zero;
@@ -13046,7 +13029,7 @@ TBX_NOINLINE void tbx_precise_plane(tbx_missed *m, const tbx_precise_axis axis[3
                                       (axis[1].extent > tbx_wide_int(y)) &
                                       (axis[2].extent > tbx_wide_int(z)) & ~flat;
                 const tbx_iw missed = tbx_wide_select(value < zero, other, cell) & (value != zero) & inside;
-                m->unsure |= (tbx_wide_abs(value) <= bound) & inside & doubtful;
+                m->unsure |= (tbx_wide_abs(value) <= bound) & inside & may_be_unsure;
                 tbx_group_miss(m, tbx_wide_up(missed, y * 4 + x), 4, z);
             }
         }
@@ -13202,7 +13185,7 @@ TBX_FORCED void tbx_voxels_set(const tbx_bits *to, uint64_t key, uint64_t voxels
  *
  * h = |g| / 2, and in the thin test max(|g| - 1, 0) / 2. The plane does both: M(y, z) = x of the plane over
  * the middle of the row, h = (|n_y| + |n_z|) / (2 |n_x|), thin: max(|n_y| - |n_x|, |n_z| - |n_x|, 0) / (2
- * |n_x|). Each bound is computed twice, less and plus its error; a row where the floors differ is in doubt.
+ * |n_x|). Each bound is computed twice, less and plus its error; a row where the floors differ is unsure.
  * Edges with |d_r| < 1e-18 bound nothing: such an edge crosses its row of cells from end to end, or it is a
  * point, and its other corner's edges are those of a segment.
  *
@@ -13795,7 +13778,7 @@ TBX_FORCED void tbx_layer_set(const tbx_target *t, uint64_t *row, size_t row_wor
 }
 
 /* Adds layer z and its rows first_y..last_y, unless they are none, to what is left of a triangle. */
-TBX_FN void tbx_doubt_add(tbx_doubt *d, int z, int first_y, int last_y)
+TBX_FN void tbx_later_add(tbx_later *d, int z, int first_y, int last_y)
 {
     d->first[0] = (uint16_t)(first_y < d->first[0] ? first_y : d->first[0]);
     d->last[0] = (uint16_t)(last_y > d->last[0] ? last_y : d->last[0]);
@@ -13818,13 +13801,13 @@ TBX_FN void tbx_lane_fill(tbx_fill *fill, const tbx_rows *rows, const tbx_group 
     tbx_lane_bounds x_of_y;
     tbx_lane_bounds x_of_z;
     tbx_lane_bounds y_of_z;
-    tbx_doubt doubt;
+    tbx_later later;
     int start[3];
     int end[3];
     int i;
     int z;
-    doubt.first[0] = doubt.first[1] = 65535;
-    doubt.last[0] = doubt.last[1] = 0;
+    later.first[0] = later.first[1] = 65535;
+    later.last[0] = later.last[1] = 0;
     for (i = 0; i < 3; i++) {
         start[i] = at[i] < 0 ? -at[i] : 0;
         end[i] = count[i] < n[i] - at[i] ? count[i] : n[i] - at[i];
@@ -13843,7 +13826,7 @@ TBX_FN void tbx_lane_fill(tbx_fill *fill, const tbx_rows *rows, const tbx_group 
             continue;
         }
         if (first_y != (int)y_of_z.lo_most[z] - 1 || last_y != (int)y_of_z.hi_least[z] - 1) {
-            tbx_doubt_add(&doubt, at[2] + z, at[1] + first_y, at[1] + last_y);
+            tbx_later_add(&later, at[2] + z, at[1] + first_y, at[1] + last_y);
             continue;
         }
         l.lo_least = tbx_splat(x_of_z.lo_least[z]);
@@ -13865,7 +13848,7 @@ TBX_FN void tbx_lane_fill(tbx_fill *fill, const tbx_rows *rows, const tbx_group 
             if (TBX_RARELY(tbx_any(unsure))) {
                 for (i = from; i <= to; i++) {
                     if (unsure[i] != 0) {
-                        tbx_doubt_add(&doubt, at[2] + z, at[1] + y + i, at[1] + y + i);
+                        tbx_later_add(&later, at[2] + z, at[1] + y + i, at[1] + y + i);
                     }
                 }
                 last |= unsure; /* nothing */
@@ -13874,10 +13857,10 @@ TBX_FN void tbx_lane_fill(tbx_fill *fill, const tbx_rows *rows, const tbx_group 
                           last + tbx_splat_int(at[0] - 1), from, to);
         }
     }
-    if (doubt.first[0] <= doubt.last[0]) {
-        tbx_doubt *later = tbx_fill_later(fill, g->triangle[lane]);
-        doubt.back = later->back;
-        *later = doubt;
+    if (later.first[0] <= later.last[0]) {
+        tbx_later *slot = tbx_fill_later(fill, g->triangle[lane]);
+        later.back = slot->back;
+        *slot = later;
     }
 }
 
@@ -14092,12 +14075,12 @@ TBX_NOINLINE void tbx_fill_block(tbx_fill *fill, size_t t, int count)
 }
 
 /* What the other ways have left. */
-TBX_FN void tbx_fill_doubts(tbx_fill *fill)
+TBX_FN void tbx_fill_all_later(tbx_fill *fill)
 {
     int i;
     int k;
-    for (i = 0; i < fill->doubts; i++) {
-        const tbx_doubt *d = &fill->doubt[i];
+    for (i = 0; i < fill->later_count; i++) {
+        const tbx_later *d = &fill->later[i];
         tbx_part part;
         for (k = 0; k < 2; k++) {
             part.first[k] = d->first[k];
@@ -14105,7 +14088,7 @@ TBX_FN void tbx_fill_doubts(tbx_fill *fill)
         }
         tbx_fill_triangle(fill->frame, fill->source, fill->next - d->back, &part, fill->target);
     }
-    fill->doubts = 0;
+    fill->later_count = 0;
 }
 
 /* All triangles. Returns how many are done: 0 if the grid's numbers are out of range. */
@@ -14116,7 +14099,7 @@ TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, c
     fill.frame = frame;
     fill.source = source;
     fill.target = target;
-    fill.doubts = 0;
+    fill.later_count = 0;
     fill.rows[0].n = fill.rows[1].n = fill.again.n = 0;
     fill.again.lattice = 0;
     fill.rows[0].lattice = fill.rows[1].lattice = 0;
@@ -14131,12 +14114,12 @@ TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, c
         fill.next = t + (size_t)count;
         tbx_fill_block(&fill, t, count);
         t = fill.next;
-        if (t / TBX_BLOCK % 256 == 0 || t == source->triangles) { /* so that a doubt's `back` fits */
+        if (t / TBX_BLOCK % 256 == 0 || t == source->triangles) { /* so that `back` fits */
             tbx_rows_flush_few(&fill, &fill.rows[0]);
             tbx_rows_flush(&fill, &fill.rows[1]);
             tbx_fill_again(&fill, &fill.again);
         }
-        tbx_fill_doubts(&fill);
+        tbx_fill_all_later(&fill);
     }
     return t;
 }
