@@ -39,9 +39,9 @@
  *
  * LIMITS           Answers do not depend on compiler, optimisation, fast-math, FMA, rounding mode, x87, or
  *                  flush-to-zero (subnormals still count). A caller compiled with -ffinite-math-only cannot
- *                  pass a NaN or an infinity by value (t_min, t_max, d, radii), nor read tribox_gap's infinity.
+ *                  pass NaN or infinity by value (t_min, t_max, d, radii), nor read tribox_gap's infinity.
  *                  Voxel indices are int, INT_MAX excluded. Only "inexact" and "underflow" are raised, but by
- *                  tribox_sat, and rarely by clang 16 at -Oz. Needs IEEE 754 formats; on Alpha -mieee.
+ *                  tribox_sat, and rarely by clang 16 -Oz. Needs IEEE 754 formats; on Alpha -mieee.
  *
  * REFERENCES       [AM01] Akenine-Moller, Fast 3D triangle-box overlap testing, JGT 6(1), 2001
  *                  [SS10] Schwarz, Seidel, Fast parallel surface and solid voxelization, ACM TOG 29(6), 2010
@@ -93,8 +93,8 @@ extern "C" {
  *
  * Returns     1 = they share a point, 0 = they do not. NaN or an infinite corner: 0. box_min > box_max: 0.
  * Guarantees  Exact for every input; the same answer with any compiler, flags and rounding mode.
- * Cost        About 90 vector operations (float), 180 (double); within 2^-14 (2^-43) of touching, relative to the
- *             triangle's extent, integers decide: their time grows with the bits that the coordinates span.
+ * Cost        About 90 vector operations (float), 180 (double). Within 2^-14 (2^-43) of touching, relative to
+ *             the triangle's extent, integers decide; their time grows with the bits the coordinates span.
  * Source      [AM01] for the axes; the bound is derived in section 6.
  */
 TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
@@ -138,8 +138,8 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
 /* Structs are laid out in the same way in every file, also where `#pragma pack(1)` is open. */
 #pragma pack(push, 16)
 
-/* Warnings that some users switch on and that this file cannot heed: it is C, where a cast has one form, and its
- * comparisons of numbers for equality are meant. */
+/* Warnings that some users switch on and that this file cannot heed: it is C, where a cast has one form, and
+ * its comparisons of numbers for equality are meant. */
 #if defined(__GNUC__) && !defined(__TINYC__) && !defined(__PCC__) && !defined(__chibicc__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wfloat-equal"
@@ -154,16 +154,17 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
 /* One triangle prepared for boxes [p, p + size]. Read it freely; only the init and resize functions write it.
  *
  * The conditions are those of [SS10], n its normal, n_e and d_e its edge normals and distances, in float, at
- * q = p - ref. In lane a = 0, 1, 2 are edges 0 and 2 as seen along axis a (x, y, z), b and c being the next two axes in
- * cyclic order; in lane 3 is the triangle's plane, n = (n_e_b[0][3], n_e_c[0][3], n_z[3]):
+ * q = p - ref. In lane a = 0, 1, 2 are edges 0 and 2 as seen along axis a (x, y, z), b and c being the next
+ * two axes in cyclic order; in lane 3 is the triangle's plane, n = (n_e_b[0][3], n_e_c[0][3], n_z[3]):
  *
  *   edge 0, plane   value_0 = n_e_b[0]*q_b + n_e_c[0]*q_c + d_e[0], in lane 3 n.q + d_e[0]
  *   edge 2          value_2 = n_e_b[1]*q_b + n_e_c[1]*q_c + d_e[1], in lane 3 d_e[1]
- *   edge 1, plane   d_e[2] - (value_0 + value_2): edge normals add up to zero, and so do the plane's two sides
+ *   edge 1, plane   d_e[2] - (value_0 + value_2): edge normals add up to zero, and so do the plane's two
+ *                   sides
  *
- * Where a p satisfies the faces, a condition fails if its value is < 0, and holds if it is >= 2: each lane is scaled
- * by a power of two such that rounding changes values by less than 1, and 1 is added. Between 0 and 2, integers
- * decide. */
+ * Where a p satisfies the faces, a condition fails if its value is < 0, and holds if it is >= 2: each lane is
+ * scaled by a power of two such that rounding changes values by less than 1, and 1 is added. Between 0 and 2,
+ * integers decide. */
 typedef struct tribox_tri {
     float    ref[4];      /* x, y, z, z of a point beside v[0] */
     float    n_e_b[2][4];
@@ -196,8 +197,8 @@ typedef struct tribox_tri {
  *               infinite). Other bits are ignored.
  *
  * Guarantees  Any init may be followed by any test.
- * Cost        30 ns from floats, also those that come as doubles; 0.5 us from other doubles, where the sign of a
- *             normal's component is within rounding of 0, and without vectors.
+ * Cost        30 ns from floats, also those that come as doubles; 0.5 us from other doubles, where the sign
+ *             of a normal's component is within rounding of 0, and without vectors.
  * Source      [SS10], conservative and 6-separating tests.
  */
 TRIBOX_FN void tribox_tri_init(tribox_tri *tri, const float v0[3], const float v1[3], const float v2[3],
@@ -273,8 +274,8 @@ TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[
  *   mesh     its triangles; indices must be within positions
  *   on_span  called for each span with user and the triangle's number, counted from 0; NULL only counts
  *
- * Returns     The sum of all triangles' voxels: one counts once for each triangle that touches it. Saturates at
- *             SIZE_MAX. 0 for an invalid grid.
+ * Returns     The sum of all triangles' voxels: one counts once for each triangle that touches it. Saturates
+ *             at SIZE_MAX. 0 for an invalid grid.
  * Guarantees  The spans of one triangle are those of tribox_grid_spans, come together and in its order;
  *             triangles come in any order, each at most once. No allocation, less than 16 KiB of stack.
  */
@@ -313,8 +314,8 @@ TRIBOX_FN void tribox_grid_fill_f64(const tribox_grid *grid, const tribox_mesh_f
  *   mesh  any triangles, any winding; indices must be within positions
  *   bits  tribox_grid_words(grid) words; XORed; padding bits are never changed
  *
- * A centre c = origin + (index + 1/2)*size, in real numbers, is inside iff the ray from c toward -x crosses an
- * odd number of triangles, c being taken as c + (e, e^2, e^3) for every small enough e > 0. So no case is
+ * A centre c = origin + (index + 1/2)*size, in real numbers, is inside iff the ray from c toward -x crosses
+ * an odd number of triangles, c being taken as c + (e, e^2, e^3) for every small enough e > 0. So no case is
  * degenerate: a point of a face belongs to the solid iff the first non-zero of the outward normal's x, y, z
  * is negative, and solids that tile space tile the centres. Triangles parallel to x, degenerate ones, and
  * those with a NaN or infinite corner are never crossed.
@@ -322,9 +323,9 @@ TRIBOX_FN void tribox_grid_fill_f64(const tribox_grid *grid, const tribox_mesh_f
  * Guarantees  Exact. Where every edge, as exact points, lies on an even number of triangles (indexed or soup,
  *             any winding, T-junctions whose middle is exact), no row leaks. A z-slab writes exactly its part
  *             of the whole, as with tribox_grid_fill. Where tribox_grid_words is 0, nothing is written.
- * Cost        8 ns for a triangle that holds no centre of a row, seen along x; else 20 to 30 ns for each centre,
- *             with the words from its crossing to the end of a row of 512 voxels (gcc 12 -O2, an EPYC). Without
- *             vectors about ten times the former. Less than 16 KiB of stack.
+ * Cost        8 ns for a triangle that holds no centre of a row, seen along x; else 20 to 30 ns for each
+ *             centre, with the words from its crossing to the end of a row of 512 voxels (gcc 12 -O2, an
+ *             EPYC). Without vectors about ten times the former. Less than 16 KiB of stack.
  * Source      [SS10], solid voxelization.
  */
 TRIBOX_FN void tribox_grid_fill_solid(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits);
@@ -439,7 +440,8 @@ TRIBOX_FN int tribox_segment_box_f64(const double p[3], const double q[3], const
  * Guarantees  Exact. out_t0 is the greatest float (or -infinity) that is <= the exact lower end of the
  *             interval, out_t1 the least float (or infinity) that is >= its upper end.
  * Cost        15 ns; 40 ns where dir has a zero component or without vectors; where both ends are floats, and
- *             within rounding of touching, 0.2 to 1 us; f64: 40 ns, and 0.3 us for each end that is asked for.
+ *             within rounding of touching, 0.2 to 1 us; f64: 40 ns, and 0.3 us for each end that is asked
+ *             for.
  * Source      [KK86], slabs.
  */
 TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
@@ -494,8 +496,8 @@ TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[
  *   flags  TRIBOX_OPEN, with or without TRIBOX_HALF_OPEN: the box is its interior, so that touching does not
  *          count. TRIBOX_THIN, with whatever else, and everything else: closed, as tribox_sweep.
  *
- * Returns     OPEN: 1 = at some t in [0, 1] the triangle meets the interior; a flat box has none: 0. Otherwise
- *             as tribox_sweep.
+ * Returns     OPEN: 1 = at some t in [0, 1] the triangle meets the interior; a flat box has none: 0.
+ *             Otherwise as tribox_sweep.
  * Guarantees  As tribox_sweep; under OPEN, out_t0 and out_t1 round the infimum and the supremum of these t,
  *             and out_axis is (0,0,0) if the interior is met at t = 0, else the first axis whose open
  *             interval begins at the infimum.
@@ -526,11 +528,11 @@ TRIBOX_FN int tribox_sweep_box(const float a_min[3], const float a_max[3], const
  *   box_min, box_max  opposite corners; may be infinite
  *   out_axis          unit vector, from triangle to box, along which that is measured; may be NULL
  *
- * Returns     s = the greatest, over unit vectors u along the axes of tribox_sweep and their opposites, of the
- *             least u.x in the box less the greatest in the triangle. s > 0: apart, by at least s. s = 0: they
- *             touch. s < 0: no shorter move than -s separates them, and the box moved by -s along out_axis
- *             only touches. +infinity if one of them is empty, also for NaN or an infinite corner; -infinity
- *             if all faces are infinite: then no axis is written.
+ * Returns     s = the greatest, over unit vectors u along the axes of tribox_sweep and their opposites, of
+ *             the least u.x in the box less the greatest in the triangle. s > 0: apart, by at least s. s = 0:
+ *             they touch. s < 0: no shorter move than -s separates them, and the box moved by -s along
+ *             out_axis only touches. +infinity if one of them is empty, also for NaN or an infinite corner;
+ *             -infinity if all faces are infinite: then no axis is written.
  * Guarantees  s > 0 exactly where tribox_overlap is 0, s < 0 exactly where, under TRIBOX_OPEN,
  *             tribox_overlap_rule is 1 (a flat box: where the triangle pierces it). s is within 2^-40 of
  *             itself, and a normal double, but its last bits may differ between compilers. out_axis is the
@@ -625,8 +627,8 @@ typedef int (*tribox_voxel_fn)(void *user, int x, int y, int z);
  *   on_voxel   receives the voxels until it returns non-zero; NULL: only counts
  *   user   handed on to on_voxel
  *
- * Returns     how many were emitted, that at which on_voxel stopped included; saturates at SIZE_MAX. A non-finite
- *             end, or an invalid grid: 0.
+ * Returns     how many were emitted, that at which on_voxel stopped included; saturates at SIZE_MAX. A
+ *             non-finite end, or an invalid grid: 0.
  * Guarantees  Exact. Voxels come in the order in which the segment enters them; of those entered at the same
  *             point in the order of z, then y, then x, each ascending where q's coordinate is >= p's, else
  *             descending.
@@ -639,8 +641,8 @@ TRIBOX_FN size_t tribox_grid_segment(const tribox_grid *grid, const double p[3],
 /* Do two spheres share a point?
  *
  *   a, b                centres
- *   a_radius, b_radius  0 (and -0) is a point; below 0 or NaN, or a centre that is not finite: empty; +infinity:
- *                       all of space
+ *   a_radius, b_radius  0 (and -0) is a point; below 0 or NaN, or a centre that is not finite: empty;
+ *                       +infinity: all of space
  *
  * Returns     1 = they share a point, 0 = they do not, or one of them is empty. Spheres are closed.
  * Guarantees  Exact: squares are compared.
@@ -650,8 +652,8 @@ TRIBOX_FN int tribox_sphere_sphere(const float a[3], float a_radius, const float
 
 /* On which side of the plane n.x + d = 0 does the sphere lie?
  *
- * Returns     -1 = it has n.x + d < 0 everywhere, +1 = n.x + d > 0, 0 = it meets the plane. In this order: NaN,
- *             an infinite n or an empty sphere: 2; infinite d, n = 0: the sign of d; r = +infinity: 0.
+ * Returns     -1 = it has n.x + d < 0 everywhere, +1 = n.x + d > 0, 0 = it meets the plane. In this order:
+ *             NaN, an infinite n or an empty sphere: 2; infinite d, n = 0: the sign of d; r = +infinity: 0.
  * Guarantees  Exact.
  */
 TRIBOX_FN int tribox_plane_sphere(const float n[3], float d, const float c[3], float radius);
@@ -670,7 +672,7 @@ TRIBOX_FN int tribox_sphere_triangle(const float c[3], float radius, const float
  *
  *   origin, dir, t_min, t_max   as for tribox_ray_box; dir = 0: all of [t_min, t_max], or none
  *   c, radius                   as for tribox_sphere_sphere; +infinity gives [t_min, t_max]
- *   out_t0, out_t1              bounds of the interval of t inside; may be NULL; untouched when the answer is 0
+ *   out_t0, out_t1              bounds of the interval of t inside; may be NULL; untouched if it answers 0
  *
  * Returns     1 = some t of the interval is inside. What is no ray, and an empty sphere: 0.
  * Guarantees  The answer is exact. The ends, usually irrational, are rounded outward as tribox_ray_box's.
@@ -688,8 +690,9 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #define TBX_HD
 #endif
 
-/* Compilers that know the attributes, builtins and inline assembly of gcc: gcc, clang (also as clang-cl, which
- * is __clang__ without __GNUC__), icc, nvcc's host side. Others say __GNUC__ and know only some of it. */
+/* Compilers that know the attributes, builtins and inline assembly of gcc: gcc, clang (also as clang-cl,
+ * which is __clang__ without __GNUC__), icc, nvcc's host side. Others say __GNUC__ and know only some of
+ * it. */
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(__TINYC__) && !defined(__PCC__) && \
     !defined(__chibicc__)
 #define TBX_GNU 1
@@ -774,8 +777,8 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #define TBX_ROOT 1
 #endif
 
-/* -fpack-struct packs structs in spite of `#pragma pack`: those of vectors ask for their alignment themselves,
- * and have vectors first. */
+/* -fpack-struct packs structs in spite of `#pragma pack`: those of vectors ask for their alignment
+ * themselves, and have vectors first. */
 #if TBX_GNU
 #define TBX_ALIGNED __attribute__((aligned(16)))
 #else
@@ -783,8 +786,8 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #endif
 
 /* x87 and the 68881 compute in registers whose width the processor's control word sets: 24, 53 or 64 bits,
- * whatever the type. Where that may be so, "double" arithmetic is only known to 24 bits: TBX_U64 below is that of
- * a float, and nothing relies on a double sum or product being exact. */
+ * whatever the type. Where that may be so, "double" arithmetic is only known to 24 bits: TBX_U64 below is
+ * that of a float, and nothing relies on a double sum or product being exact. */
 #if defined(__FLT_EVAL_METHOD__)
 #define TBX_EVAL_METHOD __FLT_EVAL_METHOD__
 #elif defined(FLT_EVAL_METHOD)
@@ -807,10 +810,10 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #define TBX_DOUBLE_IS_53_BITS 0
 #endif
 
-/* The door. Compilers reason about floating-point numbers: under -ffast-math they take a parameter for neither
- * NaN nor infinite and fold whatever asks, clang turns tests of a number's bits into comparisons, in which a
- * processor may read subnormals as zero, and -funsafe-math-optimizations (which defines no macro) turns
- * w*(q - v) into w*q - w*v. So after
+/* The door. Compilers reason about floating-point numbers: under -ffast-math they take a parameter for
+ * neither NaN nor infinite and fold whatever asks, clang turns tests of a number's bits into comparisons, in
+ * which a processor may read subnormals as zero, and -funsafe-math-optimizations (which defines no macro)
+ * turns w*(q - v) into w*q - w*v. So after
  *     TBX_KEEP(object)        an object in memory: a number, an array, a struct,
  *     TBX_KEEP_SCALAR(x)      a float or double, in a register where there is a way,
  *     TBX_KEEP_VECTOR(v)      a vector of floats, doubles or integers, likewise,
@@ -851,8 +854,8 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 /* ---- 4. Bits of floating-point numbers ------------------------------------------------------------------
  *
  * Whatever decides is read from the bits, so that no compiler flag (-ffast-math folds x != x) and no
- * processor mode (flush-to-zero reads subnormals as zero) can change it. A number that may be NaN or infinite is
- * passed by address, never by value. */
+ * processor mode (flush-to-zero reads subnormals as zero) can change it. A number that may be NaN or infinite
+ * is passed by address, never by value. */
 
 #if !TBX_GNU
 TBX_FN void tbx_copy(void *dst, const void *src, size_t bytes)
@@ -956,8 +959,8 @@ TBX_FN double tbx_from_bits64(uint64_t bits)
     return x;
 }
 
-/* The integer part of a number in range. clang converts what is converted back later in vectors, whose other lanes
- * hold anything: they would raise invalid. */
+/* The integer part of a number in range. clang converts what is converted back later in vectors, whose other
+ * lanes hold anything: they would raise invalid. */
 TBX_FN int32_t tbx_to_int(double x)
 {
     return (int32_t)tbx_opaque32((uint32_t)(int32_t)x);
@@ -968,7 +971,8 @@ TBX_FN int64_t tbx_to_long(double x)
     return (int64_t)tbx_opaque64((uint64_t)(int64_t)x);
 }
 
-/* a > b, of finite numbers, for several at once: clang compares those in vectors, whose other lanes hold anything. */
+/* a > b, of finite numbers, for several at once: clang compares those in vectors, whose other lanes hold
+ * anything. */
 TBX_FN int tbx_more(double a, double b)
 {
     return (int)tbx_opaque32((uint32_t)(a > b));
@@ -1161,7 +1165,8 @@ TBX_FN tbx_limb tbx_num_limb(const tbx_calc *c, const tbx_num *a, int i)
     return i >= a->exponent && i - a->exponent < a->n ? c->store[a->at + i - a->exponent] : 0;
 }
 
-/* r = a + sign * b. Where signs differ, the magnitudes' difference in two's complement, negated if it is below 0. */
+/* r = a + sign * b. Where signs differ, the magnitudes' difference in two's complement, negated if it is
+ * below 0. */
 TBX_NOINLINE void tbx_num_add_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
 {
     const int b_sign = sign * b->sign;
@@ -1230,11 +1235,11 @@ TBX_NOINLINE void tbx_num_mul_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, c
  * multiples of one power of two 2^e, so every sign asked below is the sign of an integer.
  *
  * Width: a finite double is a multiple of 2^-1074 below 2^1024. |half| <= 2^32, so a coordinate times 2^1075
- * is below 2^(1024 + 33 + 1075) = 2^2132. A difference of two has at most 2133 bits, R with two limbs for its unaligned
- * ends; a determinant of degree d takes at most d R. A question keeps 15 differences. Besides,
- * tbx_orient3_long holds the sum, 3 R, and either what tbx_num_orient2 needs, 6 R (a product, 2 R, with two differences,
- * R each, and their product, 2 R, or with that and the difference of products, 2 R), or the next term and the new sum,
- * 6 R: 15 R + 9 R. */
+ * is below 2^(1024 + 33 + 1075) = 2^2132. A difference of two has at most 2133 bits, R with two limbs for its
+ * unaligned ends; a determinant of degree d takes at most d R. A question keeps 15 differences. Besides,
+ * tbx_orient3_long holds the sum, 3 R, and either what tbx_num_orient2 needs, 6 R (a product, 2 R, with two
+ * differences, R each, and their product, 2 R, or with that and the difference of products, 2 R), or the next
+ * term and the new sum, 6 R: 15 R + 9 R. */
 #define TBX_SIGN_STORE(count) ((count) * (2133 + 128) / TBX_LIMB_BITS + 1)
 
 typedef struct tbx_coord {
@@ -1745,10 +1750,11 @@ enum { TBX_MISS = 0, TBX_HIT = 1, TBX_UNSURE = 2 };
 
 /* The touching rule of a one-box question; THIN means closed there.
  *
- * A rule says which faces of a box are open. It moves exact zeros only, so floating-point bounds never see it. What a
- * rule means stands in: tbx_exact_overlap (which zeros hold), tbx_clip_box and tbx_clip_axis (faces of one box),
- * tbx_tri_start, tbx_tri_test and tbx_octant_faces (of prepared boxes), tbx_frame_init (of a grid, whose lo_is_open
- * and hi_is_open the walk reads); and again, in section 11, tbx_tri_init_simd and tbx_quick_init. */
+ * A rule says which faces of a box are open. It moves exact zeros only, so floating-point bounds never see
+ * it. What a rule means stands in: tbx_exact_overlap (which zeros hold), tbx_clip_box and tbx_clip_axis
+ * (faces of one box), tbx_tri_start, tbx_tri_test and tbx_octant_faces (of prepared boxes), tbx_frame_init
+ * (of a grid, whose lo_is_open and hi_is_open the walk reads); and again, in section 11, tbx_tri_init_simd
+ * and tbx_quick_init. */
 TBX_FN unsigned tbx_rule(unsigned flags)
 {
     return (flags & TRIBOX_THIN) != 0 ? 0u : flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN);
@@ -1803,8 +1809,8 @@ TBX_FN unsigned tbx_is_usual3(const double x[3])
     return tbx_is_usual(&x[0]) & tbx_is_usual(&x[1]) & tbx_is_usual(&x[2]);
 }
 
-TBX_COLD int tbx_all_usual(const double v0[3], const double v1[3], const double v2[3], const double box_min[3],
-                           const double box_max[3])
+TBX_COLD int tbx_all_usual(const double v0[3], const double v1[3], const double v2[3],
+                           const double box_min[3], const double box_max[3])
 {
     return (int)(tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2) & tbx_is_usual3(box_min) &
                  tbx_is_usual3(box_max));
@@ -1818,9 +1824,9 @@ typedef struct tbx_clip {
     unsigned open_hi;
 } tbx_clip;
 
-/* Decides emptiness and the faces of finite corners and any box, on integer keys. Returns 0 if there is nothing
- * left of the box. A face is replaced by the triangle's extent, and then closed, only where it lies strictly
- * outside. */
+/* Decides emptiness and the faces of finite corners and any box, on integer keys. Returns 0 if there is
+ * nothing left of the box. A face is replaced by the triangle's extent, and then closed, only where it lies
+ * strictly outside. */
 TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3], const double v2[3],
                         const double box_min[3], const double box_max[3], unsigned flags)
 {
@@ -1949,15 +1955,17 @@ TBX_FN double tbx_lattice_scale(double extent)
     return tbx_from_bits64((uint64_t)(2046 + 14 - exponent) << 52);
 }
 
-/* Is x, usual or 0 where subnormals are, a multiple of `unit`, a power of two, and below 2^51 of them? The sum
- * with 1.5 * 2^52 of them is the multiple nearest to x, or beside it. Where doubles may have 24 bits, nothing is. */
+/* Is x, usual or 0 where subnormals are, a multiple of `unit`, a power of two, and below 2^51 of them? The
+ * sum with 1.5 * 2^52 of them is the multiple nearest to x, or beside it. Where doubles may have 24 bits,
+ * nothing is. */
 TBX_FN int tbx_is_whole(double x, double unit)
 {
     const double middle = unit * 6755399441055744.0; /* 1.5 * 2^52 */
     double sum = x + middle;
     TBX_KEEP_SCALAR(sum);
     sum -= middle;
-    return TBX_DOUBLE_IS_53_BITS & !(sum < x) & !(sum > x) & (tbx_abs(x) < unit * 2251799813685248.0); /* 2^51 */
+    return TBX_DOUBLE_IS_53_BITS & !(sum < x) & !(sum > x) &
+           (tbx_abs(x) < unit * 2251799813685248.0); /* 2^51 */
 }
 
 /* The same of any x below 2^900, in units of 1/scale; subnormals, which may be read as zero, are none. */
@@ -1980,8 +1988,9 @@ TBX_FN double tbx_extent64(const double v0[3], const double v1[3], const double 
     return tbx_abs(v1[k] - v0[k]) + tbx_abs(v2[k] - v0[k]);
 }
 
-/* Are all values of the filter exact? Of a triangle that is no point: coordinates that are multiples of some unit, and differ by less
- * than 2^15 of it, make them so: the largest, n.m, is below 3 * 2^31 * 2^17 < 2^53 in that unit, cubed. */
+/* Are all values of the filter exact? Of a triangle that is no point: coordinates that are multiples of some
+ * unit, and differ by less than 2^15 of it, make them so: the largest, n.m, is below 3 * 2^31 * 2^17 < 2^53
+ * in that unit, cubed. */
 TBX_FN int tbx_clip_on_lattice(const double v0[3], const double v1[3], const double v2[3],
                                const tbx_clip *clip)
 {
@@ -1997,8 +2006,8 @@ TBX_FN int tbx_clip_on_lattice(const double v0[3], const double v1[3], const dou
     return whole;
 }
 
-/* Do the projections of three usual corners lie on one line? So where they do not move along one of the axes, or
- * if they are whole numbers below 2^25 there, whose products are exact; else unknown, 0. */
+/* Do the projections of three usual corners lie on one line? So where they do not move along one of the axes,
+ * or if they are whole numbers below 2^25 there, whose products are exact; else unknown, 0. */
 TBX_FN int tbx_is_line(const double v0[3], const double v1[3], const double v2[3], int b, int c)
 {
     const double x_b = tbx_extent64(v0, v1, v2, b);
@@ -2024,7 +2033,8 @@ TBX_FN int tbx_is_line(const double v0[3], const double v1[3], const double v2[3
 /* Of usual numbers. */
 TBX_FN int tbx_same_point(const double a[3], const double b[3])
 {
-    return !(a[0] < b[0]) & !(a[0] > b[0]) & !(a[1] < b[1]) & !(a[1] > b[1]) & !(a[2] < b[2]) & !(a[2] > b[2]);
+    return !(a[0] < b[0]) & !(a[0] > b[0]) & !(a[1] < b[1]) & !(a[1] > b[1]) & !(a[2] < b[2]) &
+           !(a[2] > b[2]);
 }
 
 /* The values of a segment, whose edges are one, and which has no plane. */
@@ -2061,9 +2071,10 @@ TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const dou
     return tbx_exact_axes(&f, unsure, clip->open_lo, clip->open_hi);
 }
 
-/* The filter leaves conditions open. Corners that repeat make a segment, which has a filter of its own; values of
- * whole numbers are exact, and 0 where the bound leaves no other (an edge's is a multiple of the unit squared, its
- * bound below 2^-15 of it); a triangle without area has no plane. The rest is said by exact signs. */
+/* The filter leaves conditions open. Corners that repeat make a segment, which has a filter of its own;
+ * values of whole numbers are exact, and 0 where the bound leaves no other (an edge's is a multiple of the
+ * unit squared, its bound below 2^-15 of it); a triangle without area has no plane. The rest is said by exact
+ * signs. */
 TBX_COLD int tbx_clipped_unsure(const double v0[3], const double v1[3], const double v2[3],
                                 const tbx_clip *clip, const tbx_values *filter)
 {
@@ -2098,8 +2109,8 @@ TBX_COLD int tbx_clipped_unsure(const double v0[3], const double v1[3], const do
     return unsure == 0 || tbx_clipped_exact(v0, v1, v2, clip, unsure);
 }
 
-/* The verdict for usual numbers: emptiness and the faces first, then the nine edges and the plane by the filter,
- * and what that leaves open by exact signs. */
+/* The verdict for usual numbers: emptiness and the faces first, then the nine edges and the plane by the
+ * filter, and what that leaves open by exact signs. */
 TBX_NOINLINE int tbx_overlap_usual(const double v0[3], const double v1[3], const double v2[3],
                                    const double box_min[3], const double box_max[3], unsigned flags)
 {
@@ -2348,14 +2359,15 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
 
 /* ---- 7. Prepared triangle ---------------------------------------------------------------------------------
  *
- * [SS10] in a frame at ref, a float beside v_0. With w an edge's inward normal in the plane across axis a, which is
- * (-e_c, e_b) or (e_c, -e_b) by the sign of n_a, and the box at p reaching w.x at most, x in [0, size],
+ * [SS10] in a frame at ref, a float beside v_0. With w an edge's inward normal in the plane across axis a,
+ * which is (-e_c, e_b) or (e_c, -e_b) by the sign of n_a, and the box at p reaching w.x at most, x in [0,
+ * size],
  *
  *   edge i    w.(p - v_i) + support(w) >= 0,     support(w) = max(0, w_b) size_b + max(0, w_c) size_c,
  *   plane     n.(p - v_0) + support(n) >= 0 and the same with -n.
  *
- * Thin: support(w) = (w.size + max |w_k| size_k)/2. Edges 0 and 2 meet in v_0, and of edge 1 v_0 lies |n_a| inside.
- * So with q = p - ref and o = v_0 - ref (0 where v_0 is a float), each is w.q + d,
+ * Thin: support(w) = (w.size + max |w_k| size_k)/2. Edges 0 and 2 meet in v_0, and of edge 1 v_0 lies |n_a|
+ * inside. So with q = p - ref and o = v_0 - ref (0 where v_0 is a float), each is w.q + d,
  *
  *   d = support(w) - w.o, and |n_a| more for edge 1.
  *
@@ -2363,33 +2375,36 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
  *
  *   value_1 = (d_0 + d_1 + d_2) - (value_0 + value_2).
  *
- * Bound. X is the triangle's extent, R = X + size + |o| along an axis, or 2^-30 if that is more: no p that the faces allow
- * is farther from ref.
+ * Bound. X is the triangle's extent, R = X + size + |o| along an axis, or 2^-30 if that is more: no p that
+ * the faces allow is farther from ref.
  * u bounds the error of an operation in every rounding mode, 2^-23. Edges, in units of u and of
  * G = X_b R_c + X_c R_b, which bounds |w_b q_b| + |w_c q_c|, and |d| too, since R holds X, size and o:
  *   w is rounded once: 1. q in octants is p - ref + size, three roundings of at most R: 3. Their products: 1.
  *   d_0, d_2: w, size or o, their product, the sum of at most four: 7; it is the sum stored that counts.
- *   d_1: the same with w_1 = -(w_0 + w_2), 2 more: 9; |n_a| <= X_b X_c <= G/2, of two products of 3 roundings and their
- *   difference, 7/2, and its sum 1: 14.
- *   value_0: 5, two sums of at most 2 G: 4, d_0: 7, together 16, value_2 alike; of value_1 w_0 and w_2: 2, q: 3,
- *   products: 2, the sums in value_0 and value_2: 8, their sum 4, the last difference 2, d_0 + d_1 + d_2: 5, d_1: 14,
- *   together 40.
- * The plane, in units of u and of V = sum X_b X_c R_a, which bounds sum |n_a q_a| and |d|: n_a has 7 of X_b X_c, so
- *   n.q: 7 + 3 + 1: 11; d: 7 + 1 + 1, and 4 sums: 13; value_0: 11, three sums of at most 2 V: 6, d: 13, together 30;
- *   the other side: 11, 6, the sum with value_2 2, the difference 2, d_0 + d_1: 2, d_1: 13, together 36.
- * TRI_ULPS = 60 serves both, and leaves room for terms of second order, for 1 and 2 that are added, and for the
- * rounding of the bound. Conditions are scaled by a power of two that brings their bound to 1/2..1, and 1 is added.
- * Where n is made in double, its own error is below 2^-29 of that of floats: its |n_a| takes the place of X_b X_c.
+ *   d_1: the same with w_1 = -(w_0 + w_2), 2 more: 9; |n_a| <= X_b X_c <= G/2, of two products of 3 roundings
+ *   and their difference, 7/2, and its sum 1: 14.
+ *   value_0: 5, two sums of at most 2 G: 4, d_0: 7, together 16, value_2 alike; of value_1 w_0 and w_2: 2, q:
+ *   3, products: 2, the sums in value_0 and value_2: 8, their sum 4, the last difference 2, d_0 + d_1 + d_2:
+ *   5, d_1: 14, together 40.
+ * The plane, in units of u and of V = sum X_b X_c R_a, which bounds sum |n_a q_a| and |d|: n_a has 7 of X_b
+ * X_c, so
+ *   n.q: 7 + 3 + 1: 11; d: 7 + 1 + 1, and 4 sums: 13; value_0: 11, three sums of at most 2 V: 6, d: 13,
+ *   together 30; the other side: 11, 6, the sum with value_2 2, the difference 2, d_0 + d_1: 2, d_1: 13,
+ *   together 36.
+ * TRI_ULPS = 60 serves both, and leaves room for terms of second order, for 1 and 2 that are added, and for
+ * the rounding of the bound. Conditions are scaled by a power of two that brings their bound to 1/2..1, and 1
+ * is added. Where n is made in double, its own error is below 2^-29 of that of floats: its |n_a| takes the
+ * place of X_b X_c.
  *
- * Edges along an axis ask what the faces ask, under every rule: 2 more is added to them, so that they are sure. The
- * plane asks what the faces ask where two components of n are 0. Where one is, n_a, the edges across a lie on one line
- * and ask about both its sides, as the plane does; so it is left out there too.
+ * Edges along an axis ask what the faces ask, under every rule: 2 more is added to them, so that they are
+ * sure. The plane asks what the faces ask where two components of n are 0. Where one is, n_a, the edges
+ * across a lie on one line and ask about both its sides, as the plane does; so it is left out there too.
  *
- * Underflow, and subnormals read as zero, add at most 2^-126 to a rounding. Every X is 0 or at least 2^-30, every R at
- * most 2^40: where X_b, X_c > 0, G >= 2^-30 R_b and 2^-30 R_c, so the bound, at least 2^-18 G, exceeds 2^-126 R by
- * 2^78; V >= 2^-60 R_a likewise. Where X_b or X_c is 0, all edges across a are along an axis. Nothing overflows: w is at
- * most 2^30 G, and n_a at most 2^30 V, so scaled they are below 2^48, V is below 2^122, and q below 2^41, even where it
- * is that of another p. */
+ * Underflow, and subnormals read as zero, add at most 2^-126 to a rounding. Every X is 0 or at least 2^-30,
+ * every R at most 2^40: where X_b, X_c > 0, G >= 2^-30 R_b and 2^-30 R_c, so the bound, at least 2^-18 G,
+ * exceeds 2^-126 R by 2^78; V >= 2^-60 R_a likewise. Where X_b or X_c is 0, all edges across a are along an
+ * axis. Nothing overflows: w is at most 2^30 G, and n_a at most 2^30 V, so scaled they are below 2^48, V is
+ * below 2^122, and q below 2^41, even where it is that of another p. */
 #if TBX_GNU
 #define TBX_PURE __attribute__((pure))
 #else
@@ -2435,8 +2450,8 @@ TBX_FN int tbx_in_range(const double *x, int least, int most)
     return bits == 0 || bits - ((uint64_t)(1023 + least) << 52) < ((uint64_t)(most - least) << 52);
 }
 
-/* Is s, a rounded a + b, their exact sum? It less the larger one is a double, in every rounding mode: it is the other
- * one if and only if nothing was rounded. */
+/* Is s, a rounded a + b, their exact sum? It less the larger one is a double, in every rounding mode: it is
+ * the other one if and only if nothing was rounded. */
 TBX_FN int tbx_is_sum(double s, double a, double b)
 {
     double without_a;
@@ -2448,8 +2463,8 @@ TBX_FN int tbx_is_sum(double s, double a, double b)
            tbx_key64(&without_b) == tbx_key64(&a);
 }
 
-/* The sign of p + count*size - t, in real numbers; size >= 0, may be infinite, p and t are finite. Rounding is
- * monotone, in every mode: if p - t rounds to above the double -count*size, or to below, it is. */
+/* The sign of p + count*size - t, in real numbers; size >= 0, may be infinite, p and t are finite. Rounding
+ * is monotone, in every mode: if p - t rounds to above the double -count*size, or to below, it is. */
 TBX_FN int tbx_face_sign(const double *p, const double *size, int count, const double *t)
 {
     if (!tbx_is_finite(size)) {
@@ -2474,7 +2489,8 @@ TBX_FN int tbx_face_sign(const double *p, const double *size, int count, const d
     }
 }
 
-/* The key of the least float x for which x + size reaches t, or, if strict, exceeds it. MAX + 1: none does. */
+/* The key of the least float x for which x + size reaches t, or, if strict, exceeds it. MAX + 1: none
+ * does. */
 TBX_FN int32_t tbx_least_key(const double *t, const double *size, int strict)
 {
     int64_t from = -(int64_t)TBX_KEY32_MAX;
@@ -2570,10 +2586,10 @@ TBX_FN void tbx_edges_init(tbx_edges *t, const double v0[3], const double v1[3],
     }
 }
 
-/* The faces of axis k hold for floats with keys least..most. By its bits, read as an integer, a negative float is
- * -2^31 + its magnitude, so that positive floats above `most` are the largest integers. All other integers to refuse
- * follow one another, if -2^31 is taken to follow 2^31 - 1: `shift` moves the last of them to 2^31 - 1, and they are
- * what is above `span`. NaN and infinity are refused, too. */
+/* The faces of axis k hold for floats with keys least..most. By its bits, read as an integer, a negative
+ * float is -2^31 + its magnitude, so that positive floats above `most` are the largest integers. All other
+ * integers to refuse follow one another, if -2^31 is taken to follow 2^31 - 1: `shift` moves the last of them
+ * to 2^31 - 1, and they are what is above `span`. NaN and infinity are refused, too. */
 TBX_FN void tbx_store_faces(tribox_tri *tri, int k, int32_t least, int32_t most)
 {
     const int32_t zero = -2147483647 - 1; /* -0 */
@@ -2913,7 +2929,8 @@ TBX_COLD int tbx_tri_decide(const tribox_tri *tri, const double p[3], unsigned o
         one_box = one_box && (!upper || tbx_exact_sum(&lo[k], &p[k], &size[k])) &&
                   (!tbx_is_finite(&size[k]) || tbx_exact_sum(&hi[k], &lo[k], &size[k]));
     }
-    return one_box ? tribox_overlap_rule_f64(v[0], v[1], v[2], lo, hi, tri->flags) : tbx_tri_exact(tri, p, octant);
+    return one_box ? tribox_overlap_rule_f64(v[0], v[1], v[2], lo, hi, tri->flags)
+                   : tbx_tri_exact(tri, p, octant);
 }
 
 /* The specification of the test: faces, the conditions in float, what they leave open. */
@@ -2951,8 +2968,8 @@ TRIBOX_FN int tribox_tri_test_f64(const tribox_tri *tri, const double p[3])
     return tbx_tri_test(tri, p);
 }
 
-/* The same for floats: faces by integers, to which NaN and infinity are out of range. PURE: a loop may keep a triangle's
- * numbers in registers. */
+/* The same for floats: faces by integers, to which NaN and infinity are out of range. PURE: a loop may keep a
+ * triangle's numbers in registers. */
 TBX_NOINLINE TBX_PURE int tbx_tri_test_float(const tribox_tri *tri, const float p[3])
 {
     double wide[3];
@@ -3015,8 +3032,8 @@ TRIBOX_FN void tribox_tri_resize(tribox_tri *tri, const float size[3])
     tribox_tri_resize_f64(tri, wide);
 }
 
-/* Bit 0, bit 1: the faces of axis k hold for [p, p + size], for [p + size, p + 2 size]. With an infinite size, only the
- * first is a box. */
+/* Bit 0, bit 1: the faces of axis k hold for [p, p + size], for [p + size, p + 2 size]. With an infinite
+ * size, only the first is a box. */
 TBX_FN unsigned tbx_octant_faces(const tribox_tri *tri, int k, const double *p)
 {
     const int lo_is_open = (tri->flags & TRIBOX_OPEN) != 0;
@@ -3035,8 +3052,8 @@ TBX_FN unsigned tbx_octant_faces(const tribox_tri *tri, int k, const double *p)
     return lower | upper << 1;
 }
 
-/* The conditions at the eight octants ref + q, q_k being lower[k] or upper[k]: bits of those where all hold. Those that
- * miss for sure are in neither this nor out_unsure; only `asked` count. */
+/* The conditions at the eight octants ref + q, q_k being lower[k] or upper[k]: bits of those where all hold.
+ * Those that miss for sure are in neither this nor out_unsure; only `asked` count. */
 TBX_FN unsigned tbx_octant_values(const tribox_tri *tri, const float lower[3], const float upper[3],
                                   unsigned asked, unsigned *out_unsure)
 {
@@ -3159,8 +3176,8 @@ TBX_FN int tbx_is_ordinary(const double *x, unsigned e)
     return magnitude == 0 || (unsigned)(magnitude >> 52) - (1023u - e) < 2u * e;
 }
 
-/* Whatever is 2^-ORDINARY..2^ORDINARY, or 0: all floats are. Differences of two such doubles are 0 or at least
- * 2^-(ORDINARY + 52); divided by a size, 2^-(2 ORDINARY + 52); three of those multiplied, 2^-1056. */
+/* Whatever is 2^-ORDINARY..2^ORDINARY, or 0: all floats are. Differences of two such doubles are 0 or at
+ * least 2^-(ORDINARY + 52); divided by a size, 2^-(2 ORDINARY + 52); three of those multiplied, 2^-1056. */
 #define TBX_ORDINARY 150
 
 /* ---- Grid planes */
@@ -3292,8 +3309,8 @@ TBX_FN int tbx_corners_kind(double v[3][3])
     return tbx_corners_finite(v[0], v[1], v[2]) ? TBX_ANY_FINITE : TBX_NO_POINTS;
 }
 
-/* Three floats as doubles. Returns 0 where one is NaN or infinite. Bit 31 of exponent + 2^23 says all ones, and of
- * exponent - 2^23 all zeros; what that borrows from a neighbour only sends it the careful way, too. */
+/* Three floats as doubles. Returns 0 where one is NaN or infinite. Bit 31 of exponent + 2^23 says all ones,
+ * and of exponent - 2^23 all zeros; what that borrows from a neighbour only sends it the careful way, too. */
 TBX_FN int tbx_read_floats(double out[3], const void *from)
 {
     const uint64_t step = (uint64_t)0x00800000u << 32 | 0x00800000u;
@@ -3349,19 +3366,19 @@ TBX_FN int tbx_source_triangle(const tbx_source *s, size_t t, double v[3][3])
  *
  * Lines are evaluated in double with a bound of their error. Where the floors of value - error and value +
  * error agree, the bound is certain. Where they do not, first the lattice is tried: if all corners lie on
- * places of which 2^12 make a voxel, values lie on a lattice, too, and moving a line by half its quantum, up or
- * down as touching counts or not, decides all ties at once. What is left is asked in integers: only the few
- * voxels between the floors, by the conditions of that group. Numbers out of range are the same case, with
- * all voxels of the row between the floors. So each bound is exact, and each span is.
+ * places of which 2^12 make a voxel, values lie on a lattice, too, and moving a line by half its quantum, up
+ * or down as touching counts or not, decides all ties at once. What is left is asked in integers: only the
+ * few voxels between the floors, by the conditions of that group. Numbers out of range are the same case,
+ * with all voxels of the row between the floors. So each bound is exact, and each span is.
  *
  * Coordinates are voxels from the region's minimum corner, y = (v - origin) * inverse - lo.
  *   Error of a coordinate: u for v - origin, 4 u for the inverse (fast-math divides by approximation), u for
  *   the product, all of |y + lo|; u for the last difference, of |y|: at most 7 u (|y| + |lo|). With reach
  *   above the largest |y|, |lo| and |hi|,
  *       delta = COORDINATE_ERROR * reach.
- *   Error of a line, slope s, in row r: the coordinates' (1 + |s|) delta; s is off by 8 u of itself (its edges 6 u,
- *   as differences of inputs are rounded once, and each division 4 u: 16 u), times at most 2 reach; the sum's
- *   roundings, three of at most (1 + 3 |s|) 2 u reach: all less than
+ *   Error of a line, slope s, in row r: the coordinates' (1 + |s|) delta; s is off by 8 u of itself (its
+ *   edges 6 u, as differences of inputs are rounded once, and each division 4 u: 16 u), times at most 2
+ *   reach; the sum's roundings, three of at most (1 + 3 |s|) 2 u reach: all less than
  *       LINE_ERROR * delta * (1 + |s|).
  *   Error of the plane's line: the same with 1 + |s_y| + |s_z|; and normals: n = p - q is off by NORMAL_ERROR
  *   times |p| + |q|, which moves the plane, at most m voxels from its corner on each axis, by
@@ -3386,11 +3403,12 @@ TBX_FN double tbx_max3(double a, double b, double c)
     return c > ab ? c : ab;
 }
 
-/* A grid's numbers, in double. Faces of index boxes are found in fixed point: x*fixed + fixed_lo, truncated, counts units of
- * 2^-FIXED voxels from MARGIN voxels before the region.
+/* A grid's numbers, in double. Faces of index boxes are found in fixed point: x*fixed + fixed_lo, truncated,
+ * counts units of 2^-FIXED voxels from MARGIN voxels before the region.
  *
- * Error: with o = |origin / size| and l the largest of |lo|, |hi|, and the region's voxels, the product is off by 6 u (o + l),
- * fixed_lo by 8 u (o + l), the sum by 2 u l: in all less than FIXED_ERROR (o + l) voxels; truncation adds a unit. */
+ * Error: with o = |origin / size| and l the largest of |lo|, |hi|, and the region's voxels, the product is
+ * off by 6 u (o + l), fixed_lo by 8 u (o + l), the sum by 2 u l: in all less than FIXED_ERROR (o + l) voxels;
+ * truncation adds a unit. */
 #define TBX_FIXED 20
 #define TBX_FIXED_ERROR (32.0 * TBX_U64)
 #define TBX_BEFORE 3
@@ -3428,7 +3446,8 @@ TBX_FN int tbx_frame_init(tbx_frame *f, const tribox_grid *grid)
     f->hi_is_open = !f->thin && (grid->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
     f->reach = 16.0;
     for (k = 0; k < 3; k++) {
-        const int on = tbx_is_ordinary(&grid->origin[k], TBX_ORDINARY) & tbx_is_ordinary(&grid->size[k], TBX_ORDINARY);
+        const int on =
+            tbx_is_ordinary(&grid->origin[k], TBX_ORDINARY) & tbx_is_ordinary(&grid->size[k], TBX_ORDINARY);
         const double lo = (double)grid->lo[k];
         const double hi = (double)grid->hi[k];
         double size = on ? grid->size[k] : 1.0;
@@ -3464,8 +3483,8 @@ typedef struct tbx_part {
     int64_t last[2];
 } tbx_part;
 
-/* Three lines. In row r the voxels begin at or after floor(at_lo + slope*r), and end at or before floor(at_hi +
- * slope*r), counted from 1, so that truncation is floor. What does not bound is BEYOND. */
+/* Three lines. In row r the voxels begin at or after floor(at_lo + slope*r), and end at or before floor(at_hi
+ * + slope*r), counted from 1, so that truncation is floor. What does not bound is BEYOND. */
 typedef struct tbx_lines {
     double at_lo[3];
     double at_hi[3];
@@ -3514,7 +3533,8 @@ typedef struct tbx_walk {
     tbx_row row[TBX_CACHED];
 } tbx_walk;
 
-/* The sign behind a condition, at a voxel of the region: 3*axis + edge; 9 and 10, the two sides of the plane. */
+/* The sign behind a condition, at a voxel of the region: 3*axis + edge; 9 and 10, the two sides of the
+ * plane. */
 TBX_COLD int tbx_walk_exact(const tbx_walk *w, int id, const int64_t index[3])
 {
     const tribox_grid *grid = w->frame->grid;
@@ -3538,7 +3558,8 @@ TBX_COLD int tbx_walk_exact(const tbx_walk *w, int id, const int64_t index[3])
                   : tbx_exact_plane(&f, w->n_sign, id == 9 ? 1 : -1, open_lo, open_hi);
 }
 
-/* The sign with which index `axis` enters a condition; 0 where the condition follows from the faces or other edges. */
+/* The sign with which index `axis` enters a condition; 0 where the condition follows from the faces or other
+ * edges. */
 TBX_FN int tbx_walk_sign(const tbx_walk *w, int id, int axis)
 {
     if (id >= 9) {
@@ -3603,7 +3624,8 @@ TBX_COLD void tbx_walk_bisect(const tbx_walk *w, int group, int64_t y, int64_t z
 }
 
 /* The line of edge i in a group: b over r. Returns its steepness, negative where that is out of range. */
-TBX_FN double tbx_line_set(tbx_walk *w, tbx_lines *l, int i, int b, int r, int area_is_negative, double quantum)
+TBX_FN double tbx_line_set(tbx_walk *w, tbx_lines *l, int i, int b, int r, int area_is_negative,
+                           double quantum)
 {
     const tbx_frame *f = w->frame;
     const double e_b = w->e[i][b];
@@ -3773,9 +3795,9 @@ TBX_FN int tbx_place(const tribox_grid *grid, int k, const double *x, int64_t *o
     return 1;
 }
 
-/* Puts the lines of groups whose axes are on the lattice half a quantum off what touches: with q the quanta of
- * two axes, 1/2 voxel or a power of two below, a line's value is a multiple of q_b q_r / e_r, the plane's one of
- * q_x q_y q_z / n_x. Returns 0 the second time. */
+/* Puts the lines of groups whose axes are on the lattice half a quantum off what touches: with q the quanta
+ * of two axes, 1/2 voxel or a power of two below, a line's value is a multiple of q_b q_r / e_r, the plane's
+ * one of q_x q_y q_z / n_x. Returns 0 the second time. */
 TBX_COLD int tbx_walk_snap(tbx_walk *w)
 {
     const tbx_frame *f = w->frame;
@@ -3808,8 +3830,8 @@ TBX_COLD int tbx_walk_snap(tbx_walk *w)
     return 1;
 }
 
-/* Narrows first..last by so many lines in row r. Returns 0 where they are unsure: a bound lies in *first..*first_most, the
- * other in *last_least..*last. */
+/* Narrows first..last by so many lines in row r. Returns 0 where they are unsure: a bound lies in
+ * *first..*first_most, the other in *last_least..*last. */
 TBX_FN int tbx_lines_narrow(const tbx_lines *l, int count, int64_t r, int64_t *first, int64_t *last,
                             int64_t *first_most, int64_t *last_least)
 {
@@ -3912,7 +3934,8 @@ TBX_COLD void tbx_walk_box_search(tbx_walk *w)
     }
 }
 
-/* The least and greatest coordinate on axis k, in fixed point; one or two voxels beyond the region stand for all beyond. */
+/* The least and greatest coordinate on axis k, in fixed point; one or two voxels beyond the region stand for
+ * all beyond. */
 TBX_FN void tbx_fixed_extremes(const tbx_frame *f, int k, double v0, double v1, double v2, int64_t *out_least,
                          int64_t *out_most)
 {
@@ -3945,8 +3968,8 @@ TBX_COLD void tbx_walk_box_unsure(tbx_walk *w, const int64_t least[3], const int
     }
 }
 
-/* Corners and index box. Returns 0 if the triangle has no points, or no voxel of the region's part lies in its
- * index box. v must live as long as the walk. */
+/* Corners and index box. Returns 0 if the triangle has no points, or no voxel of the region's part lies in
+ * its index box. v must live as long as the walk. */
 TBX_FN int tbx_walk_box(tbx_walk *w, const tbx_frame *f, double v[3][3], int kind, const tbx_part *part)
 {
     w->frame = f;
@@ -4069,9 +4092,9 @@ TBX_FN void tbx_walk_axis(tbx_walk *w, int k)
     w->delta = extent > w->delta ? extent : w->delta;
 }
 
-/* Edges, normals and lines: whatever the index box does not imply. A triangle one voxel thick on two axes touches
- * all of its index box; one that is so on one axis is decided by the edges across that axis. Neither holds for
- * thin. */
+/* Edges, normals and lines: whatever the index box does not imply. A triangle one voxel thick on two axes
+ * touches all of its index box; one that is so on one axis is decided by the edges across that axis. Neither
+ * holds for thin. */
 TBX_FN void tbx_walk_groups(tbx_walk *w)
 {
     const double none[3] = { 0.0, 0.0, 0.0 };
@@ -4084,7 +4107,8 @@ TBX_FN void tbx_walk_groups(tbx_walk *w)
     if ((thick & (thick - 1u)) == 0) {
         return;
     }
-    w->group[TBX_XY].error = w->group[TBX_XZ].error = w->group[TBX_YZ].error = w->group[TBX_PLANE].error = 1.0;
+    w->group[TBX_XY].error = w->group[TBX_XZ].error = w->group[TBX_YZ].error = w->group[TBX_PLANE].error =
+        1.0;
     /* numbers also where the plane is not used: compilers compute with them before they ask */
     w->plane_at[0] = w->plane_at[1] = w->plane_slope_z = 0.0;
     if (w->light) {
@@ -4124,11 +4148,12 @@ typedef struct tbx_span {
 
 /* ---- Boxes of up to 4^3 voxels
  *
- * A triangle strictly inside its index box meets every grid plane that crosses the box, so that a voxel may as well
- * reach to infinity where it has a face in common with the box: what the triangle shares with it stays the same. A
- * separating axis then needs the support of such a voxel to be finite, which leaves these: across an edge, in the
- * plane of axes b and c, where an inner grid point p of that plane is the voxel's corner nearest to the triangle;
- * and along the normal, where an inner grid point of space is. With v relative to p
+ * A triangle strictly inside its index box meets every grid plane that crosses the box, so that a voxel may
+ * as well reach to infinity where it has a face in common with the box: what the triangle shares with it
+ * stays the same. A separating axis then needs the support of such a voxel to be finite, which leaves these:
+ * across an edge, in the plane of axes b and c, where an inner grid point p of that plane is the voxel's
+ * corner nearest to the triangle; and along the normal, where an inner grid point of space is. With v
+ * relative to p
  *
  *   E(p) = v_i x v_j    its sign against that of the area: outside of edge i, j?
  *   D(p) = n . v_0      its sign: on which side of the plane?
@@ -4137,11 +4162,11 @@ typedef struct tbx_span {
  * sign(E) * (-d_c, d_b), d = v_j - v_i, the gradient of E. The plane misses exactly one voxel at p, at p +
  * (s_x, s_y, s_z), s = -sign(D) * sign(n). All E and D are affine in p.
  *
- * Bounds, with delta that of the coordinates and n <= 4 voxels on the longest axis, none of which stands for all
- * beyond the region:
- *   E     The coordinates 4 (n - 1) delta. Where the sign of d_c is wrong, |d_c| <= 2 delta; since the triangle meets
- *         the plane c = p_c, |E| is at most |d_c| n then. Rounding is below delta / 8. In all less than
- *         SMALL_EDGE_ERROR delta.
+ * Bounds, with delta that of the coordinates and n <= 4 voxels on the longest axis, none of which stands for
+ * all beyond the region:
+ *   E     The coordinates 4 (n - 1) delta. Where the sign of d_c is wrong, |d_c| <= 2 delta; since the
+ *         triangle meets the plane c = p_c, |E| is at most |d_c| n then. Rounding is below delta / 8. In all
+ *         less than SMALL_EDGE_ERROR delta.
  *   area  The sum of three E at the first point: less than that.
  *   D     The normal's 7 n delta times n, three times; its n^2 times delta, three times: less than
  *         SMALL_PLANE_ERROR delta. The signs of n are those of the areas, and sure. */
@@ -4161,8 +4186,8 @@ TBX_FN int tbx_small_cell(double d_b, double d_c, int up_b, int up_c)
     return (d_c > 0.0 ? 1 << up_b : 0) + (d_b < 0.0 ? 1 << up_c : 0);
 }
 
-/* The edges in the plane of b and c. Returns twice the area there. free: the bits of all voxels of index 0 on b
- * and c. */
+/* The edges in the plane of b and c. Returns twice the area there. free: the bits of all voxels of index 0 on
+ * b and c. */
 TBX_FN double tbx_small_edges(tbx_small *m, int b, int c, uint64_t free)
 {
     const double *v0 = m->v[0];
@@ -4226,7 +4251,8 @@ TBX_FN double tbx_small_edges(tbx_small *m, int b, int c, uint64_t free)
         e2 += b2;
         free <<= 1 << up_c;
     }
-    m->missed |= missed0 << tbx_small_cell(b0, c0, up_b, up_c) | missed1 << tbx_small_cell(b1, c1, up_b, up_c) |
+    m->missed |= missed0 << tbx_small_cell(b0, c0, up_b, up_c) |
+                 missed1 << tbx_small_cell(b1, c1, up_b, up_c) |
                  missed2 << tbx_small_cell(b2, c2, up_b, up_c);
     m->least = least;
     return area;
@@ -4258,7 +4284,8 @@ TBX_FN double tbx_small_plane(tbx_small *m, double n_x, double n_y, double n_z)
     return least;
 }
 
-/* Finds the voxels that the triangle misses of its index box. Returns 0 where it is too large, or something unsure. */
+/* Finds the voxels that the triangle misses of its index box. Returns 0 where it is too large, or something
+ * unsure. */
 TBX_NOINLINE int tbx_walk_small(const tbx_walk *w, uint64_t *out_missed)
 {
     const tbx_frame *f = w->frame;
@@ -4526,8 +4553,9 @@ TBX_NOINLINE int tbx_walked_begin(tbx_walked *w, const tbx_frame *f, const tbx_s
 {
     tbx_part all;
     tbx_part_all(&all, f->grid);
-    return tbx_walk_box(&w->walk, f, w->v, tbx_source_triangle(source, t, w->v), &all) ? tbx_walk_begin(&w->walk, w->span)
-                                                                                     : 0;
+    return tbx_walk_box(&w->walk, f, w->v, tbx_source_triangle(source, t, w->v), &all)
+               ? tbx_walk_begin(&w->walk, w->span)
+               : 0;
 }
 
 /* The spans of all triangles, one after the other. */
@@ -4676,7 +4704,8 @@ TBX_FN double tbx_floor_to(double x, double q)
     if ((tbx_bits64(&x) >> 52 & 0x7ffu) >= (tbx_bits64(&q) >> 52) + 52) {
         return x;
     }
-    TBX_KEEP_SCALAR(q); /* a product, which -ffast-math would divide by one factor after the other: infinity */
+    TBX_KEEP_SCALAR(
+        q); /* a product, which -ffast-math would divide by one factor after the other: infinity */
     units = x / q;
     TBX_KEEP_SCALAR(units);
     whole = (double)tbx_to_long(units);
@@ -4903,10 +4932,10 @@ TRIBOX_FN int tribox_mesh_contains_f64(const tribox_mesh_f64 *mesh, const double
  * with it is >= 0: the value in double, with a bound, decides if it can, else its exact sign.
  *
  * Error, in units of u = 2^-52. Along axis k all coordinates and centres of the region are at most
- * M_k = |origin| + (|lo| + |hi| + 1) size + largest |v|. The centre (middle + i*size) - v is off by no more than
- * 6 M: four roundings of middle's product, two of i*size. With 1 for d_i and 3 for products and sums, E_i is off
- * by 12 (|d_y| M_z + |d_z| M_y). A normal's component n_a is off by 8 X_b X_c, X the extents, and at most
- * 2 X_b X_c: n.(c - v0) is off by the sum of (8 + 2 * 10) X_b X_c M_a.
+ * M_k = |origin| + (|lo| + |hi| + 1) size + largest |v|. The centre (middle + i*size) - v is off by no more
+ * than 6 M: four roundings of middle's product, two of i*size. With 1 for d_i and 3 for products and sums,
+ * E_i is off by 12 (|d_y| M_z + |d_z| M_y). A normal's component n_a is off by 8 X_b X_c, X the extents, and
+ * at most 2 X_b X_c: n.(c - v0) is off by the sum of (8 + 2 * 10) X_b X_c M_a.
  *
  * On the lattice all is exact: middle, size and the corners are multiples of a unit per axis, 2^15 of which
  * reach over the region; corners lie no farther off; edges have 34 bits, normals 35, and the plane 53. */
@@ -5358,7 +5387,8 @@ TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3],
     return inside;
 }
 
-/* Bounds of the mesh's triangles, those with a NaN or infinite corner left out. Returns 0 if there is none. */
+/* Bounds of the mesh's triangles, those with a NaN or infinite corner left out. Returns 0 if there is
+ * none. */
 TBX_FN int tbx_source_bounds(const tbx_source *source, double out_min[3], double out_max[3])
 {
     int any = 0;
@@ -5400,8 +5430,8 @@ TBX_FN int tbx_fit_cells(double extent, double size, int n)
     return tbx_to_int(cells);
 }
 
-/* A frame of `size`: origins to 2^-12 of a voxel, in the middle of the mesh. Returns 0 where rounding has left a face of
- * the mesh on or beyond one of the region's. */
+/* A frame of `size`: origins to 2^-12 of a voxel, in the middle of the mesh. Returns 0 where rounding has
+ * left a face of the mesh on or beyond one of the region's. */
 TBX_FN int tbx_fit_try(tribox_grid *grid, const double t_min[3], const double t_max[3], double longest,
                        double size, int n)
 {
@@ -5422,8 +5452,8 @@ TBX_FN int tbx_fit_try(tribox_grid *grid, const double t_min[3], const double t_
     return fits;
 }
 
-/* Voxel size and origin are kept to few bits (24 and 2^-12 of a voxel), which keeps later exact signs short. Sizes are at
- * least 2^-900. */
+/* Voxel size and origin are kept to few bits (24 and 2^-12 of a voxel), which keeps later exact signs short.
+ * Sizes are at least 2^-900. */
 TBX_FN int tbx_fit(tribox_grid *grid, const tbx_source *source, int n)
 {
     const double least = TBX_POW2(-900);
@@ -5497,17 +5527,18 @@ TRIBOX_FN int tribox_grid_fit_f64(tribox_grid *grid, const tribox_mesh_f64 *mesh
  * second. What is written out is a fraction; where double cannot tell how it rounds, that fraction alone is
  * evaluated again in integers.
  *
- * In double: |exact - mid| <= 2 rad. The inputs are 0 or within [2^-97, 2^130) (floats always are: those below
- * 2^-97 are multiples of 2^-149), so a degree-d number is a multiple of 2^-150d below 2^(130d + 8), d <= 6, and
- * rounding to 53 bits keeps it so: nothing overflows, mid is 0 or at least 2^-900, rad 0 or at least 2^-1000;
- * so there are no subnormals. Each operation adds U |mid|, U twice what its rounding needs. The roundings of
- * rad itself, at most 2^6 operations, are covered by the 2. Sums are kept in the order written; a reassociated
- * product has no more roundings, a fused one fewer. rad = 0 says that no rounding took part: numbers of 24 bits
- * have exact products, and exact sums where their exponents differ by at most 28. So on small integers every
- * sign is sure, zeros too. Where registers may be wider or narrower than a double (x87, whose control word
- * may say 24 bits), U is that of 24 bits, and no rounding is taken for exact.
+ * In double: |exact - mid| <= 2 rad. The inputs are 0 or within [2^-97, 2^130) (floats always are: those
+ * below 2^-97 are multiples of 2^-149), so a degree-d number is a multiple of 2^-150d below 2^(130d + 8), d
+ * <= 6, and rounding to 53 bits keeps it so: nothing overflows, mid is 0 or at least 2^-900, rad 0 or at
+ * least 2^-1000; so there are no subnormals. Each operation adds U |mid|, U twice what its rounding needs.
+ * The roundings of rad itself, at most 2^6 operations, are covered by the 2. Sums are kept in the order
+ * written; a reassociated product has no more roundings, a fused one fewer. rad = 0 says that no rounding
+ * took part: numbers of 24 bits have exact products, and exact sums where their exponents differ by at most
+ * 28. So on small integers every sign is sure, zeros too. Where registers may be wider or narrower than a
+ * double (x87, whose control word may say 24 bits), U is that of 24 bits, and no rounding is taken for exact.
  *
- * In integers: sign * limbs * base^exponent, of any exponent, so that ordinary inputs take one or two limbs. */
+ * In integers: sign * limbs * base^exponent, of any exponent, so that ordinary inputs take one or two
+ * limbs. */
 #if TBX_DOUBLE_IS_53_BITS
 #define TBX_NUM_ERROR 4.44089209850062616169452667236328125e-16 /* 2^-51 */
 #else
@@ -5764,8 +5795,9 @@ TBX_FN int tbx_box_valid(const tbx_real lo[3], const tbx_real hi[3])
 
 /* ---- numbers of the two runs: tbx_num, whose integers are those of section 5 */
 
-/* The limbs of the numbers of one run in integers; at most 12 KiB are ever used (the tests look). A number of degree d
- * takes at most 280 d + 8 bits from floats, 2100 d + 8 from doubles, and two limbs for its unaligned ends. */
+/* The limbs of the numbers of one run in integers; at most 12 KiB are ever used (the tests look). A number of
+ * degree d takes at most 280 d + 8 bits from floats, 2100 d + 8 from doubles, and two limbs for its unaligned
+ * ends. */
 #define TBX_STORE (98304 / TBX_LIMB_BITS)
 
 /* WebAssembly multiplies 128 bits by a function of a library, which there need not be. */
@@ -6105,8 +6137,8 @@ TBX_FN int64_t tbx_fraction_guess(tbx_calc *c, const tbx_fraction *x, int format
     return sign * (magnitude < most ? magnitude : most);
 }
 
-/* The fraction, which is finite, in a format, as a key. From the guess, steps that double, then halve, find the greatest number
- * that x rounds to at least. In double the digits of a double are never certain. */
+/* The fraction, which is finite, in a format, as a key. From the guess, steps that double, then halve, find
+ * the greatest number that x rounds to at least. In double the digits of a double are never certain. */
 TBX_FN int64_t tbx_fraction_round(tbx_calc *c, const tbx_fraction *x, int format, int rounding)
 {
     const int64_t infinity = tbx_key_infinity(format);
@@ -6174,7 +6206,8 @@ TBX_FOR_FORMAT int tbx_box_box(const void *a_min, const void *a_max, const void 
 }
 
 #if TRIBOX_SIMD /* section 11.5 */
-TBX_FN int tbx_box_box4(const float a_min[3], const float a_max[3], const float b_min[3], const float b_max[3]);
+TBX_FN int tbx_box_box4(const float a_min[3], const float a_max[3], const float b_min[3],
+                        const float b_max[3]);
 #endif
 
 TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const float b_min[3],
@@ -6401,8 +6434,8 @@ typedef struct tbx_ray_ask {
     int format;
 } tbx_ray_ask;
 
-/* When a ray is inside the slab of axis k: in [out_first, out_last]. x: origin, dir, box_min, box_max. Returns 1
- * where lo > hi, or the reciprocal is not known well enough. */
+/* When a ray is inside the slab of axis k: in [out_first, out_last]. x: origin, dir, box_min, box_max.
+ * Returns 1 where lo > hi, or the reciprocal is not known well enough. */
 TBX_FN int tbx_slab_times(double x[4][3], int k, double *out_first, double *out_last, int *outside)
 {
     const double o = x[0][k];
@@ -6446,9 +6479,9 @@ TBX_FN int tbx_slabs_only(const double ends[4], double t)
     return (reached & (reached - 1)) != 0 ? -2 : reached == 8 ? -1 : reached >> 1; /* 1, 2, 4: 0, 1, 2 */
 }
 
-/* The slabs in double. A time is at most 2^131 * 2^97. The largest lower and the least upper end are no farther
- * from the exact ones than their errors. On a hit: axis[e] is the only one that may bring that end (-1: t_min,
- * t_max), t its time. */
+/* The slabs in double. A time is at most 2^131 * 2^97. The largest lower and the least upper end are no
+ * farther from the exact ones than their errors. On a hit: axis[e] is the only one that may bring that end
+ * (-1: t_min, t_max), t its time. */
 TBX_FOR_FORMAT int tbx_slabs_filter(const tbx_ray_ask *a, double t[2], int axis[2], int format)
 {
     tbx_real t_end[2];
@@ -6622,10 +6655,10 @@ TRIBOX_FN int tribox_ray_box_f64(const double origin[3], const double dir[3], do
 /* ---- segment and box
  *
  * The segment is the triangle p, q, q, whose normal is 0: of "one box" there remain the faces, and for each
- * axis one condition r - |c| >= 0, where a = q - p, and m and h are the middle and the half size, from p, of the
- * box clipped to the segment: r = |a_b| h_c + |a_c| h_b, c = (m x a)_a. Bound, in units of u X_b X_c, X = |a|: c: two
- * products of 2 + 1 + 1, and 2 for their difference: 10; r: 8; r - |c|: 3 more: 21, within ULPS. Where X_b or X_c is
- * 0, value and bound are 0: the faces say all. */
+ * axis one condition r - |c| >= 0, where a = q - p, and m and h are the middle and the half size, from p, of
+ * the box clipped to the segment: r = |a_b| h_c + |a_c| h_b, c = (m x a)_a. Bound, in units of u X_b X_c, X =
+ * |a|: c: two products of 2 + 1 + 1, and 2 for their difference: 10; r: 8; r - |c|: 3 more: 21, within ULPS.
+ * Where X_b or X_c is 0, value and bound are 0: the faces say all. */
 
 /* One axis, in double: a, m and h. */
 typedef struct tbx_chord {
@@ -7060,8 +7093,9 @@ TBX_FN int tbx_shot_misses(const float origin[3], const float dir[3], const floa
         const double xy = d[2] * (a[0] * b[1]);
         const double yx = d[2] * (a[1] * b[0]);
         const double det = (yz - zy) + (zx - xz) + (xy - yx);
-        const double error = (tbx_abs(yz) + tbx_abs(zy) + tbx_abs(zx) + tbx_abs(xz) + tbx_abs(xy) + tbx_abs(yx)) *
-                             TBX_SHOT_ERROR;
+        const double error =
+            (tbx_abs(yz) + tbx_abs(zy) + tbx_abs(zx) + tbx_abs(xz) + tbx_abs(xy) + tbx_abs(yx)) *
+            TBX_SHOT_ERROR;
         above |= det > error;
         below |= det < -error;
     }
@@ -7283,8 +7317,8 @@ TBX_FN void tbx_motion_contact(tbx_motion *m, float out_axis[3])
     }
 }
 
-/* Everything about the sweep in one of the two runs. The exact one is never unsure, and has no room for a second
- * store of integers. */
+/* Everything about the sweep in one of the two runs. The exact one is never unsure, and has no room for a
+ * second store of integers. */
 TBX_FOR_FORMAT int tbx_sweep_run(tbx_motion *m, int exact, int64_t out_t[2], float out_axis[3])
 {
     const int hit = tbx_motion_run(m);
@@ -7395,9 +7429,9 @@ TRIBOX_FN int tribox_sweep_box(const float a_min[3], const float a_max[3], const
  *
  * s is the greatest g/|l| over the 13 axes l and their two directions, g = min over B of l.b - max over T of
  * l.v, which is minus the motion's gap along -l. In double two of them are told apart by their errors; in
- * integers by the signs of g, then by g_a^2 |l_b|^2 against g_b^2 |l_a|^2, of degree 8 (2,250 bits). Axes that
- * tie because they are parallel are passed over: an edge x unit a is along a unit vector where it has one
- * component, and along the normal where the normal has no component a. */
+ * integers by the signs of g, then by g_a^2 |l_b|^2 against g_b^2 |l_a|^2, of degree 8 (2,250 bits). Axes
+ * that tie because they are parallel are passed over: an edge x unit a is along a unit vector where it has
+ * one component, and along the normal where the normal has no component a. */
 #define TBX_GAP_ALL ((1u << TBX_AXES) - 1u)
 #define TBX_GAP_CLOSE 9.094947017729282379150390625e-13 /* 2^-40: s is this near, relative to itself */
 
@@ -8267,7 +8301,8 @@ TBX_FOR_FORMAT int tbx_beyond(const char *const corner[3], const tbx_query_face 
         const char *const a = corner[0] + face->offset;
         const char *const b = corner[1] + face->offset;
         const char *const c = corner[2] + face->offset;
-        return ((int32_t)tbx_query_bits(a, format) ^ flip) < at && ((int32_t)tbx_query_bits(b, format) ^ flip) < at &&
+        return ((int32_t)tbx_query_bits(a, format) ^ flip) < at &&
+               ((int32_t)tbx_query_bits(b, format) ^ flip) < at &&
                ((int32_t)tbx_query_bits(c, format) ^ flip) < at;
     } else {
         const int64_t a = tbx_query_bits(corner[0] + face->offset, format) ^ face->flip;
@@ -8379,11 +8414,11 @@ TRIBOX_FN size_t tribox_mesh_query_f64(const tribox_mesh_f64 *mesh, const double
 
 /* ---- segment through a grid
  *
- * On each axis the segment crosses planes one after the other, plane i at t_i = (origin + i*size - p) / (q - p).
- * What happens at one t is an event: on the axes that cross a plane there, the voxel before it and the one after
- * are touched, on the others one voxel (two, where the segment runs along a plane). The voxels of an event are
- * entered at the same point; most events cross one plane, and enter one voxel. The times are known in double to
- * within an error; integers tell those apart that are closer.
+ * On each axis the segment crosses planes one after the other, plane i at t_i = (origin + i*size - p) / (q -
+ * p). What happens at one t is an event: on the axes that cross a plane there, the voxel before it and the
+ * one after are touched, on the others one voxel (two, where the segment runs along a plane). The voxels of
+ * an event are entered at the same point; most events cross one plane, and enter one voxel. The times are
+ * known in double to within an error; integers tell those apart that are closer.
  *
  * The walk begins where the region does, at its last entry, and counts the planes that are left within region
  * and segment, so no end depends on a comparison of floating-point numbers. */
@@ -8432,8 +8467,8 @@ TBX_FN void tbx_segment_offset(tbx_calc *c, const tbx_segment *s, int k, int64_t
     tbx_num_add(c, r, r, &y, 1);
 }
 
-/* The sign of t_i of axis k less t_j of axis l, both not 0: of (plane_i - p_k)(q_l - p_l) - (plane_j - p_l)(q_k
- * - p_k), times the signs of the divisors. */
+/* The sign of t_i of axis k less t_j of axis l, both not 0: of (plane_i - p_k)(q_l - p_l) - (plane_j -
+ * p_l)(q_k - p_k), times the signs of the divisors. */
 TBX_COLD int tbx_segment_order_exact(const tbx_segment *s, int k, int64_t i, int l, int64_t j)
 {
     tbx_limb store[TBX_STORE];
@@ -8506,8 +8541,8 @@ TBX_FN void tbx_segment_closed(tbx_segment *s, unsigned crossed, int first)
     }
 }
 
-/* One event, by the rule. HALF_OPEN: the point itself belongs to the upper voxels; then those after it, if the
- * segment goes on. OPEN: those after it. */
+/* One event, by the rule. HALF_OPEN: the point itself belongs to the upper voxels; then those after it, if
+ * the segment goes on. OPEN: those after it. */
 TBX_NOINLINE void tbx_segment_event(tbx_segment *s, unsigned crossed, int first, int last)
 {
     unsigned up = 0;
@@ -8565,7 +8600,8 @@ TBX_FN int tbx_segment_inside(const tbx_segment *s, int k)
     return s->two[k] || (s->voxel[k] >= s->grid->lo[k] && s->voxel[k] < s->grid->hi[k]);
 }
 
-/* One plane of axis k, at a time of its own, into the next voxel: only the last may lie outside of the region. */
+/* One plane of axis k, at a time of its own, into the next voxel: only the last may lie outside of the
+ * region. */
 TBX_FN void tbx_segment_cross(tbx_segment *s, int k)
 {
     s->voxel[k] += s->way[k];
@@ -8575,7 +8611,8 @@ TBX_FN void tbx_segment_cross(tbx_segment *s, int k)
     }
     tbx_segment_next(s, k);
     s->count += s->count != (size_t)-1;
-    if (s->on_voxel != NULL && s->on_voxel(s->user, (int)s->voxel[0], (int)s->voxel[1], (int)s->voxel[2]) != 0) {
+    if (s->on_voxel != NULL &&
+        s->on_voxel(s->user, (int)s->voxel[0], (int)s->voxel[1], (int)s->voxel[2]) != 0) {
         s->stopped = 1;
     }
 }
@@ -8720,8 +8757,8 @@ TBX_FN int tbx_segment_advance(tbx_segment *s, int k, int e, int64_t i)
     return s->left[k] > 0 && tbx_segment_order(s, k, s->voxel[k], e, i) == 0;
 }
 
-/* The first event: at p, or, if that is outside of the region on some axes, where the last of these is entered.
- * Returns 0 if it never is. */
+/* The first event: at p, or, if that is outside of the region on some axes, where the last of these is
+ * entered. Returns 0 if it never is. */
 TBX_FN int tbx_segment_start(tbx_segment *s, const int on[3])
 {
     unsigned crossed = 0;
@@ -8793,8 +8830,8 @@ TRIBOX_FN size_t tribox_grid_segment(const tribox_grid *grid, const double p[3],
 
 /* ---- spheres
  *
- * Squares are compared: distances are roots, but no root is needed to compare them. Plain double decides all but
- * what is within a few units of rounding of touching; the rest goes to integers, of degree 2 to 6. */
+ * Squares are compared: distances are roots, but no root is needed to compare them. Plain double decides all
+ * but what is within a few units of rounding of touching; the rest goes to integers, of degree 2 to 6. */
 enum { TBX_BALL_EMPTY, TBX_BALL, TBX_BALL_SPACE };
 
 TBX_FN int tbx_ball_kind(const tbx_real c[3], const tbx_real *r)
@@ -8819,8 +8856,8 @@ TBX_FN unsigned tbx_odd_radius(const float *r)
     return tbx_odd1(r) | (unsigned)(tbx_bits32(r) >> 31);
 }
 
-/* Squares of differences and their sum err by less than 6 u of themselves, a radius squared and a sum of radii
- * by 4 u; their rounding in the comparison by as much again. Floats that are not odd neither over- nor
+/* Squares of differences and their sum err by less than 6 u of themselves, a radius squared and a sum of
+ * radii by 4 u; their rounding in the comparison by as much again. Floats that are not odd neither over- nor
  * underflow. */
 #define TBX_BALL_ERROR (16.0 * TBX_U64)
 
@@ -8991,7 +9028,8 @@ TBX_FN int tbx_plane_sphere_filter(const float n[3], double d, const float cente
     return TBX_UNSURE;
 }
 
-TBX_NOINLINE int tbx_plane_sphere_wide(const float n[3], uint32_t d_bits, const float c[3], uint32_t radius_bits)
+TBX_NOINLINE int tbx_plane_sphere_wide(const float n[3], uint32_t d_bits, const float c[3],
+                                       uint32_t radius_bits)
 {
     float d;
     float radius;
@@ -9065,7 +9103,8 @@ TBX_FN double tbx_outside(double x, double lo, double hi)
 }
 
 /* Empty boxes are unsure, too. */
-TBX_FN int tbx_sphere_box_filter(const float center[3], double r, const float box_min[3], const float box_max[3])
+TBX_FN int tbx_sphere_box_filter(const float center[3], double r, const float box_min[3],
+                                 const float box_max[3])
 {
     double c[3];
     double lo[3];
@@ -9115,8 +9154,8 @@ TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_
 
 /* ---- sphere and triangle
  *
- * They share a point iff the centre is within r of a corner; or of an edge's line, with its foot on the edge; or
- * of the plane, with its foot in T. */
+ * They share a point iff the centre is within r of a corner; or of an edge's line, with its foot on the edge;
+ * or of the plane, with its foot in T. */
 typedef struct tbx_touch {
     tbx_calc calc;
     tbx_real v[3][3];
@@ -9157,8 +9196,8 @@ TBX_FN int tbx_touch_edge(tbx_touch *t, const tbx_real v[3], const tbx_real w[3]
     return touches;
 }
 
-/* The face: (n.(c - v0))^2 <= r^2 |n|^2, and the foot on no outer side of an edge: n.((v_i - c) x (v_j - c)) is
- * not negative. */
+/* The face: (n.(c - v0))^2 <= r^2 |n|^2, and the foot on no outer side of an edge: n.((v_i - c) x (v_j - c))
+ * is not negative. */
 TBX_FN int tbx_touch_face(tbx_touch *t)
 {
     tbx_calc *c = &t->calc;
@@ -9223,9 +9262,9 @@ TBX_COLD int tbx_sphere_triangle_exact(const float center[3], const float *radiu
     return tbx_touch_face(&t);
 }
 
-/* Weights of v1 and v2 for a point of T near the one that is nearest to the centre. a, b: v1 - v0, v2 - v0; p:
- * the centre - v0. Corner, edge or face is told from five dot products; where rounding picks the wrong one, the
- * point is a little farther, and decides a little less. */
+/* Weights of v1 and v2 for a point of T near the one that is nearest to the centre. a, b: v1 - v0, v2 - v0;
+ * p: the centre - v0. Corner, edge or face is told from five dot products; where rounding picks the wrong
+ * one, the point is a little farther, and decides a little less. */
 TBX_FN void tbx_touch_weights(const double a[3], const double b[3], const double p[3], double out[2])
 {
     const double aa = tbx_dot3(a, a);
@@ -9278,10 +9317,10 @@ TBX_FN double tbx_size3(const double x[3])
     return tbx_abs(x[0]) + tbx_abs(x[1]) + tbx_abs(x[2]);
 }
 
-/* In double: a point of T within r is a hit; a plane across the way from the nearest point to the centre, with T
- * beyond r behind it, is a miss. With M the sum of all coordinates' magnitudes, counted from v0: the point errs
- * by 10 u M from one of T, to which weights of a sum above 1 belong as well, and a corner's distance along
- * the way g by 6 u M |g|. */
+/* In double: a point of T within r is a hit; a plane across the way from the nearest point to the centre,
+ * with T beyond r behind it, is a miss. With M the sum of all coordinates' magnitudes, counted from v0: the
+ * point errs by 10 u M from one of T, to which weights of a sum above 1 belong as well, and a corner's
+ * distance along the way g by 6 u M |g|. */
 #define TBX_TOUCH_ERROR (16.0 * TBX_U64)
 
 typedef struct tbx_touched {
@@ -9353,9 +9392,9 @@ TRIBOX_FN int tribox_sphere_triangle(const float c[3], float radius, const float
 
 /* ---- ray and sphere
  *
- * With m = origin - c, the ray is inside where f(t) = A t^2 + 2 B t + C <= 0, A = dir.dir, B = dir.m, C = m.m -
- * r^2: nowhere if B^2 < A C, else between two roots about -B/A. A float t lies before the first iff A t + B <=
- * 0 and f(t) >= 0, so the ends are rounded without a root. */
+ * With m = origin - c, the ray is inside where f(t) = A t^2 + 2 B t + C <= 0, A = dir.dir, B = dir.m, C = m.m
+ * - r^2: nowhere if B^2 < A C, else between two roots about -B/A. A float t lies before the first iff A t + B
+ * <= 0 and f(t) >= 0, so the ends are rounded without a root. */
 typedef struct tbx_pierce {
     tbx_calc calc;
     tbx_real t[2];
@@ -9364,8 +9403,8 @@ typedef struct tbx_pierce {
     tbx_num c;
 } tbx_pierce;
 
-/* Where the number with this key lies, as seen from end e towards the middle of the sphere: -1 outside, 0 at the
- * end, 1 inside or beyond the middle. */
+/* Where the number with this key lies, as seen from end e towards the middle of the sphere: -1 outside, 0 at
+ * the end, 1 inside or beyond the middle. */
 TBX_FN int tbx_pierce_side(tbx_pierce *x, int e, const tbx_real *t)
 {
     tbx_calc *c = &x->calc;
@@ -9531,8 +9570,8 @@ typedef struct tbx_parabola {
     double d_error;
 } tbx_parabola;
 
-TBX_FN void tbx_parabola_set(tbx_parabola *f, const float origin[3], const float dir[3], const float center[3],
-                             double r)
+TBX_FN void tbx_parabola_set(tbx_parabola *f, const float origin[3], const float dir[3],
+                             const float center[3], double r)
 {
     double w[3];
     double m[3];
@@ -9570,8 +9609,8 @@ TBX_FN double tbx_parabola_roots(const tbx_parabola *f, double out[2])
     return error;
 }
 
-TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const float t[2], const float center[3],
-                             double r, int64_t out[2])
+TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const float t[2],
+                             const float center[3], double r, int64_t out[2])
 {
     tbx_parabola f;
     double ends[2];
@@ -9798,7 +9837,8 @@ TBX_FN tbx_f4 tbx_sums3(tbx_f4 a, tbx_f4 b)
 }
 
 /* Sign bits: lanes whose magnitude, given by its bits, exceeds the float with bits `most`;
- * NaN exceeds all. The difference wraps around where a number below zero is asked, whose sign decides elsewhere. */
+ * NaN exceeds all. The difference wraps around where a number below zero is asked, whose sign decides
+ * elsewhere. */
 TBX_FN tbx_i4 tbx_above(tbx_f4 magnitude, int32_t most)
 {
     return (tbx_i4)((tbx_u4)tbx_splat_int(most) - (tbx_u4)magnitude);
@@ -9824,7 +9864,8 @@ TBX_FN tbx_f4 tbx_edge4(tbx_f4 e, tbx_f4 e_yzx, tbx_f4 h, tbx_f4 h_yzx, tbx_f4 s
     return e * h_yzx + (e_yzx * h - tbx_abs4(s));
 }
 
-/* Lanes whose upper 16 bits are the greater of a's and b's, both of positive numbers; the lower are anything. */
+/* Lanes whose upper 16 bits are the greater of a's and b's, both of positive numbers; the lower are
+ * anything. */
 TBX_FN tbx_i4 tbx_greater_high(tbx_i4 a, tbx_i4 b)
 {
 #if defined(__SSE2__) && !defined(__clang__)
@@ -9894,8 +9935,8 @@ TBX_COLD int tbx_filter4_rare(const float v0[3], const float v1[3], const float 
     return found;
 }
 
-/* The verdict of the float filter. rule: the box is not closed, so equality at a face is unsure. Coordinates of
- * 2^39 and more, infinity and NaN are refused by their bits, before anything is computed with them. */
+/* The verdict of the float filter. rule: the box is not closed, so equality at a face is unsure. Coordinates
+ * of 2^39 and more, infinity and NaN are refused by their bits, before anything is computed with them. */
 TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
                        const float box_max[3], int rule)
 {
@@ -9956,7 +9997,8 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
             const tbx_f4 area = x * x_yzx;
             const tbx_f4 volume = area * tbx_yzx(x_yzx);
             const tbx_f4 bound = ulps * TBX_JOIN(area, volume, 0);
-            /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as zero */
+            /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as
+             * zero */
             const int refused = tbx_signs(tbx_below(x + (tbx_f4)tiny_bits, 0x30800000));
             /* h < 0: a face parts them, or min > max */
             const int miss = tbx_signs((tbx_i4)(tbx_min4(h, value + bound) < zero)) != 0;
@@ -10272,9 +10314,10 @@ TBX_FN void tbx_store3_wide(double *out, tbx_f4 x)
     TBX_COPY(out + 2, &last, sizeof last);
 }
 
-/* The keys of the least floats x for which x + size reaches t, or, if strict, exceeds it, in lanes. f = t - size rounded
- * is the answer, or the float before it. Less the larger of t and -size, f is a float, in every rounding mode: what is
- * missing to the other one is the difference's error, whose sign survives its rounding. */
+/* The keys of the least floats x for which x + size reaches t, or, if strict, exceeds it, in lanes. f = t -
+ * size rounded is the answer, or the float before it. Less the larger of t and -size, f is a float, in every
+ * rounding mode: what is missing to the other one is the difference's error, whose sign survives its
+ * rounding. */
 TBX_FN tbx_i4 tbx_least_keys(tbx_f4 t, tbx_f4 size, int strict)
 {
     const tbx_i4 sign = tbx_splat_int(-2147483647 - 1);
@@ -10417,8 +10460,8 @@ TBX_FN int tbx_store_conditions(tribox_tri *tri, const tbx_edge_lanes *s, int th
     }
 }
 
-/* tribox_tri_init in lanes. Returns 0 where it is not for these: what is empty, infinite, beyond the bounds' range, may
- * be read as zero, or whose normal has an unsure sign. */
+/* tribox_tri_init in lanes. Returns 0 where it is not for these: what is empty, infinite, beyond the bounds'
+ * range, may be read as zero, or whose normal has an unsure sign. */
 TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[3], const float v2[3],
                              const float size[3], unsigned flags)
 {
@@ -10524,8 +10567,8 @@ TBX_FN int tbx_is_far_off(tbx_f4 x)
     return tbx_any(tbx_above(tbx_abs4(x), 0x54800000));
 }
 
-/* The test in lanes: HIT, MISS or UNSURE. Where faces do not hold, q is that of p = 0: no operation meets NaN or
- * overflows. gcc would go by mask registers for AVX-512; kept in vectors, the test gains 1.04x. */
+/* The test in lanes: HIT, MISS or UNSURE. Where faces do not hold, q is that of p = 0: no operation meets NaN
+ * or overflows. gcc would go by mask registers for AVX-512; kept in vectors, the test gains 1.04x. */
 TBX_FN int tbx_tri_test_simd(const tribox_tri *tri, const float p[3])
 {
     const tbx_f4 x = tbx_load_xyzz(p);
@@ -10536,7 +10579,8 @@ TBX_FN int tbx_tri_test_simd(const tribox_tri *tri, const float p[3])
     TBX_KEEP_VECTOR(q);
     {
         const tbx_f4 least = tbx_least_values(tri, q);
-        /* a condition or face that fails, by their sign bits; conditions that are sure: from 2 on floats have bit 30 */
+        /* a condition or face that fails, by their sign bits; conditions that are sure: from 2 on floats have
+         * bit 30 */
         const int miss = tbx_signs((tbx_i4)least | parted);
         const int sure = tbx_signs((tbx_i4)least << 1);
         const unsigned verdict = (unsigned)((miss << 4) + 14 - sure); /* a hit wraps round */
@@ -10569,9 +10613,9 @@ TBX_FN tbx_f4 tbx_least_edge(tbx_f4 first, tbx_f4 second, tbx_f4 sum)
     return tbx_min4(tbx_min4(first, second), sum - (first + second));
 }
 
-/* The conditions in float at the eight octants ref + q, q being lower or upper on each axis: bits of those where all
- * hold, and of those where that is unsure. Edges see two axes: in lanes at the four pairs of their lower and upper, for
- * both halves of the third. */
+/* The conditions in float at the eight octants ref + q, q being lower or upper on each axis: bits of those
+ * where all hold, and of those where that is unsure. Edges see two axes: in lanes at the four pairs of their
+ * lower and upper, for both halves of the third. */
 TBX_FN unsigned tbx_octant_lanes(const tribox_tri *tri, tbx_f4 lower, tbx_f4 upper, unsigned *out_unsure)
 {
     const tbx_f4 both = TBX_LANES(lower, upper, 0, 4, 1, 5);
@@ -10618,8 +10662,9 @@ TBX_FN unsigned tbx_upper_halves(unsigned axes)
     return (unsigned)(0xfefcfaf0eeccaa00u >> (axes << 3)) & 0xffu;
 }
 
-/* tribox_tri_octants in lanes; OCTANTS_UNSURE where some octant cannot be decided. Rounding is monotone: where p + size
- * is no float, its rounded sum tells that of the faces unless it is next to where they begin or cease to hold. */
+/* tribox_tri_octants in lanes; OCTANTS_UNSURE where some octant cannot be decided. Rounding is monotone:
+ * where p + size is no float, its rounded sum tells that of the faces unless it is next to where they begin
+ * or cease to hold. */
 TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
 {
     const tbx_f4 x = tbx_load_xyzz(p);
@@ -10946,19 +10991,21 @@ TBX_FORCED void tbx_load_corners(tbx_points out[3], const tbx_source *s, const s
  * triangle are whole numbers, index in the upper half, place within the voxel in the lower. With t = v -
  * centre, centre a float near the region's middle, y = t * steps is off by 3 u |y| (the difference, the
  * factor, the product), |y| <= (n / 2 + 2 + u |centre| / size) * 2^16 about the region, by truncation less
- * than 1, by the whole number added less than 1, and by what doubles add. All of this is `slack`. Coordinates that lie within it
- * of a grid plane, boxes not all in the region, and corners that are not finite or beyond `far` take the
- * careful way: X = v * inverse - origin / size, plus MARGIN: the product is off by 2 u |v| * inverse, the
- * constant by u |origin| / size, the sum by u |X|, where v lies within MARGIN of the region; doubles add less
- * than 1e-9, and the corners of doubles `rounded`, which is what they took to become floats. Subnormals read as
- * zero move X by less than 2^-126 * inverse, inverse <= 2^60. What that leaves unsure is asked exactly.
+ * than 1, by the whole number added less than 1, and by what doubles add. All of this is `slack`. Coordinates
+ * that lie within it of a grid plane, boxes not all in the region, and corners that are not finite or beyond
+ * `far` take the careful way: X = v * inverse - origin / size, plus MARGIN: the product is off by 2 u |v| *
+ * inverse, the constant by u |origin| / size, the sum by u |X|, where v lies within MARGIN of the region;
+ * doubles add less than 1e-9, and the corners of doubles `rounded`, which is what they took to become floats.
+ * Subnormals read as zero move X by less than 2^-126 * inverse, inverse <= 2^60. What that leaves unsure is
+ * asked exactly.
  *
  * A grid plane i is high + low, where high = base_high + i * size_high is exact: both are multiples of
  * `spacing`, and with them every high is, below 2^24 of it. low = base_low + i * size_low, at most
  * rho = spacing * (n + 34) / size. (v - high - low) * inverse, v within m voxels, is then off by at most
  *   (m + rho) + 3 rho (low itself) + m + 2 m (the inverse, the product) = 4 (m + rho)
- * in units of u, and what doubles add: delta(m) = 4.1 u m + delta_low. Corners of doubles are floats from the centre
- * on, t above, and so are the planes: that adds what rounding t took, u (n / 2 + 34 + u |centre| / size).
+ * in units of u, and what doubles add: delta(m) = 4.1 u m + delta_low. Corners of doubles are floats from the
+ * centre on, t above, and so are the planes: that adds what rounding t took, u (n / 2 + 34 + u |centre| /
+ * size).
  *
  * Meshes on grid planes touch voxels exactly, which no bound decides. But where all planes are whole numbers
  * of `spacing`, and the places between them that cut a voxel into PARTS, too, all these are floats, exactly;
@@ -11048,8 +11095,8 @@ enum {
     TBX_CLASSES
 };
 
-/* A box's kind: its extents in two bits each, the voxels less 1; TBX_NO_SKIP unless it is left out where it equals its
- * predecessor's; and its class from bit 8 on. */
+/* A box's kind: its extents in two bits each, the voxels less 1; TBX_NO_SKIP unless it is left out where it
+ * equals its predecessor's; and its class from bit 8 on. */
 #define TBX_NO_SKIP 128
 
 TBX_FN void tbx_kinds_init(tbx_quick *q, int skips)
@@ -11117,7 +11164,8 @@ TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
     return error < 0.125;
 }
 
-/* For a source of doubles or floats; skips: a box of one or two voxels that equals its predecessor's is left out. */
+/* For a source of doubles or floats; skips: a box of one or two voxels that equals its predecessor's is left
+ * out. */
 TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_target *t, int is_double,
                            int skips)
 {
@@ -11165,12 +11213,14 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
         const double n = (double)q->n[k];
         const double units = q->units[k];
         const int fits = tbx_fixed_init(q, k, is_double);
-        const double from = is_double ? (double)q->centre[k + 1] : 0.0; /* where the corners' floats count from */
+        const double from =
+            is_double ? (double)q->centre[k + 1] : 0.0; /* where the corners' floats count from */
         const double origin = q->origin[k] - from;
         const double rounded = is_double ? 1.01 * u * (0.5 * n + 34.0 + u * tbx_abs(from) * units) : 0.0;
         const double start = tbx_abs(origin) * units;
         const double end = tbx_abs(origin * units + n);
-        const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + rounded + 1e-9;
+        const double slack =
+            1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + rounded + 1e-9;
         const double base = origin + size;
         const double before = tbx_abs(origin - margin * size);
         const double last = tbx_abs(origin + (n + 2.0 * margin) * size);
@@ -11284,9 +11334,9 @@ TBX_FN tbx_later *tbx_fill_later(tbx_fill *fill, size_t triangle)
 
 /* ---- Blocks of triangles: their boxes, and lists of them by class
  *
- * A box is a key: its first voxel's x, y, z, from the region's first, in 16 bits each from bit 16 on, below them its
- * kind. Of a box that is cut x, y and z are signed. Corners are rows of four floats: x, y, z in lanes 1 to 3, and
- * anything finite in lane 0, so that a row of a mesh is one load. */
+ * A box is a key: its first voxel's x, y, z, from the region's first, in 16 bits each from bit 16 on, below
+ * them its kind. Of a box that is cut x, y and z are signed. Corners are rows of four floats: x, y, z in
+ * lanes 1 to 3, and anything finite in lane 0, so that a row of a mesh is one load. */
 typedef struct tbx_block {
     uint64_t box
         [TBX_BLOCK]
@@ -11318,8 +11368,8 @@ TBX_FORCED tbx_uw tbx_words_above(tbx_uw a, tbx_uw b)
 #endif
 }
 
-/* The boxes of WIDE / 4 triangles, of their first voxels' lanes and those of their extents, in words, and where their
- * kinds are. Words are those of numbers from -2^15 to 2^15 - 1, or they are above. */
+/* The boxes of WIDE / 4 triangles, of their first voxels' lanes and those of their extents, in words, and
+ * where their kinds are. Words are those of numbers from -2^15 to 2^15 - 1, or they are above. */
 TBX_FORCED void tbx_boxes_of(uint64_t out_box[][2], unsigned out_kind[TBX_WIDE / 4], tbx_iw first,
                              tbx_iw extents)
 {
@@ -11389,8 +11439,8 @@ typedef struct tbx_centre {
     tbx_d2 z;
 } TBX_ALIGNED tbx_centre;
 
-/* A row of doubles, less the region's centre, in floats. That rounds once, as the difference of floats does. Numbers
- * that no float would hold are infinite. */
+/* A row of doubles, less the region's centre, in floats. That rounds once, as the difference of floats does.
+ * Numbers that no float would hold are infinite. */
 TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
 {
 #if defined(__SSE2__)
@@ -11419,7 +11469,8 @@ TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
     tbx_i4 bits = tbx_splat_int(0x7f800000);
     double x[3];
     TBX_COPY(x, from, sizeof x);
-    if (!TBX_RARELY((int)((tbx_bits64(&x[0]) & magnitude) > most) | (int)((tbx_bits64(&x[1]) & magnitude) > most) |
+    if (!TBX_RARELY((int)((tbx_bits64(&x[0]) & magnitude) > most) |
+                    (int)((tbx_bits64(&x[1]) & magnitude) > most) |
                     (int)((tbx_bits64(&x[2]) & magnitude) > most))) {
         r[1] = (float)(x[0] - centre->xy[0]);
         r[2] = (float)(x[1] - centre->xy[1]);
@@ -11432,8 +11483,8 @@ TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
 }
 
 /* Corner k, vertex number `at` of the mesh. */
-TBX_FORCED tbx_i4 tbx_block_corner(const tbx_source *source, const tbx_centre *centre, int indexed, int packed,
-                                   int is_double, size_t at)
+TBX_FORCED tbx_i4 tbx_block_corner(const tbx_source *source, const tbx_centre *centre, int indexed,
+                                   int packed, int is_double, size_t at)
 {
     const size_t vertex = indexed ? (size_t)source->indices[at] : at;
     const char *p = source->positions + vertex * (packed ? 3 * sizeof(float) : source->stride);
@@ -11461,13 +11512,14 @@ TBX_NOINLINE int tbx_block_is_near(const tbx_corners *corners, const tbx_quick *
     return !tbx_any(beyond);
 }
 
-/* The corners of so many triangles. Returns 1 if they are all near enough, and finite, for boxes without care. No
- * magnitude is greater than all of them with their bits joined, which mostly suffices. */
+/* The corners of so many triangles. Returns 1 if they are all near enough, and finite, for boxes without
+ * care. No magnitude is greater than all of them with their bits joined, which mostly suffices. */
 TBX_FORCED int tbx_block_corners(tbx_corners *out, const tbx_quick *q, const tbx_source *from, int indexed,
                                  int packed, int is_double, size_t first, int count)
 {
     const tbx_source source = *from; /* what is stored does not change these */
-    const tbx_centre centre = { { (double)q->centre[1], (double)q->centre[2] }, { 0.0, (double)q->centre[3] } };
+    const tbx_centre centre = { { (double)q->centre[1], (double)q->centre[2] },
+                                { 0.0, (double)q->centre[3] } };
     tbx_i4 bits = tbx_splat_int(0);
     size_t at = 3 * first;
     int i;
@@ -11523,8 +11575,8 @@ TBX_FN int tbx_block_load(tbx_corners *out, const tbx_quick *q, const tbx_source
     }
 }
 
-/* Of tbx_quick, what fixed point takes, for WIDE / 4 triangles. The last voxel is one more than it is, so that its
- * difference from the first is a number of voxels. */
+/* Of tbx_quick, what fixed point takes, for WIDE / 4 triangles. The last voxel is one more than it is, so
+ * that its difference from the first is a number of voxels. */
 typedef struct tbx_fixed {
     tbx_fw base;
     tbx_fw steps;
@@ -11604,8 +11656,8 @@ TBX_FORCED void tbx_block_fetch(const tbx_block *b, const tbx_quick *q, int coun
     }
 }
 
-/* Boxes of a block and lists of them by class, OTHER where they are not sure. Of triangles in the same one or two
- * voxels that follow each other the first will do. */
+/* Boxes of a block and lists of them by class, OTHER where they are not sure. Of triangles in the same one or
+ * two voxels that follow each other the first will do. */
 TBX_FORCED void tbx_block_boxes(tbx_block *b, const tbx_quick *q, const tbx_corners *corners, int count)
 {
     tbx_fixed f;
@@ -11791,7 +11843,8 @@ TBX_FORCED void tbx_points_of(tbx_points *out, const tbx_f4 *row)
 }
 
 /* Corners of the WIDE triangles of a block that are listed. */
-TBX_FORCED void tbx_points_listed(tbx_points out[3], const tbx_corners *corners, const unsigned char *list, int count)
+TBX_FORCED void tbx_points_listed(tbx_points out[3], const tbx_corners *corners, const unsigned char *list,
+                                  int count)
 {
     tbx_placed some;
     int i;
@@ -11933,8 +11986,8 @@ TBX_FN int tbx_is_hair(double x, double hair)
     return (x != 0.0) & (x < hair) & (x > -hair);
 }
 
-/* The sign of grid plane i of axis k, from the region's first, against x, which is near: as in "Groups again" what is
- * left of their distance is right to a rounding, where it can be. */
+/* The sign of grid plane i of axis k, from the region's first, against x, which is near: as in "Groups again"
+ * what is left of their distance is right to a rounding, where it can be. */
 TBX_FN int tbx_plane_beside(const tribox_grid *grid, const tbx_quick *q, int k, int64_t i, double x)
 {
     if (q->precise) {
@@ -11965,8 +12018,8 @@ TBX_FN int tbx_plane_beside(const tribox_grid *grid, const tbx_quick *q, int k, 
     return tbx_plane_compare(grid, k, i + grid->lo[k], x);
 }
 
-/* The voxel in which x lies on axis k; beside a plane exactly: `upper` the one above it, if x is on it. Doubles are off
- * by less than delta. */
+/* The voxel in which x lies on axis k; beside a plane exactly: `upper` the one above it, if x is on it.
+ * Doubles are off by less than delta. */
 TBX_FN int32_t tbx_box_index(const tribox_grid *grid, const tbx_quick *q, int k, double x, int upper)
 {
     const double most = 1048576.0;
@@ -11990,8 +12043,8 @@ TBX_FN int32_t tbx_box_index(const tribox_grid *grid, const tbx_quick *q, int k,
     }
 }
 
-/* A finite triangle's box, by exact signs of corners against grid planes. Not known where an edge is level but
- * for a hair: "Rows" takes such an edge for one within a row, and here it may be in two. */
+/* A finite triangle's box, by exact signs of corners against grid planes. Not known where an edge is level
+ * but for a hair: "Rows" takes such an edge for one within a row, and here it may be in two. */
 TBX_NOINLINE tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, const tbx_source *source,
                                   size_t triangle)
 {
@@ -12023,8 +12076,8 @@ TBX_NOINLINE tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, c
     return tbx_load4i(box);
 }
 
-/* Boxes of the triangles that are not as simple as can be; those that are not known are LARGE. Returns how many
- * are on the lattice. */
+/* Boxes of the triangles that are not as simple as can be; those that are not known are LARGE. Returns how
+ * many are on the lattice. */
 TBX_NOINLINE int tbx_block_special(tbx_block *b, const tribox_grid *grid, const tbx_quick *q,
                                    const tbx_source *source, const tbx_corners *corners)
 {
@@ -12057,8 +12110,8 @@ TBX_NOINLINE int tbx_block_special(tbx_block *b, const tribox_grid *grid, const 
     return on_lattice;
 }
 
-/* Boxes and lists of so many triangles from the first, BLOCK at most. Where the last block was mostly beside grid
- * planes, *on_planes, all boxes are found with care at once. */
+/* Boxes and lists of so many triangles from the first, BLOCK at most. Where the last block was mostly beside
+ * grid planes, *on_planes, all boxes are found with care at once. */
 TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribox_grid *grid,
                                  const tbx_quick *q, const tbx_source *source, size_t first, int count,
                                  int *on_planes)
@@ -12276,8 +12329,8 @@ TBX_FORCED tbx_uw tbx_note_move(tbx_uw a, tbx_iw up, int bits)
     }
 }
 
-/* An edge from v_i to v_j, E = e at the first inner point; s is the area's sign bit; |E| up to `touch` touches.
- * Returns the cells it misses in the plane: bit i stride_b + j stride_c. */
+/* An edge from v_i to v_j, E = e at the first inner point; s is the area's sign bit; |E| up to `touch`
+ * touches. Returns the cells it misses in the plane: bit i stride_b + j stride_c. */
 TBX_FORCED tbx_uw tbx_note_edge(tbx_fw *least, tbx_fw e, tbx_fw d_b, tbx_fw d_c, tbx_iw s, tbx_fw touch,
                                 int n, int stride_b, int stride_c)
 {
@@ -12495,7 +12548,8 @@ TBX_FORCED void tbx_halves_to(uint64_t out[TBX_WIDE], tbx_uw low, tbx_uw high)
     }
 }
 
-/* Cells of two layers of a plane, bits b + 4 c of 2^3..2^7 of WIDE boxes, to bits b + 16 c; c from `layer` on. */
+/* Cells of two layers of a plane, bits b + 4 c of 2^3..2^7 of WIDE boxes, to bits b + 16 c; c from `layer`
+ * on. */
 TBX_FORCED tbx_uw tbx_cells_apart(tbx_uw cells, int layer)
 {
     const tbx_uw pair = layer == 0 ? cells : cells >> (tbx_uw)tbx_wide_int(4 * layer);
@@ -12588,8 +12642,8 @@ TBX_FORCED unsigned tbx_decide(uint64_t out[TBX_WIDE], const tbx_quick *q, const
     return tbx_wide_signs(unsure);
 }
 
-/* The same for boxes of 2x2x1 voxels, one thick on axis k: the edges of one plane, of axes b = k + 1 and c = k + 2,
- * are all that can miss any. */
+/* The same for boxes of 2x2x1 voxels, one thick on axis k: the edges of one plane, of axes b = k + 1 and c =
+ * k + 2, are all that can miss any. */
 TBX_FORCED unsigned tbx_decide_flat(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
 {
     const float delta = 4.1f * TBX_U32 * 2.0f + q->delta_low;
@@ -12707,19 +12761,20 @@ TBX_FN unsigned tbx_decide_class(uint64_t out[TBX_WIDE], const tbx_quick *q, con
 
 /* ---- Groups again, with what floats round off
  *
- * Triangles that a group is unsure of mostly have corners near grid planes, or near places that cut a voxel into
- * few parts: decimals, in a grid of decimals. Here a coordinate is P + r, in PIECES of a voxel from the first
- * inner grid plane: P whole, r the rest, a float that is right to 1.01 u of itself, however small, and 0 only if
- * the corner is exactly there. With v = P + r, in floats off by u more,
+ * Triangles that a group is unsure of mostly have corners near grid planes, or near places that cut a voxel
+ * into few parts: decimals, in a grid of decimals. Here a coordinate is P + r, in PIECES of a voxel from the
+ * first inner grid plane: P whole, r the rest, a float that is right to 1.01 u of itself, however small, and
+ * 0 only if the corner is exactly there. With v = P + r, in floats off by u more,
  *
- *   E = P_i x P_j + G + H,  G = P_bi r_cj - r_ci v_bj,  H = r_bi v_cj - P_ci r_bj,   D = N . P + (N . r + M . v)
+ *   E = P_i x P_j + G + H,  G = P_bi r_cj - r_ci v_bj,  H = r_bi v_cj - P_ci r_bj
+ *   D = N . P + (N . r + M . v)
  *
- * where N and M are the whole and the other part of the normal, sums of those of E. The whole parts are exact: P is
- * at most 3 * PIECES off any inner plane, so N at most (4 * PIECES)^2, D at most 9 * 2^20 * 1.1. Each product of G
- * and H is off by 3.1 u of itself, twice that where a compiler multiplies out, their sums, in whatever order, by
- * less than 9 u: PRECISE_ERROR times the sum of magnitudes bounds it; D's by that of N . r and M . v, nine steps of
- * it, and what M is off by. E = 0 and D = 0 with all r = 0
- * is touching, which counts where boxes are closed. Points that are not inside a triangle's own box decide nothing. */
+ * where N and M are the whole and the other part of the normal, sums of those of E. The whole parts are
+ * exact: P is at most 3 * PIECES off any inner plane, so N at most (4 * PIECES)^2, D at most 9 * 2^20 * 1.1.
+ * Each product of G and H is off by 3.1 u of itself, twice that where a compiler multiplies out, their sums,
+ * in whatever order, by less than 9 u: PRECISE_ERROR times the sum of magnitudes bounds it; D's by that of
+ * N . r and M . v, nine steps of it, and what M is off by. E = 0 and D = 0 with all r = 0 is touching, which
+ * counts where boxes are closed. Points that are not inside a triangle's own box decide nothing. */
 #define TBX_PRECISE_ERROR (16.0f * TBX_U32)
 #define TBX_PRECISE_PLANE_ERROR (20.0f * TBX_U32)
 #define TBX_PRECISE_LEAST 1e-30f /* of a rest: no product of two is flushed unseen */
@@ -12737,9 +12792,9 @@ typedef struct tbx_precise_axis {
     double fine[3][TBX_WIDE]; /* the rests, right to 2^-43 */
 } TBX_ALIGNED tbx_precise_axis;
 
-/* What the rounded sum of a and b is more or less than their sum: exact where it rounds to nearest, else off by 2^-52
- * of itself, 2^-104 of the sum. Taken off what is left of the sum's difference from another number (which is exact
- * where that is less than half of either), it leaves 2^-60 of the sum right to 2^-44. */
+/* What the rounded sum of a and b is more or less than their sum: exact where it rounds to nearest, else off
+ * by 2^-52 of itself, 2^-104 of the sum. Taken off what is left of the sum's difference from another number
+ * (which is exact where that is less than half of either), it leaves 2^-60 of the sum right to 2^-44. */
 TBX_FORCED void tbx_precise_lost(tbx_dw *lost, const tbx_dw *a, const tbx_dw *b, const tbx_dw *sum)
 {
     tbx_dw of_a = *sum - *b;
@@ -12855,9 +12910,9 @@ TBX_FORCED tbx_iw tbx_precise_same(tbx_fw v, tbx_fw w)
     return (tbx_iw)v == (tbx_iw)w;
 }
 
-/* E of the edge from i to j, of which the whole part is 0, at the inner grid point k, l, in lanes *unsure, once more: in
- * double, where decimals that are off by the same float are not. Rests are right to 2^-43, what is made of them to
- * 2^-41. Lanes that are sure now leave *unsure, E is then of the right sign. */
+/* E of the edge from i to j, of which the whole part is 0, at the inner grid point k, l, in lanes *unsure,
+ * once more: in double, where decimals that are off by the same float are not. Rests are right to 2^-43, what
+ * is made of them to 2^-41. Lanes that are sure now leave *unsure, E is then of the right sign. */
 #define TBX_PRECISE_FINE (1.0 / 1099511627776.0) /* 2^-40 */
 
 TBX_NOINLINE void tbx_precise_finer(tbx_fw *e, tbx_iw *unsure, const tbx_precise_axis *x,
@@ -12889,9 +12944,9 @@ TBX_NOINLINE void tbx_precise_finer(tbx_fw *e, tbx_iw *unsure, const tbx_precise
     }
 }
 
-/* The three edges in the plane of axes x and y, b and c of the groups; where the grid has the same numbers on both,
- * corners with equal coordinates lie on a line through grid points, exactly. Returns the whole part of twice the area, in *rest
- * the other part and in *error how far that may be off; flat lanes have none. */
+/* The three edges in the plane of axes x and y, b and c of the groups; where the grid has the same numbers on
+ * both, corners with equal coordinates lie on a line through grid points, exactly. Returns the whole part of
+ * twice the area, in *rest the other part and in *error how far that may be off; flat lanes have none. */
 TBX_NOINLINE tbx_fw tbx_precise_edges(tbx_missed *m, const tbx_precise_axis *x, const tbx_precise_axis *y,
                                       int b, int c, int closed, tbx_fw *rest, tbx_fw *error, tbx_iw *flat)
 {
@@ -13107,7 +13162,8 @@ TBX_FORCED size_t tbx_key_word(const tbx_bits *to, uint64_t key)
 }
 
 /* ORs a layer's n rows, nibbles of v moved to where `run` is, and turns v to the next layer. */
-TBX_FORCED uint64_t tbx_layer_or(uint64_t *row, size_t y1, size_t y2, size_t y3, uint64_t v, uint64_t run, int n)
+TBX_FORCED uint64_t tbx_layer_or(uint64_t *row, size_t y1, size_t y2, size_t y3, uint64_t v, uint64_t run,
+                                 int n)
 {
     row[0] |= v & run;
     v = v >> 4 | v << 60;
@@ -13144,8 +13200,8 @@ TBX_NOINLINE void tbx_voxels_set_two(const tbx_bits *to, uint64_t *row, uint64_t
     }
 }
 
-/* Sets voxels, bits x + 4 y + 16 z, of a box of up to n^3; rows and layers not in the box have no bits, and go where
- * others are. */
+/* Sets voxels, bits x + 4 y + 16 z, of a box of up to n^3; rows and layers not in the box have no bits, and
+ * go where others are. */
 TBX_FORCED void tbx_voxels_set(const tbx_bits *to, uint64_t key, uint64_t voxels, int n)
 {
     const size_t row_words = to->row_words;
@@ -13565,8 +13621,8 @@ TBX_FORCED tbx_iw tbx_row_voxel(tbx_fw x)
     return __builtin_convertvector(x, tbx_iw);
 }
 
-/* 2^i for i within 0..15, which bits of a row are; else anything, but in range of the conversion, which raises no
- * flag then. */
+/* 2^i for i within 0..15, which bits of a row are; else anything, but in range of the conversion, which
+ * raises no flag then. */
 TBX_FORCED tbx_uw tbx_wide_bit(tbx_uw i)
 {
     const tbx_uw place = i & (tbx_uw)tbx_wide_int(15);
@@ -14186,8 +14242,8 @@ TBX_NOINLINE int tbx_decided_spans(const tbx_decided *d, int at, const int lo[3]
     return n;
 }
 
-/* The spans of all triangles, a block at a time: first those that vectors decide, then, in the same memory, the others.
- * Returns how many triangles are done: 0 if the grid's numbers are out of range. */
+/* The spans of all triangles, a block at a time: first those that vectors decide, then, in the same memory,
+ * the others. Returns how many triangles are done: 0 if the grid's numbers are out of range. */
 TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source, tribox_mesh_span_fn on_span,
                                    void *user, size_t *count)
 {
@@ -14267,7 +14323,8 @@ TBX_FN tbx_i4 tbx_box_empty4(tbx_i4 lo, tbx_i4 hi)
     return (lo > hi) | (lo < -infinity) | (hi > infinity) | (lo == infinity) | (hi == -infinity);
 }
 
-TBX_FN int tbx_box_box4(const float a_min[3], const float a_max[3], const float b_min[3], const float b_max[3])
+TBX_FN int tbx_box_box4(const float a_min[3], const float a_max[3], const float b_min[3],
+                        const float b_max[3])
 {
     const tbx_i4 a_lo = tbx_keys4(a_min);
     const tbx_i4 a_hi = tbx_keys4(a_max);
@@ -14285,9 +14342,9 @@ TBX_COLD int64_t tbx_ray_end_again(const float origin[3], const float dir[3], co
     return tbx_slabs_round(&a, k, e);
 }
 
-/* Where the ray enters (e = 0) or leaves (1) the slab of axis k, rounded outward. The difference of floats errs
- * by 2^-52 of itself, the quotient is checked to 2^-48 and 2^-51: less than 2^-47. What was read as zero moves an
- * end by 2^-85 (2^-125 * 2^40), so ends below 1e-6 are left to the integers. */
+/* Where the ray enters (e = 0) or leaves (1) the slab of axis k, rounded outward. The difference of floats
+ * errs by 2^-52 of itself, the quotient is checked to 2^-48 and 2^-51: less than 2^-47. What was read as zero
+ * moves an end by 2^-85 (2^-125 * 2^40), so ends below 1e-6 are left to the integers. */
 TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const float box_min[3],
                            const float box_max[3], int k, int e)
 {
@@ -14333,15 +14390,16 @@ TBX_FN void tbx_ray_write(float *out, const float origin[3], const float dir[3],
 {
     if (out != NULL) {
         tbx_write(out, 0, TBX_FLOAT,
-                  reached < 8 ? tbx_ray_end(origin, dir, box_min, box_max, reached >> 1, e) : tbx_float_key(t_bits));
+                  reached < 8 ? tbx_ray_end(origin, dir, box_min, box_max, reached >> 1, e)
+                              : tbx_float_key(t_bits));
     }
 }
 
 /* Slabs in float, x, y, z in three lanes, t_min and t_max in the fourth. Coordinates are at most 2^40, so
- * differences are at most 2^41, and components of dir within [2^-40, 2^40], so every t in a box is at most 2^81. A
- * difference errs by 2^-23 of itself, a reciprocal is checked to 2^-20, a product errs by 2^-23: 2^-19 in all,
- * and 2^-80 for what was flushed or read as zero (2^-125 * 2^40). The largest lower and the least upper end are
- * no farther from the exact ones than that. */
+ * differences are at most 2^41, and components of dir within [2^-40, 2^40], so every t in a box is at most
+ * 2^81. A difference errs by 2^-23 of itself, a reciprocal is checked to 2^-20, a product errs by 2^-23:
+ * 2^-19 in all, and 2^-80 for what was flushed or read as zero (2^-125 * 2^40). The largest lower and the
+ * least upper end are no farther from the exact ones than that. */
 TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float t[2], const float box_min[3],
                           const float box_max[3], float *out_t0, float *out_t1)
 {
@@ -14506,7 +14564,8 @@ TBX_FN int tbx_ball4(tbx_f4 d, float r)
     return TBX_RARELY(!(tbx_absf(apart) > error)) ? TBX_UNSURE : (int)(apart < 0.0f);
 }
 
-TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const float b[3], const float *b_radius)
+TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const float b[3],
+                              const float *b_radius)
 {
     tbx_f4 p = tbx_load3(a);
     tbx_f4 q = tbx_load3(b);
@@ -14525,7 +14584,8 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
 }
 
 /* No coordinate of the box is subnormal, so lo > hi is what it says. */
-TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3], const float box_max[3])
+TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3],
+                           const float box_max[3])
 {
     const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
     tbx_f4 p = tbx_load3(c);
@@ -14668,15 +14728,15 @@ TBX_FN unsigned tbx_gap_not_units(unsigned mask, tbx_i4 zero0, tbx_i4 zero1, tbx
  * An axis that is 0 has the root 2^56, so what is subtracted as `void` drives it far below; others are moved
  * by 2^-26 D, as their roots are at most 2^24, but for normals: these count it as an error.
  *
- * In range: corners below 2^26, differences of corners, and of the two faces, 0 or at least 2^-24: products of
- * degree 4 are below 2^112, the error of a normal that is 0, 2^-18 * 3 * 2^55 * 2^29 * 2^57, below 2^125; what is
- * flushed is below 2^-100. */
+ * In range: corners below 2^26, differences of corners, and of the two faces, 0 or at least 2^-24: products
+ * of degree 4 are below 2^112, the error of a normal that is 0, 2^-18 * 3 * 2^55 * 2^29 * 2^57, below 2^125;
+ * what is flushed is below 2^-100. */
 #define TBX_GAP_ERROR4 (32.0f * TBX_U32)
 #define TBX_GAP_ROOT 6.103515625e-05f        /* 2^-14 */
 #define TBX_GAP_VOID 8.8817841970012523e-16f /* 2^-50 */
 
-/* The error of the normal's s, in lane 3. All lanes are kept, as compilers put what they like, however large, in
- * those that nobody reads. */
+/* The error of the normal's s, in lane 3. All lanes are kept, as compilers put what they like, however large,
+ * in those that nobody reads. */
 TBX_FN tbx_f4 tbx_gap_of_normal(tbx_f4 squares, tbx_f4 nothing, tbx_f4 root0)
 {
     tbx_f4 terms = TBX_LANES(squares, squares, 1, 1, 1, 1);
@@ -14846,9 +14906,9 @@ TBX_FN int tbx_gap_near_face(const float *const v[3], const float lo[3], const f
     return tbx_abs(up - down) > 8.0 * TBX_U64 * (tbx_abs(up) + tbx_abs(down));
 }
 
-/* g/|l| and the direction from what an axis l adds up to: twice the box's centre along it, less that of T, and
- * twice what both reach. 0 unless sure to 2^-40, given the error of both sums, and the square of what the terms
- * of l measure: l errs by 4 u of these, at most 2^7 of itself, which is 2^-43 of s. The root is a guess
+/* g/|l| and the direction from what an axis l adds up to: twice the box's centre along it, less that of T,
+ * and twice what both reach. 0 unless sure to 2^-40, given the error of both sums, and the square of what the
+ * terms of l measure: l errs by 4 u of these, at most 2^7 of itself, which is 2^-43 of s. The root is a guess
  * from floats, whose l may have errors of its own: where its square is off by 2^-15 at most, a step of
  * third order leaves 5/16 of the cube, 2^-46. The error may be .8 * 2^-40. */
 #define TBX_GAP_SURE 1374389534720.0    /* 1.25 * 2^40 */
@@ -15060,9 +15120,9 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
 
 /* ---- 11.6 Solid
  *
- * Seen along x, most triangles of a fine mesh hold no row's centre: their boxes tell, WIDE at a time. Those of
- * up to SOLID_ROWS rows on each axis wait in lists, and all rows of WIDE boxes are decided together, in float;
- * larger ones go line by line, in double. Whoever comes within the bounds goes the scalar way.
+ * Seen along x, most triangles of a fine mesh hold no row's centre: their boxes tell, WIDE at a time. Those
+ * of up to SOLID_ROWS rows on each axis wait in lists, and all rows of WIDE boxes are decided together, in
+ * float; larger ones go line by line, in double. Whoever comes within the bounds goes the scalar way.
  *
  * Boxes. Row centres are whole numbers Y = (v - origin) inverse + rest, origin being the first centre as a
  * float, rest what that leaves; of doubles, v - origin is a float computed in double, and rest a MARGIN. Y is
@@ -15091,8 +15151,9 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
  * most 1 and off by 2 error / n_x + 16 u, also where division is approximate: x is off by
  * (|x_1 - x_0| + |x_2 - x_0|) (2 error / n_x + 24 u) + 4 delta(m).
  *
- * On the lattice, that is where corners and centres are multiples of a PART of the unit of length, all E_i are
- * exact; half the least step, added where an edge's tie counts and taken off where not, leaves none at 0. */
+ * On the lattice, that is where corners and centres are multiples of a PART of the unit of length, all E_i
+ * are exact; half the least step, added where an edge's tie counts and taken off where not, leaves none at
+ * 0. */
 #define TBX_SOLID_ROWS 4
 #define TBX_SOLID_PARTS 16
 #define TBX_SOLID_MARGIN 16
@@ -15549,7 +15610,8 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     out->within &= (tbx_uw)~tiny; /* on the lattice: a segment, whatever the ties say */
 }
 
-/* The first voxel behind a crossing on the lattice: N / D rounded up, both of them multiples of 1 / PARTS^3. */
+/* The first voxel behind a crossing on the lattice: N / D rounded up, both of them multiples of 1 /
+ * PARTS^3. */
 TBX_FN int64_t tbx_solid_lattice_voxel(const tbx_solid_quick *q, const tbx_points v[3], int lane, int j,
                                        int k)
 {
@@ -15606,8 +15668,8 @@ TBX_FORCED void tbx_solid_flip_wide(uint64_t *row, size_t row_words, uint64_t pa
 
 /* Lines. What tbx_solid_least looks for, in row or layer r, is at + slope * r, rounded up, if that is not
  * within `error` of a whole number: the value's own bound over its step, and what the quotient and the sum
- * round off; a division may be off by 4 u. On the lattice half the least step of the value goes on top, and no
- * quotient is whole. The edges that bound y from below are lower[0] and [1], maybe one twice. */
+ * round off; a division may be off by 4 u. On the lattice half the least step of the value goes on top, and
+ * no quotient is whole. The edges that bound y from below are lower[0] and [1], maybe one twice. */
 #define TBX_SOLID_LINE_ERROR (32.0 * TBX_U64)
 
 typedef struct tbx_solid_line {
@@ -15728,8 +15790,8 @@ TBX_FORCED uint64_t tbx_solid_fixed(double x)
     return (uint64_t)(int64_t)(x * 4294967296.0);
 }
 
-/* Rows `first` to `end` of layer z, in which a triangle that is not `unsure` in steps of 2^-32 is crossed before
- * voxel at / 2^32, at + slope / 2^32, ... `inside`: in the region all along. */
+/* Rows `first` to `end` of layer z, in which a triangle that is not `unsure` in steps of 2^-32 is crossed
+ * before voxel at / 2^32, at + slope / 2^32, ... `inside`: in the region all along. */
 TBX_FORCED void tbx_solid_layer(const tbx_solid_tri *t, int32_t z, int32_t first, int32_t end, uint64_t at,
                                 uint64_t slope, uint32_t unsure, int inside)
 {
