@@ -924,6 +924,66 @@ static void gaps_of_slivers(void)
     }
 }
 
+/* A box's corner is all but on the face, so the sum that is s loses most of its digits: it is told to 2^-40 where
+ * double does not suffice, and, if one number is much smaller than the others, nor do 128 bits. */
+static void gaps_next_to_a_face(void)
+{
+    int i;
+    int a;
+    random_seed(72);
+    for (i = 0; i < TEST_LOOPS(2000); i++) {
+        const double of_x = 0.2 + 0.1 * random_signed();
+        const double of_y = 0.2 + 0.1 * random_signed();
+        const int way = random_below(2);
+        double x[3];
+        double y[3];
+        pair p;
+        for (a = 0; a < 9; a++) {
+            p.v[a / 3][a % 3] = any_float(2);
+        }
+        if (i % 2) {
+            a = random_below(9);
+            p.v[a / 3][a % 3] *= 3.814697265625e-06f; /* 2^-18 */
+        }
+        for (a = 0; a < 3; a++) {
+            x[a] = (double)p.v[1][a] - (double)p.v[0][a];
+            y[a] = (double)p.v[2][a] - (double)p.v[0][a];
+        }
+        for (a = 0; a < 3; a++) {
+            const int b = (a + 1) % 3;
+            const int c = (a + 2) % 3;
+            const float at = (float)((double)p.v[0][a] + of_x * x[a] + of_y * y[a]);
+            const float size = any_float(2);
+            const int up = (x[b] * y[c] - x[c] * y[b] > 0) == way;
+            p.lo[a] = up ? at : at - (size < 0 ? -size : size);
+            p.hi[a] = up ? at + (size < 0 ? -size : size) : at;
+        }
+        CHECK(gap_is_right(&p));
+    }
+}
+
+/* A small box past whose middle a large triangle's edge goes: it leaves by that edge, whose third corner is far
+ * away on the other side. */
+static void gaps_of_small_boxes_at_edges(void)
+{
+    int i;
+    int a;
+    random_seed(73);
+    for (i = 0; i < TEST_LOOPS(4000); i++) {
+        const double along = 0.5 + 0.25 * random_signed();
+        pair p;
+        for (a = 0; a < 9; a++) {
+            p.v[a / 3][a % 3] = 2048 * any_float(2);
+        }
+        for (a = 0; a < 3; a++) {
+            const double at = (double)p.v[0][a] + along * ((double)p.v[1][a] - (double)p.v[0][a]);
+            p.lo[a] = (float)(at - 0.5 + 0.2 * random_signed());
+            p.hi[a] = p.lo[a] + 1;
+        }
+        CHECK(gap_is_right(&p));
+    }
+}
+
 /* Nothing, and everything. */
 static void gaps_without_a_question(void)
 {
@@ -1366,6 +1426,48 @@ static void spheres_are_exact(void)
     }
 }
 
+/* One sphere is so small that sums of radii and of squares lose in double what decides. */
+static void large_and_small_spheres_are_exact(void)
+{
+    static const float origin[3] = {0, 0, 0};
+    static wide square;
+    static wide sum;
+    static wide r;
+    int i;
+    random_seed(74);
+    for (i = 0; i < TEST_LOOPS(6400); i++) {
+        const float x = 1.5f + 0.5f * any_float(2);
+        const double y = (1.5 + 0.5 * random_signed()) * power_of_two(-20);
+        float at[3] = {0, 0, 0};
+        float radius;
+        at[i % 3] = x;
+        at[(i + 1) % 3] = (float)y;
+        radius = nudge_float((float)(y * y / (2 * (double)x)), random_below(3) - 1);
+        wide_square_distance(&square, at, origin);
+        oracle_integer(&sum, exact(x), UNIT);
+        oracle_integer(&r, exact(radius), UNIT);
+        wide_add(&sum, &sum, &r);
+        wide_multiply(&r, &sum, &sum);
+        CHECK(tribox_sphere_sphere(at, x, origin, radius) == (wide_compare(&square, &r) <= 0));
+        CHECK(tribox_sphere_sphere(at, radius, origin, x) == (wide_compare(&square, &r) <= 0));
+    }
+}
+
+/* A box of min above max holds no point: a sphere that reaches both faces touches nothing. */
+static void spheres_miss_boxes_of_min_above_max(void)
+{
+    const float c[3] = {.5f, 1.5f, 1.5f};
+    int a;
+    for (a = 0; a < 3; a++) {
+        float lo[3] = {1, 1, 1};
+        float hi[3] = {2, 2, 2};
+        CHECK(tribox_sphere_box(c, 5, lo, hi) == 1);
+        hi[a] = .75f;
+        CHECK(tribox_sphere_box(c, 5, lo, hi) == 0);
+        CHECK(tribox_sphere_box(c, 1e-6f, lo, hi) == 0);
+    }
+}
+
 /* The square of the distance to a triangle on a lattice: the least over corners, edges whose foot lies on them,
  * and the face if the foot lies in it. */
 static fraction triangle_distance(int64_t v[3][3], const int64_t c[3])
@@ -1471,6 +1573,92 @@ static void spheres_and_triangles_are_exact(void)
         }
     }
     CHECK(touches > i / 50);
+}
+
+/* A triangle of 2^23 and a point of it, rounded: where the radius is its distance to the plane as a float, double
+ * errs by more than what is left. */
+static void small_spheres_and_large_triangles_are_exact(void)
+{
+    int touches = 0;
+    int i;
+    int a;
+    random_seed(75);
+    for (i = 0; i < TEST_LOOPS(6400); i++) {
+        static wide l[3];
+        static wide dot;
+        static wide square;
+        static wide x;
+        static wide y;
+        const double of_x = 0.3 + 0.1 * random_signed();
+        const double of_y = 0.3 + 0.1 * random_signed();
+        double e[3];
+        double f[3];
+        double d = 0;
+        double nn = 0;
+        float c[3];
+        float radius;
+        int truth;
+        pair p;
+        for (a = 0; a < 9; a++) {
+            p.v[a / 3][a % 3] = 8388608 * any_float(2);
+        }
+        for (a = 0; a < 3; a++) {
+            e[a] = (double)p.v[1][a] - (double)p.v[0][a];
+            f[a] = (double)p.v[2][a] - (double)p.v[0][a];
+            c[a] = (float)((double)p.v[0][a] + of_x * e[a] + of_y * f[a]);
+        }
+        wide_axis(&p, 3, 1, l);
+        wide_set(&dot, 0, 0, 0);
+        wide_set(&square, 0, 0, 0);
+        for (a = 0; a < 3; a++) {
+            const double n = e[(a + 1) % 3] * f[(a + 2) % 3] - e[(a + 2) % 3] * f[(a + 1) % 3];
+            d += n * ((double)c[a] - (double)p.v[0][a]);
+            nn += n * n;
+            oracle_integer(&x, exact(c[a]), UNIT);
+            oracle_integer(&y, exact(p.v[0][a]), UNIT);
+            wide_subtract(&x, &x, &y);
+            wide_multiply(&y, &x, &l[a]);
+            wide_add(&dot, &dot, &y);
+            wide_multiply(&x, &l[a], &l[a]);
+            wide_add(&square, &square, &x);
+        }
+        radius = radius_about(d * (d / nn));
+        oracle_integer(&x, exact(radius), UNIT);
+        wide_multiply(&y, &x, &x);
+        wide_multiply(&x, &y, &square);
+        wide_multiply(&y, &dot, &dot);
+        truth = wide_compare(&y, &x) <= 0;
+        touches += truth;
+        CHECK(tribox_sphere_triangle(c, radius, p.v[0], p.v[1], p.v[2]) == truth);
+    }
+    CHECK(touches > i / 4 && touches < i - i / 4);
+}
+
+/* A sphere that reaches the line of an edge beyond the corner, or the plane beyond the edge, touches nothing; the
+ * centre's subnormal height leaves that to the integers. */
+static void lines_and_planes_go_on_where_triangles_end(void)
+{
+    static const float v[3][3] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}};
+    static const float beyond[6][3] = {{-2, 1, 1e-45f}, {6, -1, 1e-45f}, {5, -2, 1e-45f},
+                                       {3, 6, 1e-45f},  {5, 6, 1e-45f},  {-2, -1, 1e-45f}};
+    static const float beside[3][3] = {{2, -3, 1e-45f}, {7, 2, 1e-45f}, {0, 4, 1e-45f}};
+    int i;
+    int k;
+    for (k = 0; k < 3; k++) {
+        const float *const a = v[k];
+        const float *const b = v[(k + 1) % 3];
+        const float *const c = v[(k + 2) % 3];
+        for (i = 0; i < 6; i++) {
+            CHECK(tribox_sphere_triangle(beyond[i], 1.5f, a, b, c) == 0);
+            CHECK(tribox_sphere_triangle(beyond[i], 1.5f, b, a, c) == 0);
+            CHECK(tribox_sphere_triangle(beyond[i], 2.5f, a, b, c) == 1);
+        }
+        for (i = 0; i < 3; i++) {
+            CHECK(tribox_sphere_triangle(beside[i], 2.5f, a, b, c) == 0);
+            CHECK(tribox_sphere_triangle(beside[i], 2.5f, b, a, c) == 0);
+            CHECK(tribox_sphere_triangle(beside[i], 3, a, b, c) == (i == 2)); /* the height counts */
+        }
+    }
 }
 
 /* f(t) = A t^2 + 2 B t + C and its slope A t + B at a float t, by their signs, in integers. */
@@ -1702,13 +1890,19 @@ int main(void)
     RUN(gaps_are_exact);
     RUN(gaps_on_a_lattice);
     RUN(gaps_of_slivers);
+    RUN(gaps_next_to_a_face);
+    RUN(gaps_of_small_boxes_at_edges);
     RUN(gaps_without_a_question);
     RUN(segments_pass_voxels_in_order);
     RUN(segments_far_and_none);
     RUN(segments_of_any_magnitude_are_in_order);
     RUN(segments_are_thin_triangles);
     RUN(spheres_are_exact);
+    RUN(large_and_small_spheres_are_exact);
+    RUN(spheres_miss_boxes_of_min_above_max);
     RUN(spheres_and_triangles_are_exact);
+    RUN(small_spheres_and_large_triangles_are_exact);
+    RUN(lines_and_planes_go_on_where_triangles_end);
     RUN(rays_and_spheres_are_exact);
     RUN(endless_rays_go_past_all_floats);
     RUN(spheres_without_a_question);
