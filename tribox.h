@@ -7455,6 +7455,7 @@ TBX_FN void tbx_gap_measure(tbx_calc *c, tbx_gap *a)
     }
     if (!(a->square.mid * 1e-3 > a->square.rad)) {
         c->unsure = 1;
+        a->s = a->error = 0.0;
         return;
     }
     y = tbx_inverse_root(a->square.mid);
@@ -7488,11 +7489,12 @@ TBX_COLD int tbx_gap_compare_exact(tbx_calc *c, const tbx_gap *a, const tbx_gap 
 
 TBX_FN int tbx_gap_compare(tbx_calc *c, const tbx_gap *a, const tbx_gap *b)
 {
-    const double error = a->error + b->error;
+    double error;
     double difference;
     if (c->exact) {
         return tbx_gap_compare_exact(c, a, b);
     }
+    error = a->error + b->error;
     difference = a->s - b->s;
     c->unsure |= !(tbx_abs(difference) > error) && error > 0.0;
     return (difference > 0.0) - (difference < 0.0);
@@ -7573,13 +7575,12 @@ TBX_COLD double tbx_gap_value_exact(const tbx_calc *c, const tbx_gap *a)
 TBX_FN int tbx_gap_parallel(const tbx_motion *m, int axis, int *planes)
 {
     const int a = axis > TBX_AXIS_NORMAL ? (axis - 4) / 3 : 0;
-    const int flat = m->n_sign[0] == 0 && m->n_sign[1] == 0 && m->n_sign[2] == 0;
     const int asked = *planes >> a & 1;
     if (axis <= TBX_AXIS_NORMAL || m->n_sign[a] != 0) {
-        return 0;
+        return 0; /* the normal's signs are not asked for faces alone */
     }
     *planes |= 1 << a;
-    return !flat || asked;
+    return m->n_sign[0] != 0 || m->n_sign[1] != 0 || m->n_sign[2] != 0 || asked;
 }
 
 /* Takes what was found in the place of the best. Its limbs go to the slots of a motion's ends. */
