@@ -1000,12 +1000,18 @@ TBX_COLD void tbx_widen_unusual(double *out, uint32_t bits)
     TBX_COPY(out, &wide, sizeof wide);
 }
 
+/* A float's bits: is it neither 0 nor normal? */
+TBX_FN int tbx_is_unusual(uint32_t bits)
+{
+    const uint32_t magnitude = bits & 0x7fffffffu;
+    return (magnitude - 1u < 0x007fffffu) | (magnitude >= 0x7f800000u);
+}
+
 /* The float's value as a double, also where the processor would read a subnormal as zero. */
 TBX_FN void tbx_widen(double *out, const float *x)
 {
     const uint32_t bits = tbx_bits32(x);
-    const uint32_t magnitude = bits & 0x7fffffffu;
-    if (TBX_RARELY((magnitude - 1u < 0x007fffffu) | (magnitude >= 0x7f800000u))) {
+    if (TBX_RARELY(tbx_is_unusual(bits))) {
         tbx_widen_unusual(out, bits);
     } else {
         *out = (double)*x;
@@ -1027,6 +1033,53 @@ TBX_FN int tbx_is_nan(const double *x)
 TBX_FN int tbx_is_finite(const double *x)
 {
     return (tbx_bits64(x) & 0x7fffffffffffffffu) < 0x7ff0000000000000u;
+}
+
+TBX_FN int tbx_finite3(const double x[3])
+{
+    return tbx_is_finite(&x[0]) & tbx_is_finite(&x[1]) & tbx_is_finite(&x[2]);
+}
+
+TBX_COLD int tbx_read_unusual(double out[3], const void *from)
+{
+    float x[3];
+    TBX_COPY(x, from, sizeof x);
+    tbx_widen3(out, x);
+    return tbx_finite3(out);
+}
+
+/* Two floats' bits in one word: is one of them neither 0 nor normal? Bits 31 and 63 say so, without a carry
+ * from one to the other: the first sum of infinity and NaN has them, the second of all but 0, the third of
+ * normal numbers. */
+TBX_FN int tbx_is_unusual_pair(uint64_t pair)
+{
+    const uint64_t magnitudes = pair & 0x7fffffff7fffffffu;
+    return (((magnitudes + 0x0080000000800000u) |
+             ((magnitudes + 0x7fffffff7fffffffu) & ~(magnitudes + 0x7f8000007f800000u))) &
+            0x8000000080000000u) != 0;
+}
+
+/* Three floats as doubles. Returns 0 where one is NaN or infinite. */
+TBX_FN int tbx_read_floats(double out[3], const void *from)
+{
+    float x[3];
+    uint64_t xy;
+    TBX_COPY(x, from, sizeof x);
+    TBX_COPY(&xy, x, sizeof xy);
+    if (TBX_RARELY(tbx_is_unusual_pair(tbx_opaque64(xy)) | tbx_is_unusual(tbx_bits32(&x[2])))) {
+        return tbx_read_unusual(out, from);
+    }
+    out[0] = (double)x[0];
+    out[1] = (double)x[1];
+    out[2] = (double)x[2];
+    return 1;
+}
+
+/* Is x zero, or is its magnitude at least 2^least and less than 2^most? */
+TBX_FN int tbx_in_range(const double *x, int least, int most)
+{
+    const uint64_t magnitude = tbx_bits64(x) & 0x7fffffffffffffffu;
+    return magnitude == 0 || (unsigned)(magnitude >> 52) - (unsigned)(1023 + least) < (unsigned)(most - least);
 }
 
 /* An integer that orders as the number does (NaN aside); both zeros give 0. */
@@ -1524,6 +1577,26 @@ TBX_FN int tbx_orient3(const tbx_exact *f, const int q[3])
 
 /* ---- 5b. The exact test -------------------------------------------------------------------------------- */
 
+/* The touching rule: which faces of a box are open, all lower ones, all upper ones. THIN means closed. A rule
+ * moves exact zeros only, so no bound of floating-point arithmetic sees it. Who asks these two: of one box
+ * tbx_exact_overlap, tbx_clip_box and tbx_clip_axis; of prepared boxes tbx_tri_start, tbx_tri_test,
+ * tbx_octant_faces and, in lanes, tbx_tri_init_simd; of a grid tbx_frame_init and, in lanes, tbx_quick_init. */
+TBX_FN int tbx_lo_is_open(unsigned flags)
+{
+    return (flags & (TRIBOX_THIN | TRIBOX_OPEN)) == TRIBOX_OPEN;
+}
+
+TBX_FN int tbx_hi_is_open(unsigned flags)
+{
+    return (flags & TRIBOX_THIN) == 0 && (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+}
+
+/* The flags that a one-box question has. */
+TBX_FN unsigned tbx_rule(unsigned flags)
+{
+    return (flags & TRIBOX_THIN) != 0 ? 0u : flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN);
+}
+
 /* The sign of component k of edge v[i+1] - v[i]. */
 TBX_FN int tbx_edge_sign(const tbx_exact *f, int i, int k)
 {
@@ -1666,8 +1739,8 @@ TBX_FN tbx_coord tbx_exact_extreme(const tbx_exact *f, int k, int side)
  * where it lies strictly outside. */
 TBX_COLD int tbx_exact_overlap(tbx_exact *f, unsigned flags)
 {
-    const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const int lo_is_open = tbx_lo_is_open(flags);
+    const int hi_is_open = tbx_hi_is_open(flags);
     unsigned open_lo = 0;
     unsigned open_hi = 0;
     int k;
@@ -1690,12 +1763,13 @@ TBX_COLD int tbx_exact_overlap(tbx_exact *f, unsigned flags)
         } else if (hi_is_open) {
             open_hi |= 1u << k;
         }
-        f->x[TBX_MID][k] = *lo; /* unused */
+        f->x[TBX_MID][k] = f->x[0][k]; /* unused: what it was may span more bits */
     }
     tbx_exact_finish(f);
     return tbx_exact_axes(f, TBX_ALL_AXES, open_lo, open_hi);
 }
 
+/* The corners; the box's rows are v0 until they are set. */
 TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[3], const double v2[3])
 {
     int k;
@@ -1703,6 +1777,7 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
         f->x[0][k] = tbx_at(&v0[k], NULL, 0);
         f->x[1][k] = tbx_at(&v1[k], NULL, 0);
         f->x[2][k] = tbx_at(&v2[k], NULL, 0);
+        f->x[TBX_LO][k] = f->x[TBX_MID][k] = f->x[TBX_HI][k] = f->x[0][k];
     }
 }
 
@@ -1749,23 +1824,6 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
 
 enum { TBX_MISS = 0, TBX_HIT = 1, TBX_UNSURE = 2 };
 
-/* The touching rule of a one-box question; THIN means closed there.
- *
- * A rule says which faces of a box are open. It moves exact zeros only, so floating-point bounds never see
- * it. What a rule means stands in: tbx_exact_overlap (which zeros hold), tbx_clip_box and tbx_clip_axis
- * (faces of one box), tbx_tri_start, tbx_tri_test and tbx_octant_faces (of prepared boxes), tbx_frame_init
- * (of a grid, whose lo_is_open and hi_is_open the walk reads); and again, in section 11, tbx_tri_init_simd
- * and tbx_quick_init. */
-TBX_FN unsigned tbx_rule(unsigned flags)
-{
-    return (flags & TRIBOX_THIN) != 0 ? 0u : flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN);
-}
-
-TBX_FN int tbx_finite3(const double x[3])
-{
-    return tbx_is_finite(&x[0]) & tbx_is_finite(&x[1]) & tbx_is_finite(&x[2]);
-}
-
 /* The triangle is a set of points: no corner has a NaN or an infinity. */
 TBX_FN int tbx_corners_finite(const double v0[3], const double v1[3], const double v2[3])
 {
@@ -1798,23 +1856,22 @@ TBX_FN double tbx_greater(double a, double b)
 
 /* Is the magnitude 0 or in [2^-200, 2^300)? Such doubles are multiples of 2^-252, and so are their
  * differences: nothing is flushed to zero, and nothing that the filter computes overflows. */
-TBX_FN unsigned tbx_is_usual(const double *x)
+TBX_FN int tbx_is_usual(const double *x)
 {
     const uint64_t magnitude = tbx_bits64(x) & 0x7fffffffffffffffu;
-    return (unsigned)(magnitude == 0) |
-           (unsigned)(magnitude - ((uint64_t)(1023 - 200) << 52) < (uint64_t)500 << 52);
+    return (magnitude == 0) | (magnitude - ((uint64_t)(1023 - 200) << 52) < (uint64_t)500 << 52);
 }
 
-TBX_FN unsigned tbx_is_usual3(const double x[3])
+TBX_FN int tbx_is_usual3(const double x[3])
 {
     return tbx_is_usual(&x[0]) & tbx_is_usual(&x[1]) & tbx_is_usual(&x[2]);
 }
 
-TBX_COLD int tbx_all_usual(const double v0[3], const double v1[3], const double v2[3],
-                           const double box_min[3], const double box_max[3])
+TBX_NOINLINE int tbx_all_usual(const double v0[3], const double v1[3], const double v2[3],
+                               const double box_min[3], const double box_max[3])
 {
-    return (int)(tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2) & tbx_is_usual3(box_min) &
-                 tbx_is_usual3(box_max));
+    return tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2) & tbx_is_usual3(box_min) &
+           tbx_is_usual3(box_max);
 }
 
 /* The box, clipped to the triangle's bounding box. Bit k of open_lo, open_hi: that face is not in the box. */
@@ -1831,8 +1888,8 @@ typedef struct tbx_clip {
 TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3], const double v2[3],
                         const double box_min[3], const double box_max[3], unsigned flags)
 {
-    const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const int lo_is_open = tbx_lo_is_open(flags);
+    const int hi_is_open = tbx_hi_is_open(flags);
     int k;
     clip->open_lo = 0;
     clip->open_hi = 0;
@@ -1865,8 +1922,8 @@ TBX_FN int tbx_clip_axis(tbx_clip *clip, int k, const double v[3], double lo, do
     int parted = lower > upper; /* also where lo > hi */
     clip->lo[k] = lower;
     clip->hi[k] = upper;
-    if (flags != 0) {
-        const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
+    if (tbx_hi_is_open(flags)) {
+        const int lo_is_open = tbx_lo_is_open(flags);
         parted |= (lo >= hi) | (hi <= t_min) | (lo_is_open & (lo >= t_max));
         clip->open_lo |= (unsigned)(lo_is_open & (lo >= t_min)) << k;
         clip->open_hi |= (unsigned)(hi <= t_max) << k;
@@ -2065,7 +2122,6 @@ TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const dou
     tbx_exact_corners(&f, v0, v1, v2);
     for (k = 0; k < 3; k++) {
         f.x[TBX_LO][k] = tbx_at(&clip->lo[k], NULL, 0);
-        f.x[TBX_MID][k] = f.x[TBX_LO][k]; /* unused */
         f.x[TBX_HI][k] = tbx_at(&clip->hi[k], NULL, 0);
     }
     tbx_exact_finish(&f);
@@ -2164,8 +2220,7 @@ TBX_COLD int tbx_overlap_unusual(const double v0[3], const double v1[3], const d
 TBX_NOINLINE int tbx_overlap(const double v0[3], const double v1[3], const double v2[3],
                              const double box_min[3], const double box_max[3], unsigned flags)
 {
-    if (tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2) & tbx_is_usual3(box_min) &
-        tbx_is_usual3(box_max)) {
+    if (tbx_all_usual(v0, v1, v2, box_min, box_max)) {
         return tbx_overlap_usual(v0, v1, v2, box_min, box_max, flags);
     }
     return tbx_overlap_unusual(v0, v1, v2, box_min, box_max, flags);
@@ -2198,10 +2253,9 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
                        const float box_max[3], int rule);
 #endif
 
-TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
-                                      const double box_min[3], const double box_max[3], unsigned flags)
+TBX_FN int tbx_overlap_double(const double v0[3], const double v1[3], const double v2[3],
+                              const double box_min[3], const double box_max[3], unsigned rule)
 {
-    const unsigned rule = tbx_rule(flags);
 #if TRIBOX_SIMD
     const int verdict = tbx_filter2(v0, v1, v2, box_min, box_max, rule != 0);
     if (verdict != TBX_UNSURE) {
@@ -2211,94 +2265,33 @@ TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], co
     return tbx_overlap(v0, v1, v2, box_min, box_max, rule);
 }
 
+TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
+                                      const double box_min[3], const double box_max[3], unsigned flags)
+{
+    return tbx_overlap_double(v0, v1, v2, box_min, box_max, tbx_rule(flags));
+}
+
 TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const double v2[3],
                                  const double box_min[3], const double box_max[3])
 {
-#if TRIBOX_SIMD
-    const int verdict = tbx_filter2(v0, v1, v2, box_min, box_max, 0);
-    if (verdict != TBX_UNSURE) {
-        return verdict;
-    }
-#endif
-    return tbx_overlap(v0, v1, v2, box_min, box_max, 0);
+    return tbx_overlap_double(v0, v1, v2, box_min, box_max, 0);
 }
 
-/* Two floats' bits in one word: is one of them neither 0 nor normal? Bits 31 and 63 say so, without a carry
- * from one to the other: the first sum of infinity and NaN has them, the second of all but 0, the third of
- * normal numbers. */
-TBX_FN uint64_t tbx_unusual_pair(uint64_t pair)
-{
-    const uint64_t magnitudes = pair & 0x7fffffff7fffffffu;
-    return (magnitudes + 0x0080000000800000u) |
-           ((magnitudes + 0x7fffffff7fffffffu) & ~(magnitudes + 0x7f8000007f800000u));
-}
-
-TBX_FN uint64_t tbx_unusual3(const float x[3])
-{
-    uint64_t xy;
-    TBX_COPY(&xy, x, sizeof xy);
-    return tbx_unusual_pair(tbx_opaque64(xy)) | tbx_unusual_pair(tbx_bits32(x + 2));
-}
-
-TBX_FN void tbx_widen_normal3(double out[3], const float x[3])
-{
-    out[0] = (double)x[0];
-    out[1] = (double)x[1];
-    out[2] = (double)x[2];
-}
-
-/* The float entry for numbers that are not usual. */
-TBX_COLD int tbx_overlap_widened_unusual(const float v0[3], const float v1[3], const float v2[3],
-                                         const float box_min[3], const float box_max[3], unsigned flags)
-{
-    double wide[5][3];
-    const float *from[5];
-    int i;
-    from[0] = v0;
-    from[1] = v1;
-    from[2] = v2;
-    from[3] = box_min;
-    from[4] = box_max;
-    for (i = 0; i < 5; i++) {
-        tbx_widen3(wide[i], from[i]);
-    }
-    return tbx_overlap_unusual(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
-}
-
-/* The float entry of the scalar body. As doubles, zeros and normal floats are usual. */
+/* The float entry of the scalar body. As doubles, all finite floats are usual. */
 TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
-                                     const float box_min[3], const float box_max[3], unsigned flags)
+                                     const float box_min[3], const float box_max[3], unsigned rule)
 {
     double wide[5][3];
-    const uint64_t unusual = tbx_unusual3(v0) | tbx_unusual3(v1) | tbx_unusual3(v2) | tbx_unusual3(box_min) |
-                             tbx_unusual3(box_max);
-    if (!TBX_RARELY((unusual & 0x8000000080000000u) != 0)) {
-        tbx_widen_normal3(wide[0], v0);
-        tbx_widen_normal3(wide[1], v1);
-        tbx_widen_normal3(wide[2], v2);
-        tbx_widen_normal3(wide[3], box_min);
-        tbx_widen_normal3(wide[4], box_max);
-        return tbx_overlap_usual(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
+    if (tbx_read_floats(wide[0], v0) & tbx_read_floats(wide[1], v1) & tbx_read_floats(wide[2], v2) &
+        tbx_read_floats(wide[3], box_min) & tbx_read_floats(wide[4], box_max)) {
+        return tbx_overlap_usual(wide[0], wide[1], wide[2], wide[3], wide[4], rule);
     }
-    return tbx_overlap_widened_unusual(v0, v1, v2, box_min, box_max, flags);
+    return tbx_overlap_unusual(wide[0], wide[1], wide[2], wide[3], wide[4], rule);
 }
 
-TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                             const float box_max[3])
+TBX_FN int tbx_overlap_float(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                             const float box_max[3], unsigned rule)
 {
-#if TRIBOX_SIMD
-    const int verdict = tbx_filter4(v0, v1, v2, box_min, box_max, 0);
-    if (verdict != TBX_UNSURE) {
-        return verdict;
-    }
-#endif
-    return tbx_overlap_widened(v0, v1, v2, box_min, box_max, 0);
-}
-
-TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const float v2[3],
-                                  const float box_min[3], const float box_max[3], unsigned flags)
-{
-    const unsigned rule = tbx_rule(flags);
 #if TRIBOX_SIMD
     const int verdict = tbx_filter4(v0, v1, v2, box_min, box_max, rule != 0);
     if (verdict != TBX_UNSURE) {
@@ -2306,6 +2299,18 @@ TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const fl
     }
 #endif
     return tbx_overlap_widened(v0, v1, v2, box_min, box_max, rule);
+}
+
+TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                             const float box_max[3])
+{
+    return tbx_overlap_float(v0, v1, v2, box_min, box_max, 0);
+}
+
+TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const float v2[3],
+                                  const float box_min[3], const float box_max[3], unsigned flags)
+{
+    return tbx_overlap_float(v0, v1, v2, box_min, box_max, tbx_rule(flags));
 }
 
 /* [AM01] in plain float: box at the origin, nine cross-product axes, three faces, the plane. */
@@ -2444,13 +2449,6 @@ TBX_FN double tbx_key32_value(int32_t key)
     return value;
 }
 
-/* Is x zero, or is its magnitude at least 2^least and less than 2^most? */
-TBX_FN int tbx_in_range(const double *x, int least, int most)
-{
-    const uint64_t bits = tbx_bits64(x) & 0x7fffffffffffffffu;
-    return bits == 0 || bits - ((uint64_t)(1023 + least) << 52) < ((uint64_t)(most - least) << 52);
-}
-
 /* Is s, a rounded a + b, their exact sum? It less the larger one is a double, in every rounding mode: it is
  * the other one if and only if nothing was rounded. */
 TBX_FN int tbx_is_sum(double s, double a, double b)
@@ -2533,13 +2531,7 @@ TBX_FN int32_t tbx_least_key(const double *t, const double *size, int strict)
 TBX_COLD int tbx_normal_sign_exact(const double v0[3], const double v1[3], const double v2[3], int b, int c)
 {
     tbx_exact f;
-    int row;
     tbx_exact_corners(&f, v0, v1, v2);
-    for (row = TBX_LO; row < TBX_ROWS; row++) { /* unused */
-        f.x[row][0] = f.x[0][0];
-        f.x[row][1] = f.x[0][1];
-        f.x[row][2] = f.x[0][2];
-    }
     tbx_exact_finish(&f);
     return tbx_orient2(&f, b, c, 0, 1, 2, 2);
 }
@@ -2736,8 +2728,8 @@ TBX_FN int tbx_tri_start(tribox_tri *tri, const double v[3][3], const double siz
     const double zero = 0.0;
     const int finite = tbx_finite3(size);
     const unsigned rule = finite && (flags & TRIBOX_THIN) != 0 ? (unsigned)TRIBOX_THIN : tbx_rule(flags);
-    const int lo_is_open = (rule & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const int lo_is_open = tbx_lo_is_open(rule);
+    const int hi_is_open = tbx_hi_is_open(rule);
     int empty = !tbx_corners_finite(v[0], v[1], v[2]);
     int k;
     for (k = 0; k < 4; k++) {
@@ -2901,6 +2893,7 @@ TBX_COLD int tbx_tri_exact(const tribox_tri *tri, const double p[3], unsigned oc
     int k;
     TBX_COPY(v, tri->v, sizeof v);
     TBX_COPY(size, tri->size, sizeof size);
+    tbx_exact_corners(&f, v[0], v[1], v[2]);
     for (k = 0; k < 3; k++) {
         const int upper = (int)(octant >> k & 1u);
         f.x[TBX_LO][k] = tbx_at(&p[k], &size[k], 2 * upper);
@@ -2908,7 +2901,6 @@ TBX_COLD int tbx_tri_exact(const tribox_tri *tri, const double p[3], unsigned oc
         /* an infinite step is read as 2^1024; four of them from any p lie beyond every corner */
         f.x[TBX_HI][k] = tbx_at(&p[k], &size[k], tbx_is_finite(&size[k]) ? 2 * upper + 2 : 8);
     }
-    tbx_exact_corners(&f, v[0], v[1], v[2]);
     return tbx_exact_overlap(&f, tri->flags);
 }
 
@@ -2937,8 +2929,8 @@ TBX_COLD int tbx_tri_decide(const tribox_tri *tri, const double p[3], unsigned o
 /* The specification of the test: faces, the conditions in float, what they leave open. */
 TBX_NOINLINE int tbx_tri_test(const tribox_tri *tri, const double p[3])
 {
-    const int lo_is_open = (tri->flags & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const int lo_is_open = tbx_lo_is_open(tri->flags);
+    const int hi_is_open = tbx_hi_is_open(tri->flags);
     int verdict = TBX_UNSURE;
     int k;
     if (tri->empty || !tbx_finite3(p)) {
@@ -3037,8 +3029,8 @@ TRIBOX_FN void tribox_tri_resize(tribox_tri *tri, const float size[3])
  * size, only the first is a box. */
 TBX_FN unsigned tbx_octant_faces(const tribox_tri *tri, int k, const double *p)
 {
-    const int lo_is_open = (tri->flags & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const int lo_is_open = tbx_lo_is_open(tri->flags);
+    const int hi_is_open = tbx_hi_is_open(tri->flags);
     const double t_min = tri->t_min[k];
     const double t_max = tri->t_max[k];
     const double size = tri->size[k];
@@ -3171,10 +3163,9 @@ TBX_FN size_t tbx_saturating_add(size_t a, size_t b)
 
 /* Is the number 0, or is its magnitude within 2^-e..2^e? Sums, products and quotients of a few such numbers
  * neither overflow nor come near to subnormals. */
-TBX_FN int tbx_is_ordinary(const double *x, unsigned e)
+TBX_FN int tbx_is_ordinary(const double *x, int e)
 {
-    const uint64_t magnitude = tbx_bits64(x) & 0x7fffffffffffffffu;
-    return magnitude == 0 || (unsigned)(magnitude >> 52) - (1023u - e) < 2u * e;
+    return tbx_in_range(x, -e, e);
 }
 
 /* Whatever is 2^-ORDINARY..2^ORDINARY, or 0: all floats are. Differences of two such doubles are 0 or at
@@ -3310,31 +3301,6 @@ TBX_FN int tbx_corners_kind(double v[3][3])
     return tbx_corners_finite(v[0], v[1], v[2]) ? TBX_ANY_FINITE : TBX_NO_POINTS;
 }
 
-/* Three floats as doubles. Returns 0 where one is NaN or infinite. Bit 31 of exponent + 2^23 says all ones,
- * and of exponent - 2^23 all zeros; what that borrows from a neighbour only sends it the careful way, too. */
-TBX_FN int tbx_read_floats(double out[3], const void *from)
-{
-    const uint64_t step = (uint64_t)0x00800000u << 32 | 0x00800000u;
-    const uint64_t exponents = (uint64_t)0x7f800000u << 32 | 0x7f800000u;
-    const uint64_t signs = (uint64_t)0x80000000u << 32 | 0x80000000u;
-    float x[3];
-    uint64_t xy;
-    uint64_t z;
-    TBX_COPY(x, from, sizeof x);
-    TBX_COPY(&xy, x, sizeof xy);
-    xy = tbx_opaque64(xy) & exponents;
-    z = tbx_bits32(&x[2]) & 0x7f800000u;
-    if (TBX_RARELY((((xy + step) | (xy - step)) & signs) != 0 ||
-                   z - 0x00800000u >= 0x7f000000u)) {
-        tbx_widen3(out, x);
-        return tbx_finite3(out);
-    }
-    out[0] = (double)x[0];
-    out[1] = (double)x[1];
-    out[2] = (double)x[2];
-    return 1;
-}
-
 TBX_FN const char *tbx_source_at(const tbx_source *s, size_t t, size_t c)
 {
     const size_t at = 3 * t + c;
@@ -3443,8 +3409,8 @@ TBX_FN int tbx_frame_init(tbx_frame *f, const tribox_grid *grid)
     f->grid = grid;
     f->on = 1;
     f->thin = (grid->flags & TRIBOX_THIN) != 0;
-    f->lo_is_open = !f->thin && (grid->flags & TRIBOX_OPEN) != 0;
-    f->hi_is_open = !f->thin && (grid->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    f->lo_is_open = tbx_lo_is_open(grid->flags);
+    f->hi_is_open = tbx_hi_is_open(grid->flags);
     f->reach = 16.0;
     for (k = 0; k < 3; k++) {
         const int on =
@@ -3902,34 +3868,25 @@ TBX_FN void tbx_walk_narrow(tbx_walk *w, int group, int64_t r, int64_t y, int64_
     }
 }
 
-/* The triangle's index box on axis k where rounding leaves it open: exact. first, last: the greater voxel of
- * those in question; open_first, open_last: whether there is a question. */
-TBX_COLD void tbx_walk_box_exact(const tbx_walk *w, int k, int open_first, int open_last, int64_t *first,
-                                 int64_t *last)
+/* The triangle's least and greatest coordinate. */
+TBX_FN void tbx_walk_extremes(const tbx_walk *w, int k, double *out_least, double *out_most)
 {
-    const tbx_frame *f = w->frame;
-    const tribox_grid *grid = f->grid;
-    const double least = tbx_min(tbx_min(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
-    const double most = tbx_max(tbx_max(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
-    if (open_first && tbx_plane_compare(grid, k, grid->lo[k] + *first, least) >= f->hi_is_open) {
-        --*first;
-    }
-    if (open_last && tbx_plane_compare(grid, k, grid->lo[k] + *last, most) > -f->lo_is_open) {
-        --*last;
-    }
+    *out_least = tbx_min(tbx_min(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
+    *out_most = tbx_max(tbx_max(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
 }
 
-/* The same where numbers are out of range, within the region and the voxels round it. */
+/* The whole index box where numbers are out of range, within the region and the voxels round it. */
 TBX_COLD void tbx_walk_box_search(tbx_walk *w)
 {
     const tbx_frame *f = w->frame;
     int k;
     w->light = 0;
     for (k = 0; k < 3; k++) {
-        const double least = tbx_min(tbx_min(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
-        const double most = tbx_max(tbx_max(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
         const int64_t lo = f->grid->lo[k];
         const int64_t hi = f->grid->hi[k];
+        double least;
+        double most;
+        tbx_walk_extremes(w, k, &least, &most);
         w->whole[k] = tbx_plane_search(f->grid, k, lo + 1, hi + 1, least, f->hi_is_open) - 1 - lo;
         w->more[k] = tbx_plane_search(f->grid, k, lo, hi, most, !f->lo_is_open) - 1 - lo - w->whole[k];
     }
@@ -3953,17 +3910,24 @@ TBX_FN void tbx_fixed_extremes(const tbx_frame *f, int k, double v0, double v1, 
     *out_most = (int64_t)most;
 }
 
-/* Whole index boxes where a face may lie on a grid plane. */
-TBX_COLD void tbx_walk_box_unsure(tbx_walk *w, const int64_t least[3], const int64_t most[3])
+/* Whole index boxes where a face may lie on a grid plane: of two voxels in question the plane between them
+ * decides. */
+TBX_COLD void tbx_walk_box_unsure(tbx_walk *w, const int64_t fixed_least[3], const int64_t fixed_most[3])
 {
-    const int64_t slack = w->frame->slack;
+    const tbx_frame *f = w->frame;
     int k;
     w->box_is_strict = 0;
     for (k = 0; k < 3; k++) {
-        int64_t first = ((least[k] + slack) >> TBX_FIXED) - TBX_BEFORE;
-        int64_t last = ((most[k] + slack) >> TBX_FIXED) - TBX_BEFORE;
-        tbx_walk_box_exact(w, k, first != ((least[k] - slack) >> TBX_FIXED) - TBX_BEFORE,
-                           last != ((most[k] - slack) >> TBX_FIXED) - TBX_BEFORE, &first, &last);
+        const int64_t lo = f->grid->lo[k];
+        int64_t first = ((fixed_least[k] + f->slack) >> TBX_FIXED) - TBX_BEFORE;
+        int64_t last = ((fixed_most[k] + f->slack) >> TBX_FIXED) - TBX_BEFORE;
+        double least;
+        double most;
+        tbx_walk_extremes(w, k, &least, &most);
+        first -= first != ((fixed_least[k] - f->slack) >> TBX_FIXED) - TBX_BEFORE &&
+                 tbx_plane_compare(f->grid, k, lo + first, least) >= f->hi_is_open;
+        last -= last != ((fixed_most[k] - f->slack) >> TBX_FIXED) - TBX_BEFORE &&
+                tbx_plane_compare(f->grid, k, lo + last, most) > -f->lo_is_open;
         w->whole[k] = first;
         w->more[k] = last - first;
     }
@@ -4021,22 +3985,6 @@ TBX_FN int tbx_walk_box(tbx_walk *w, const tbx_frame *f, double v[3][3], int kin
     }
 }
 
-/* The sign of the normal's component a, where double leaves it open. */
-TBX_COLD int tbx_walk_normal_exact(const tbx_walk *w, int a)
-{
-    tbx_exact f;
-    int row;
-    int k;
-    tbx_exact_corners(&f, w->corner[0], w->corner[1], w->corner[2]);
-    for (row = TBX_LO; row < TBX_ROWS; row++) { /* unused */
-        for (k = 0; k < 3; k++) {
-            f.x[row][k] = f.x[0][k];
-        }
-    }
-    tbx_exact_finish(&f);
-    return tbx_orient2(&f, a < 2 ? a + 1 : 0, a > 0 ? a - 1 : 2, 0, 1, 2, 2);
-}
-
 TBX_FN void tbx_walk_normal(tbx_walk *w, int a, int b, int c)
 {
     if (w->light) {
@@ -4055,7 +4003,7 @@ TBX_FN void tbx_walk_normal(tbx_walk *w, int a, int b, int c)
             return;
         }
     }
-    w->n_sign[a] = tbx_walk_normal_exact(w, a);
+    w->n_sign[a] = tbx_normal_sign_exact(w->corner[0], w->corner[1], w->corner[2], b, c);
 }
 
 /* Corners and edges in voxels. */
@@ -4749,14 +4697,6 @@ TRIBOX_FN void tribox_grid_fill_f64(const tribox_grid *grid, const tribox_mesh_f
     tbx_source source;
     tbx_source_double(&source, mesh);
     tbx_fill_mesh(grid, &source, bits);
-}
-
-/* Corner c of the mesh's triangle t. */
-TBX_FN const void *tbx_corner(const tribox_mesh *mesh, size_t t, int c)
-{
-    const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
-    const size_t at = 3 * t + (size_t)c;
-    return (const char *)mesh->positions + (mesh->indices != NULL ? (size_t)mesh->indices[at] : at) * stride;
 }
 
 /* ---- Solid
@@ -7379,7 +7319,7 @@ TBX_FN int tbx_sweep_box_valid(tbx_motion *m, const float box_min[3], const floa
 {
     int flat = 0;
     int k;
-    m->open = (flags & (TRIBOX_OPEN | TRIBOX_THIN)) == TRIBOX_OPEN;
+    m->open = tbx_lo_is_open(flags);
     tbx_read(m->lo, box_min, 3, TBX_FLOAT);
     tbx_read(m->hi, box_max, 3, TBX_FLOAT);
     tbx_read(m->velocity, velocity, 3, TBX_FLOAT);
@@ -10470,8 +10410,8 @@ TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[
     const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f }; /* 2^-149 */
     const int thin = (flags & TRIBOX_THIN) != 0;
     const unsigned rule = thin ? (unsigned)TRIBOX_THIN : tbx_rule(flags);
-    const int lo_is_open = (rule & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const int lo_is_open = tbx_lo_is_open(rule);
+    const int hi_is_open = tbx_hi_is_open(rule);
     const tbx_f4 p0 = tbx_load3(v0);
     const tbx_f4 p1 = tbx_load3(v1);
     const tbx_f4 p2 = tbx_load3(v2);
@@ -11174,8 +11114,8 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
     int k;
     q->on = TBX_DOUBLE_IS_53_BITS;
     q->thin = (grid->flags & TRIBOX_THIN) != 0;
-    q->upper_open = !q->thin && (grid->flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN)) != 0;
-    q->lower_open = !q->thin && (grid->flags & TRIBOX_OPEN) != 0;
+    q->upper_open = tbx_hi_is_open(grid->flags);
+    q->lower_open = tbx_lo_is_open(grid->flags);
     q->layer_words = t->ny * t->row_words;
     q->delta = 0.0;
     q->delta_low = 0.0f;
