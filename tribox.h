@@ -15720,8 +15720,8 @@ TBX_FORCED void tbx_solid_lines_rows(const tbx_solid_lines *l, double z, double 
     rows[1] = tbx_solid_up(c < d ? c : d, l->error, last, sure);
 }
 
-/* In steps of 2^-32, which it may be off by. A line in x has values beyond 2^28 only where they do not count:
- * outside the triangle. */
+/* In steps of 2^-32, which it may be off by. Where corners are within 2^27 voxels, a line in x has values
+ * beyond 2^28 only where they do not count: outside the triangle. */
 TBX_FORCED uint64_t tbx_solid_fixed(double x)
 {
     x = x > -268435456.0 ? x : -268435456.0;
@@ -15765,6 +15765,7 @@ TBX_NOINLINE int tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
     const tbx_solid *s = q->solid;
     const uint64_t n_x = (uint64_t)s->n[0];
     const double last_y = (double)s->n[1] - 0.5;
+    const double most_x = s->grid->size[0] * 134217728.0; /* 2^27 voxels: see tbx_solid_fixed */
     uint64_t slope;
     uint32_t unsure;
     tbx_solid_tri t;
@@ -15782,7 +15783,8 @@ TBX_NOINLINE int tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
     if (t.fits) {
         tbx_solid_lines_set(&l, &t);
     }
-    if (!t.fits || !tbx_solid_layers(&l, &t) || !(l.plane_error < 0.1)) {
+    if (!t.fits || !tbx_solid_layers(&l, &t) || !(l.plane_error < 0.1) || tbx_abs(t.at[0][0]) > most_x ||
+        tbx_abs(t.at[1][0]) > most_x || tbx_abs(t.at[2][0]) > most_x) {
         return 0;
     }
     slope = tbx_solid_fixed(l.plane.slope);
