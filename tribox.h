@@ -15066,12 +15066,13 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
  *
  * Boxes. Row centres are whole numbers Y = (v - origin) inverse + rest, origin being the first centre as a
  * float, rest what that leaves; of doubles, v - origin is a float computed in double, and rest a MARGIN. Y is
- * off by u |Y| for each of the difference, inverse, product and sum, by u |rest|, and by u more for what the
- * bounds are widened by: 7 u (n + |rest| + 2) between the region's ends; beyond them it does not come back,
- * since each operation is monotone. Corners beyond 2^22 voxels go the scalar way. The first centre itself is
- * off by 2 * 2^-52 M (section 8): MIDDLE_ERROR allows for twice that.
+ * off by u |Y| for each of the difference, inverse, product and sum, by u |rest|, and by u more for what rest
+ * is widened by: 7 u (n + |rest| + 2) between the region's ends; beyond them it does not come back, since
+ * each operation is monotone: the least corner has the least Y. Triangles with a corner beyond 2^22 voxels go
+ * the scalar way. The first centre itself is off by 2 * 2^-52 M (section 8): MIDDLE_ERROR allows for twice
+ * that.
  *
- * A box of one row is looked at again, before it waits: from that row's centre corners lie at most
+ * A box of one row is looked at again, before it waits, Y about that row: from its centre corners lie at most
  * R = 1.1 voxels, and are off by e = slack + 2 u R, so E_i is off by less than error = 4 R e + 5 u R^2. Where
  * one, times the sign of their sum, is below -2.1 error, another is above error: the centre is not within.
  *
@@ -15082,7 +15083,7 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
  * once to float. In boxes of c rows all corners and centres are within R = 2 c + 0.1 of the first centre.
  * With e = delta(R),
  *   E_i = v_i x v_{i+1}, about the first centre      off by 4 R e + 4 u R^2,
- *   E_i there + j step_y A + k step_z B              R (2 e + 4 u R) more for each of j and k, and 16 u R^2,
+ *   E_i there + j step_y A + k step_z B, in steps    R (2 e + 4 u R) more for each of j and k, and 36 u R^2,
  *   n_x = E_0 + E_1 + E_2, at the first centre       off by 3 of the first line and 16 u R^2:
  * all less than error = 16 R e + 64 u R^2. Where all s E_i are above it, s n_x > 0, and the centre is within;
  * where one is below -2 error, s cannot be wrong: the others would have to add up to less than -error.
@@ -15099,7 +15100,6 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
 #define TBX_SOLID_MARGIN 16
 #define TBX_SOLID_BLOCK 32
 #define TBX_SOLID_CROSSINGS 32
-#define TBX_SOLID_ANYWAY 0x40000000 /* an extent: goes the scalar way */
 #define TBX_SOLID_MIDDLE_ERROR (4.0 * TBX_U64)
 #define TBX_SOLID_BOX_ERROR (7.0f * TBX_U32)
 #define TBX_SOLID_PLACE_ERROR (5.0f * TBX_U32)
@@ -15110,10 +15110,21 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
 typedef struct tbx_solid_axis {
     tbx_fw origin;
     tbx_fw inverse;
-    tbx_fw rest; /* MARGIN added */
-    tbx_fw slack;
-    tbx_iw last; /* behind it the region ends */
+    tbx_fw rest;      /* MARGIN added */
+    tbx_fw rest_low;  /* less the slack */
+    tbx_fw rest_high; /* and the slack */
+    tbx_fw outside;   /* less than it, and more than minus it, lies the region */
+    tbx_iw last;      /* behind it the region ends */
 } TBX_ALIGNED tbx_solid_axis;
+
+/* Centres of an axis, for rows. */
+typedef struct tbx_solid_centres {
+    tbx_fw scale;
+    tbx_fw base_high;
+    tbx_fw base_low;
+    tbx_fw size_high;
+    tbx_fw size_low;
+} TBX_ALIGNED tbx_solid_centres;
 
 typedef struct tbx_solid_quick {
     tbx_solid_axis axis[2];
@@ -15125,12 +15136,9 @@ typedef struct tbx_solid_quick {
     float inverse[3];
     int32_t most[3]; /* magnitudes above it, as integers, go the scalar way */
     float scale[3];
-    float step[3]; /* size * scale */
-    float over_step[3];
-    float base_high[3];
-    float base_low[3];
-    float size_high[3];
-    float size_low[3];
+    float step[3];   /* size * scale */
+    float over_step; /* 1 / step[0] */
+    tbx_solid_centres centres[3];
     float rho; /* scaled, the largest */
     int lattice;
     int on; /* 0: this grid's numbers are out of range */
@@ -15143,13 +15151,16 @@ TBX_FN double tbx_solid_axis_init(tbx_solid_quick *q, int k)
     const double size = s->grid->size[k];
     const double n = (double)s->n[k];
     const double left = q->source->is_double ? 0.0 : ((double)q->origin[k] - s->middle[k]) / size;
+    const double source_middle = q->source->is_double ? 0.0 : tbx_abs(s->middle[k]);
     const double slack = 1.01 * ((double)TBX_SOLID_BOX_ERROR * (n + 2.0 * TBX_SOLID_MARGIN + tbx_abs(left)) +
                                  TBX_SOLID_MIDDLE_ERROR * s->reach[k] / size);
     tbx_solid_axis *axis = &q->axis[k - 1];
     axis->origin = tbx_wide_all(q->source->is_double ? 0.0f : q->origin[k]);
     axis->inverse = tbx_wide_all(q->inverse[k]);
     axis->rest = tbx_wide_all((float)(left + (double)TBX_SOLID_MARGIN));
-    axis->slack = tbx_wide_all((float)slack);
+    axis->rest_low = tbx_wide_all((float)(left + (double)TBX_SOLID_MARGIN - slack));
+    axis->rest_high = tbx_wide_all((float)(left + (double)TBX_SOLID_MARGIN + slack));
+    axis->outside = tbx_wide_all((float)((source_middle + 4194304.0 * size)));
     axis->last = tbx_wide_int(TBX_SOLID_MARGIN + (int32_t)s->n[k] - 2);
     return slack;
 }
@@ -15195,13 +15206,14 @@ TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const t
             source->is_double ? (int32_t)(tbx_bits64(&most) >> 32) : (int32_t)tbx_bits32(&most_float);
         q->scale[k] = (float)scale;
         q->step[k] = (float)(size * scale);
-        q->over_step[k] = (float)(1.0 / (size * scale));
-        q->base_high[k] = (float)base_high;
-        q->base_low[k] = (float)(middle - base_high);
-        q->size_high[k] = (float)size_high;
-        q->size_low[k] = (float)(size - size_high);
+        q->over_step = k == 0 ? (float)(1.0 / (size * scale)) : q->over_step;
+        q->centres[k].scale = tbx_wide_all((float)scale);
+        q->centres[k].base_high = tbx_wide_all((float)base_high);
+        q->centres[k].base_low = tbx_wide_all((float)(middle - base_high));
+        q->centres[k].size_high = tbx_wide_all((float)size_high);
+        q->centres[k].size_low = tbx_wide_all((float)(size - size_high));
         q->rho = (float)rho > q->rho ? (float)rho : q->rho;
-        q->lattice &= q->base_low[k] + q->size_low[k] == 0.0f &&
+        q->lattice &= middle == base_high && size == size_high &&
                       tbx_on_lattice(s->grid->origin[k], scale * parts) &&
                       tbx_on_lattice(middle, scale * parts) && tbx_on_lattice(size, scale * parts) &&
                       s->reach[k] * scale * parts < 8388608.0;
@@ -15235,13 +15247,11 @@ typedef struct tbx_solid_fill {
     tbx_solid_list list[TBX_SOLID_ROWS];      /* of up to 1, 2, ... rows on each axis */
     size_t large[TBX_SOLID_BLOCK + TBX_WIDE]; /* that go one by one */
     int larges;
-    tbx_solid_crossing crossing[TBX_SOLID_CROSSINGS + TBX_SOLID_ROWS * TBX_SOLID_ROWS];
+    tbx_solid_crossing crossing[TBX_SOLID_CROSSINGS + TBX_SOLID_ROWS * TBX_WIDE + 1];
     int crossings;              /* that wait: their rows are on the way to the cache */
     int32_t y[TBX_SOLID_BLOCK]; /* of a block of triangles */
     int32_t z[TBX_SOLID_BLOCK];
     int32_t extent[TBX_SOLID_BLOCK];
-    int32_t live[TBX_SOLID_BLOCK]; /* those that have rows */
-    int lives;
 } TBX_ALIGNED tbx_solid_fill;
 
 /* Differences of the corners of WIDE triangles to the first centre, y and z. */
@@ -15250,54 +15260,37 @@ TBX_FORCED tbx_iw tbx_solid_wild(tbx_fw x, int32_t most)
     return ((tbx_iw)x & tbx_wide_int(0x7fffffff)) > tbx_wide_int(most);
 }
 
-/* What is too large to compute with becomes 0; its lanes of `out` are set. */
-TBX_FORCED tbx_fw tbx_solid_tame(tbx_fw x, int32_t most, tbx_iw *out)
-{
-    const tbx_iw wild = tbx_solid_wild(x, most);
-    *out |= wild;
-    return (tbx_fw)((tbx_iw)x & ~wild);
-}
-
 /* In rows, counted from MARGIN before the first. */
-TBX_FORCED void tbx_solid_in_rows(const tbx_solid_axis *axis, tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
+TBX_FORCED tbx_fw tbx_solid_in_rows(const tbx_solid_axis *axis, tbx_fw x, tbx_fw rest)
 {
-    *x0 -= axis->origin;
-    *x1 -= axis->origin;
-    *x2 -= axis->origin;
-    TBX_KEEP_VECTOR(*x0);
-    TBX_KEEP_VECTOR(*x1);
-    TBX_KEEP_VECTOR(*x2);
-    *x0 = *x0 * axis->inverse + axis->rest;
-    *x1 = *x1 * axis->inverse + axis->rest;
-    *x2 = *x2 * axis->inverse + axis->rest;
+    x -= axis->origin;
+    TBX_KEEP_VECTOR(x);
+    return x * axis->inverse + rest;
 }
 
-/* Rows whose centres lie between the corners of WIDE triangles, or are within the bounds of it: how many, and
- * the row before. */
-TBX_FORCED tbx_iw tbx_solid_extent(const tbx_solid_axis *axis, tbx_fw x0, tbx_fw x1, tbx_fw x2,
-                                   tbx_iw *out_before)
+/* Rows whose centres lie between the corners of WIDE triangles, or are within the bounds of it: those behind
+ * `before`, to `end`. Rounded toward 0; where that is up, both lie before the region, or 16 rows apart. */
+TBX_FORCED void tbx_solid_rows_between(const tbx_solid_axis *axis, tbx_fw x0, tbx_fw x1, tbx_fw x2,
+                                       tbx_iw *out_before, tbx_iw *out_end)
 {
-    const tbx_fw low = tbx_wide_min(tbx_wide_min(x0, x1), x2) - axis->slack;
-    const tbx_fw high = tbx_wide_max(tbx_wide_max(x0, x1), x2) + axis->slack;
-    const tbx_iw before = __builtin_convertvector(low, tbx_iw); /* toward 0: below 1 it may be too large */
-    const tbx_iw end = __builtin_convertvector(high, tbx_iw);
-    const tbx_iw off = (end < tbx_wide_int(TBX_SOLID_MARGIN)) | (before > axis->last);
-    *out_before = before;
-    return ~off & ((end - before) | ((before < tbx_wide_int(1)) & tbx_wide_int(TBX_SOLID_ANYWAY)));
+    const tbx_fw low = tbx_wide_min(tbx_wide_min(x0, x1), x2);
+    const tbx_fw high = tbx_wide_max(tbx_wide_max(x0, x1), x2);
+    *out_before = __builtin_convertvector(tbx_solid_in_rows(axis, low, axis->rest_low), tbx_iw);
+    *out_end = __builtin_convertvector(tbx_solid_in_rows(axis, high, axis->rest_high), tbx_iw);
 }
 
 /* Lanes whose triangle does not hold the centre of the row behind `before`. */
 TBX_FORCED tbx_iw tbx_solid_missed(const tbx_solid_quick *q, const tbx_points v[3], tbx_iw y, tbx_iw z)
 {
     const tbx_fw one = tbx_wide_all(1.0f);
-    const tbx_fw at_y = __builtin_convertvector(y, tbx_fw) + one;
-    const tbx_fw at_z = __builtin_convertvector(z, tbx_fw) + one;
-    const tbx_fw y0 = v[0].y - at_y;
-    const tbx_fw y1 = v[1].y - at_y;
-    const tbx_fw y2 = v[2].y - at_y;
-    const tbx_fw z0 = v[0].z - at_z;
-    const tbx_fw z1 = v[1].z - at_z;
-    const tbx_fw z2 = v[2].z - at_z;
+    const tbx_fw to_y = q->axis[0].rest - (__builtin_convertvector(y, tbx_fw) + one);
+    const tbx_fw to_z = q->axis[1].rest - (__builtin_convertvector(z, tbx_fw) + one);
+    const tbx_fw y0 = tbx_solid_in_rows(&q->axis[0], v[0].y, to_y);
+    const tbx_fw y1 = tbx_solid_in_rows(&q->axis[0], v[1].y, to_y);
+    const tbx_fw y2 = tbx_solid_in_rows(&q->axis[0], v[2].y, to_y);
+    const tbx_fw z0 = tbx_solid_in_rows(&q->axis[1], v[0].z, to_z);
+    const tbx_fw z1 = tbx_solid_in_rows(&q->axis[1], v[1].z, to_z);
+    const tbx_fw z2 = tbx_solid_in_rows(&q->axis[1], v[2].z, to_z);
     const tbx_fw e0 = y0 * z1 - z0 * y1;
     const tbx_fw e1 = y1 * z2 - z1 * y2;
     const tbx_fw e2 = y2 * z0 - z2 * y0;
@@ -15315,22 +15308,22 @@ typedef struct tbx_solid_placed {
     tbx_iw on_lattice;
 } TBX_ALIGNED tbx_solid_placed;
 
-/* The corners on axis k, from the centre i. */
-TBX_FORCED void tbx_solid_place(const tbx_solid_quick *q, int k, tbx_iw i, tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
+/* The corners on an axis, from the centre i. */
+TBX_FORCED void tbx_solid_place(const tbx_solid_centres *centres, tbx_iw i, tbx_fw *x0, tbx_fw *x1,
+                                tbx_fw *x2)
 {
-    const tbx_fw scale = tbx_wide_all(q->scale[k]);
     const tbx_fw at = __builtin_convertvector(i, tbx_fw);
-    const tbx_fw high = tbx_wide_all(q->base_high[k]) + at * tbx_wide_all(q->size_high[k]);
-    const tbx_fw low = tbx_wide_all(q->base_low[k]) + at * tbx_wide_all(q->size_low[k]);
+    const tbx_fw high = centres->base_high + at * centres->size_high;
+    const tbx_fw low = centres->base_low + at * centres->size_low;
     *x0 -= high;
     *x1 -= high;
     *x2 -= high;
     TBX_KEEP_VECTOR(*x0);
     TBX_KEEP_VECTOR(*x1);
     TBX_KEEP_VECTOR(*x2);
-    *x0 = (*x0 - low) * scale;
-    *x1 = (*x1 - low) * scale;
-    *x2 = (*x2 - low) * scale;
+    *x0 = (*x0 - low) * centres->scale;
+    *x1 = (*x1 - low) * centres->scale;
+    *x2 = (*x2 - low) * centres->scale;
 }
 
 /* Lanes whose x is a multiple of a PART. What flushing made 0 is not. */
@@ -15345,22 +15338,54 @@ TBX_FORCED tbx_iw tbx_solid_whole(const tbx_solid_quick *q, int k, tbx_fw x)
     return (parts == whole) & (was | ~zero);
 }
 
+/* The corners of WIDE triangles listed, as tbx_load_corners. */
+TBX_FORCED void tbx_solid_gather(tbx_points v[3], const tribox_mesh *mesh, size_t stride, int indexed,
+                                 const size_t *list)
+{
+    const char *positions = (const char *)mesh->positions;
+    const uint32_t *indices = mesh->indices;
+    int c;
+    int i;
+    for (c = 0; c < 3; c++) {
+        tbx_f4 x[TBX_WIDE / 4];
+        tbx_f4 y[TBX_WIDE / 4];
+        tbx_f4 z[TBX_WIDE / 4];
+#define TBX_AT(i) (3 * list[i] + (size_t)c)
+#define TBX_POINT(i) (positions + stride * (indexed ? (size_t)indices[TBX_AT(i)] : TBX_AT(i)))
+        for (i = 0; i < TBX_WIDE / 4; i++) {
+            tbx_load_points(&x[i], &y[i], &z[i], TBX_POINT(4 * i), TBX_POINT(4 * i + 1), TBX_POINT(4 * i + 2),
+                            TBX_POINT(4 * i + 3));
+        }
+#undef TBX_POINT
+#undef TBX_AT
+        v[c].x = tbx_wide_of(x);
+        v[c].y = tbx_wide_of(y);
+        v[c].z = tbx_wide_of(z);
+    }
+}
+
 /* The triangles listed from i on. */
 TBX_FORCED void tbx_solid_place_floats(tbx_solid_placed *p, const tbx_solid_quick *q,
                                        const tbx_solid_list *list, int i)
 {
     const int32_t end = (int32_t)q->solid->n[0] + 16;
-    tbx_source source;
     tbx_iw y;
     tbx_iw z;
     tbx_fw x;
     int c;
     TBX_COPY(&y, list->y + i, sizeof y);
     TBX_COPY(&z, list->z + i, sizeof z);
-    tbx_source_float(&source, &q->mesh);
-    tbx_load_corners(p->v, &source, list->triangle + i);
-    for (c = 0; c < 3; c++) {
-        p->v[c].x = tbx_solid_tame(p->v[c].x, q->most[0], &p->unsure);
+    if (q->mesh.indices != NULL) {
+        tbx_solid_gather(p->v, &q->mesh, q->source->stride, 1, list->triangle + i);
+    } else {
+        tbx_solid_gather(p->v, &q->mesh, q->source->stride, 0, list->triangle + i);
+    }
+    p->unsure = tbx_solid_wild(p->v[0].x, q->most[0]) | tbx_solid_wild(p->v[1].x, q->most[0]) |
+                tbx_solid_wild(p->v[2].x, q->most[0]);
+    if (TBX_RARELY(tbx_wide_any(p->unsure))) { /* too large to compute with */
+        for (c = 0; c < 3; c++) {
+            p->v[c].x = tbx_wide_where(~p->unsure, p->v[c].x);
+        }
     }
     if (q->lattice) {
         p->on_lattice = ~p->unsure;
@@ -15374,9 +15399,9 @@ TBX_FORCED void tbx_solid_place_floats(tbx_solid_placed *p, const tbx_solid_quic
     x = x * tbx_wide_all(q->inverse[0]);
     x = tbx_wide_min(tbx_wide_max(x, tbx_wide_all(-16.0f)), tbx_wide_all((float)end));
     p->x_first = __builtin_convertvector(x, tbx_iw);
-    tbx_solid_place(q, 0, p->x_first, &p->v[0].x, &p->v[1].x, &p->v[2].x);
-    tbx_solid_place(q, 1, y, &p->v[0].y, &p->v[1].y, &p->v[2].y);
-    tbx_solid_place(q, 2, z, &p->v[0].z, &p->v[1].z, &p->v[2].z);
+    tbx_solid_place(&q->centres[0], p->x_first, &p->v[0].x, &p->v[1].x, &p->v[2].x);
+    tbx_solid_place(&q->centres[1], y, &p->v[0].y, &p->v[1].y, &p->v[2].y);
+    tbx_solid_place(&q->centres[2], z, &p->v[0].z, &p->v[1].z, &p->v[2].z);
 }
 
 /* Corners of one triangle, as doubles: are they on the lattice? */
@@ -15463,12 +15488,13 @@ TBX_FORCED tbx_fw tbx_solid_tie(tbx_fw a, tbx_fw b, tbx_iw on_lattice)
     return tbx_wide_where(on_lattice, tbx_wide_choose(counts, half, -half));
 }
 
-/* What the rows of WIDE boxes have: bit j + n*k of within, the first voxels behind the crossings. */
+/* What the rows of WIDE boxes of n rows on each axis have: which are crossed, bit lane + WIDE * j of layer k,
+ * and the first voxels behind. */
 typedef struct tbx_solid_rows_of {
-    tbx_uw within;
-    tbx_iw unsure;
-    tbx_iw voxel[TBX_SOLID_ROWS * TBX_SOLID_ROWS];
-} TBX_ALIGNED tbx_solid_rows_of;
+    uint32_t within[TBX_SOLID_ROWS];
+    unsigned unsure;
+    int32_t voxel[TBX_SOLID_ROWS * TBX_SOLID_ROWS * TBX_WIDE];
+} tbx_solid_rows_of;
 
 TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *q, const tbx_solid_placed *p,
                                  int n)
@@ -15477,14 +15503,14 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     const float reach = 2.0f * (float)n + 0.1f;
     const float e = TBX_SOLID_PLACE_ERROR * (reach + q->rho);
     const float error_all = TBX_SOLID_ROW_ERROR * reach * e + TBX_SOLID_ROW_ULPS * reach * reach;
-    const tbx_fw zero = tbx_wide_all(0.0f);
+    const tbx_fw one = tbx_wide_all(1.0f);
     tbx_fw error = tbx_wide_all(error_all);
     tbx_fw e0 = p->v[0].y * p->v[1].z - p->v[0].z * p->v[1].y;
     tbx_fw e1 = p->v[1].y * p->v[2].z - p->v[1].z * p->v[2].y;
     tbx_fw e2 = p->v[2].y * p->v[0].z - p->v[2].z * p->v[0].y;
     tbx_fw area = e0 + e1 + e2;
     const tbx_iw sign = (tbx_iw)area & tbx_wide_int(TBX_SIGN_BIT);
-    const tbx_fw over_step = tbx_wide_all(q->over_step[0]);
+    const tbx_fw over_step = tbx_wide_all(q->over_step);
     const tbx_fw step_y = tbx_wide_all(q->step[1]);
     const tbx_fw step_z = tbx_wide_all(q->step[2]);
     const tbx_fw a0 = tbx_wide_flip(p->v[0].z - p->v[1].z, sign);
@@ -15497,6 +15523,9 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     const tbx_fw dx2 = p->v[2].x - p->v[0].x;
     const tbx_fw spread = tbx_wide_abs(dx1) + tbx_wide_abs(dx2);
     const tbx_fw m = tbx_wide_abs(p->v[0].x) + spread;
+    const tbx_fw x0 = p->v[0].x * over_step;
+    const tbx_iw end = tbx_wide_int((int32_t)q->solid->n[0]);
+    tbx_iw unsure = p->unsure;
     tbx_fw over_area;
     tbx_fw x_error;
     tbx_fw below;
@@ -15512,42 +15541,44 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     x_error = spread * (tbx_wide_all(2.0f * error_all) * over_area + tbx_wide_all(24.0f * u)) +
               tbx_wide_all(20.0f * u) * (m + tbx_wide_all(q->rho));
     x_error = x_error * over_step;
-    out->unsure = p->unsure;
-    out->within = (tbx_uw)tbx_wide_int(0);
+    over_area = over_area * over_step;
     if (q->lattice && tbx_wide_any(p->on_lattice)) {
         e0 += tbx_solid_tie(a0, b0, p->on_lattice);
         e1 += tbx_solid_tie(a1, b1, p->on_lattice);
         e2 += tbx_solid_tie(a2, b2, p->on_lattice);
         error = tbx_wide_where(~p->on_lattice, error);
-        x_error = tbx_wide_where(~p->on_lattice, x_error);
+        x_error = tbx_wide_choose(p->on_lattice, -one, x_error); /* never unsure */
         tiny = area <= error;
     }
     below = error * tbx_wide_all(-2.0f);
     for (k = 0; k < n; k++) {
+        tbx_fw r0 = e0;
+        tbx_fw r1 = e1;
+        tbx_fw r2 = e2;
+        uint32_t layer = 0;
         for (j = 0; j < n; j++) {
-            const tbx_fw to_y = tbx_wide_all((float)j) * step_y;
-            const tbx_fw to_z = tbx_wide_all((float)k) * step_z;
-            const tbx_fw r0 = j + k == 0 ? e0 : e0 + to_y * a0 + to_z * b0;
-            const tbx_fw r1 = j + k == 0 ? e1 : e1 + to_y * a1 + to_z * b1;
-            const tbx_fw r2 = j + k == 0 ? e2 : e2 + to_y * a2 + to_z * b2;
             const tbx_fw least = tbx_wide_min(tbx_wide_min(r0, r1), r2);
-            const tbx_iw within = least > error;
-            const tbx_iw row = within & tbx_wide_int(1 << (j + n * k));
-            tbx_fw x = (p->v[0].x + (dx1 * r2 + dx2 * r0) * over_area) * over_step;
-            tbx_fw past;
-            tbx_iw voxel;
-            x = tbx_wide_min(tbx_wide_max(x, tbx_wide_all(-8388608.0f)), tbx_wide_all(8388608.0f));
-            voxel = __builtin_convertvector(x, tbx_iw);
-            voxel += __builtin_convertvector(voxel, tbx_fw) > x; /* the voxel below: -1 if the lane is set */
-            past = x - __builtin_convertvector(voxel, tbx_fw);
-            out->within |= (tbx_uw)row;
-            out->unsure |=
-                (within & ((past <= x_error) | (past >= tbx_wide_all(1.0f) - x_error)) & ~p->on_lattice) |
-                (~within & (least >= below) & (error > zero));
-            out->voxel[j + n * k] = p->x_first + voxel + tbx_wide_int(1);
+            const tbx_iw within =
+                (least > error) & ~tiny; /* on the lattice: a segment, whatever the ties say */
+            const tbx_fw x = tbx_wide_where(within, x0 + (dx1 * over_area * r2 + dx2 * over_area * r0));
+            tbx_iw voxel = __builtin_convertvector(x, tbx_iw);
+            const tbx_fw past = x - __builtin_convertvector(voxel, tbx_fw);
+            const tbx_fw off = tbx_wide_abs(past);
+            unsure |= (least >= below) & (~within | (off <= x_error) | (off >= one - x_error));
+            voxel = p->x_first + voxel - (past > tbx_wide_all(0.0f));
+            layer |= (uint32_t)tbx_wide_signs(within & ((voxel < end) | p->on_lattice)) << (TBX_WIDE * j);
+            voxel &= voxel > tbx_wide_int(0);
+            TBX_COPY(out->voxel + TBX_WIDE * (j + n * k), &voxel, sizeof voxel);
+            r0 += step_y * a0;
+            r1 += step_y * a1;
+            r2 += step_y * a2;
         }
+        out->within[k] = layer;
+        e0 += step_z * b0;
+        e1 += step_z * b1;
+        e2 += step_z * b2;
     }
-    out->within &= (tbx_uw)~tiny; /* on the lattice: a segment, whatever the ties say */
+    out->unsure = tbx_wide_signs(unsure);
 }
 
 /* The first voxel behind a crossing on the lattice: N / D rounded up, both of them multiples of 1 /
@@ -15836,23 +15867,62 @@ TBX_NOINLINE void tbx_solid_flip_all(tbx_solid_fill *fill)
     fill->crossings = 0;
 }
 
+/* Rows of lanes whose box is partly out of the region. */
+TBX_NOINLINE void tbx_solid_cut(tbx_solid_rows_of *rows, const tbx_solid *s, const int32_t *y,
+                                const int32_t *z, int n)
+{
+    int lane;
+    int j;
+    int k;
+    for (k = 0; k < n; k++) {
+        for (j = 0; j < n; j++) {
+            for (lane = 0; lane < TBX_WIDE; lane++) {
+                if ((uint32_t)(y[lane] + j) >= (uint32_t)s->n[1] ||
+                    (uint32_t)(z[lane] + k) >= (uint32_t)s->n[2]) {
+                    rows->within[k] &= ~((uint32_t)1 << (lane + TBX_WIDE * j));
+                }
+            }
+        }
+    }
+}
+
+/* The voxels of lanes on the lattice. */
+TBX_NOINLINE void tbx_solid_lattice(tbx_solid_rows_of *rows, const tbx_solid_quick *q,
+                                    const tbx_solid_placed *p, int n)
+{
+    const int32_t n_x = (int32_t)q->solid->n[0];
+    int k;
+    for (k = 0; k < n; k++) {
+        uint32_t left = rows->within[k];
+        for (; left != 0; left &= left - 1) {
+            const int bit = __builtin_ctz(left);
+            const int lane = bit % TBX_WIDE;
+            if (p->on_lattice[lane] != 0) {
+                const int64_t x =
+                    p->x_first[lane] + tbx_solid_lattice_voxel(q, p->v, lane, bit / TBX_WIDE, k);
+                rows->voxel[TBX_WIDE * n * k + bit] = x > 0 ? (int32_t)x : 0;
+                if (x >= n_x) {
+                    rows->within[k] &= ~((uint32_t)1 << bit);
+                }
+            }
+        }
+    }
+}
+
 /* `count` triangles of a list, WIDE at most, from i on. */
 TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count, int n)
 {
     const tbx_solid_quick *q = &fill->quick;
     const tbx_solid *s = q->solid;
-    const uint32_t rows_y = (uint32_t)s->n[1];
-    const uint32_t rows_z = (uint32_t)s->n[2];
     const size_t row_words = s->row_words;
-    const int32_t n_x = (int32_t)s->n[0];
-    uint64_t *bits = s->bits;
+    const size_t layer_words = row_words * (size_t)s->n[1];
     tbx_solid_placed p;
     tbx_solid_rows_of rows;
-    uint32_t within[TBX_WIDE];
-    int32_t unsure[TBX_WIDE];
-    int32_t on_lattice[TBX_WIDE];
-    int crossings = fill->crossings;
+    size_t first[TBX_WIDE];
+    unsigned unsure;
+    uint32_t sure;
     int lane;
+    int k;
     p.unsure = tbx_wide_int(0);
     p.on_lattice = tbx_wide_int(0);
     if (q->source->is_double) {
@@ -15861,40 +15931,50 @@ TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list
         tbx_solid_place_floats(&p, q, list, i);
     }
     tbx_solid_decide(&rows, q, &p, n);
-    TBX_COPY(within, &rows.within, sizeof within);
-    TBX_COPY(unsure, &rows.unsure, sizeof unsure);
-    TBX_COPY(on_lattice, &p.on_lattice, sizeof on_lattice);
-    for (lane = 0; lane < count; lane++) {
-        uint32_t left = within[lane];
-        if (TBX_RARELY(unsure[lane] != 0)) {
-            fill->large[fill->larges++] = list->triangle[i + lane];
-            continue;
-        }
-        if (crossings > TBX_SOLID_CROSSINGS) {
-            fill->crossings = crossings;
-            tbx_solid_flip_all(fill);
-            crossings = 0;
-        }
-        for (; left != 0; left &= left - 1) {
-            const int row = __builtin_ctz(left);
-            const int32_t y = list->y[i + lane] + row % n;
-            const int32_t z = list->z[i + lane] + row / n;
-            int32_t x = rows.voxel[row][lane];
-            if ((uint32_t)y >= rows_y || (uint32_t)z >= rows_z) {
-                continue;
-            }
-            if (on_lattice[lane] != 0) {
-                x = p.x_first[lane] + (int32_t)tbx_solid_lattice_voxel(q, p.v, lane, row % n, row / n);
-            }
-            if (x < n_x) {
-                tbx_solid_crossing *c = &fill->crossing[crossings++];
-                c->x = x > 0 ? (size_t)x : 0;
-                c->row = bits + ((size_t)z * rows_y + (size_t)y) * row_words;
-                TBX_PREFETCH(c->row + (c->x >> 6));
-            }
+    if (q->lattice) {
+        tbx_solid_lattice(&rows, q, &p, n);
+    }
+    if (n > 1) {
+        tbx_iw y;
+        tbx_iw z;
+        TBX_COPY(&y, list->y + i, sizeof y);
+        TBX_COPY(&z, list->z + i, sizeof z);
+        if (TBX_RARELY(tbx_wide_any(y | z | (tbx_wide_int((int32_t)s->n[1] - n) - y) |
+                                    (tbx_wide_int((int32_t)s->n[2] - n) - z)))) {
+            tbx_solid_cut(&rows, s, list->y + i, list->z + i, n);
         }
     }
-    fill->crossings = crossings;
+    unsure = rows.unsure & ((1u << count) - 1u);
+    for (; unsure != 0; unsure &= unsure - 1) {
+        fill->large[fill->larges++] = list->triangle[i + __builtin_ctz(unsure)];
+    }
+    sure = (uint32_t)(~rows.unsure & ((1u << count) - 1u));
+    if (n > 1) {
+        sure |= sure << TBX_WIDE;
+    }
+    if (n > 2) {
+        sure |= sure << 2 * TBX_WIDE;
+    }
+    for (lane = 0; lane < TBX_WIDE; lane++) {
+        first[lane] = (size_t)((int64_t)list->z[i + lane] * s->n[1] + list->y[i + lane]) * row_words;
+    }
+    for (k = 0; k < n; k++) {
+        uint32_t left = rows.within[k] & sure;
+        uint64_t *layer = s->bits + layer_words * (size_t)k;
+        int crossings = fill->crossings;
+        for (; left != 0; left &= left - 1) {
+            const int bit = __builtin_ctz(left);
+            const size_t row = first[bit % TBX_WIDE] + row_words * (size_t)(n > 1 ? bit / TBX_WIDE : 0);
+            tbx_solid_crossing *c = &fill->crossing[crossings++];
+            c->x = (size_t)rows.voxel[TBX_WIDE * n * k + bit];
+            c->row = layer + row;
+            TBX_PREFETCH(c->row + (c->x >> 6));
+        }
+        fill->crossings = crossings;
+        if (crossings > TBX_SOLID_CROSSINGS) {
+            tbx_solid_flip_all(fill);
+        }
+    }
 }
 
 TBX_NOINLINE void tbx_solid_flush1(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
@@ -15954,11 +16034,10 @@ TBX_FORCED void tbx_solid_work(tbx_solid_fill *fill, int extent, int all)
 }
 
 /* Triangles of a block that have rows go to their lists, and full lists are worked off. */
-TBX_NOINLINE void tbx_solid_sort(tbx_solid_fill *fill, size_t first, int all)
+TBX_NOINLINE void tbx_solid_sort(tbx_solid_fill *fill, size_t first, uint32_t live, int all)
 {
-    int i;
-    for (i = 0; i < fill->lives; i++) {
-        const int of = fill->live[i];
+    for (; live != 0; live &= live - 1) {
+        const int of = __builtin_ctz(live);
         const size_t triangle = first + (size_t)of;
         const int extent = fill->extent[of];
         if (TBX_RARELY(extent > TBX_SOLID_ROWS)) {
@@ -15972,7 +16051,6 @@ TBX_NOINLINE void tbx_solid_sort(tbx_solid_fill *fill, size_t first, int all)
             list->n = n + 1;
         }
     }
-    fill->lives = 0;
     tbx_solid_work_large(fill);
     tbx_solid_work(fill, 1, all);
     tbx_solid_work(fill, 2, all);
@@ -16073,9 +16151,10 @@ TBX_FORCED void tbx_solid_load_f64(tbx_points *out, const tbx_solid_quick *q, in
     *wild |= (tbx_iw)tbx_wide_of(odd);
 }
 
-/* y and z of WIDE triangles from the first on, in rows. Returns the lanes that have one too large. */
-TBX_FORCED tbx_iw tbx_solid_corners(tbx_points v[3], const tbx_solid_quick *q, int indexed, size_t stride,
-                                    size_t first, int is_double)
+/* y and z of WIDE triangles from the first on; those of triangles that have one too large reach over the
+ * region. */
+TBX_FORCED void tbx_solid_corners(tbx_points v[3], const tbx_solid_quick *q, int indexed, size_t stride,
+                                  size_t first, int is_double)
 {
     const int32_t y = q->most[1];
     const int32_t z = q->most[2];
@@ -16090,78 +16169,73 @@ TBX_FORCED tbx_iw tbx_solid_corners(tbx_points v[3], const tbx_solid_quick *q, i
         tbx_solid_load(&v[2], &q->mesh, indexed, stride, first, 2);
         wild = tbx_solid_wild(v[0].y, y) | tbx_solid_wild(v[1].y, y) | tbx_solid_wild(v[2].y, y) |
                tbx_solid_wild(v[0].z, z) | tbx_solid_wild(v[1].z, z) | tbx_solid_wild(v[2].z, z);
-        if (TBX_RARELY(tbx_wide_any(wild))) {
-            int c;
-            for (c = 0; c < 3; c++) {
-                v[c].y = tbx_wide_where(~wild, v[c].y);
-                v[c].z = tbx_wide_where(~wild, v[c].z);
-            }
-        }
     }
-    tbx_solid_in_rows(&q->axis[0], &v[0].y, &v[1].y, &v[2].y);
-    tbx_solid_in_rows(&q->axis[1], &v[0].z, &v[1].z, &v[2].z);
-    return wild;
+    if (TBX_RARELY(tbx_wide_any(wild))) {
+        v[0].y = tbx_wide_choose(wild, q->axis[0].outside, v[0].y);
+        v[0].z = tbx_wide_choose(wild, q->axis[1].outside, v[0].z);
+        v[1].y = tbx_wide_choose(wild, -q->axis[0].outside, v[1].y);
+        v[1].z = tbx_wide_choose(wild, -q->axis[1].outside, v[1].z);
+        v[2].y = tbx_wide_where(~wild, v[2].y);
+        v[2].z = tbx_wide_where(~wild, v[2].z);
+    }
 }
 
-/* A block of `count` triangles, a multiple of WIDE. */
-TBX_FORCED void tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t stride, size_t first, int count,
-                                int is_double)
+/* A block of `count` triangles, a multiple of WIDE. Returns a bit for each that has rows. */
+TBX_FORCED uint32_t tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t stride, size_t first, int count,
+                                    int is_double)
 {
     const tbx_solid_quick *q = &fill->quick;
     const tbx_iw before_first = tbx_wide_int(TBX_SOLID_MARGIN - 1);
-    int lives = 0;
+    uint32_t live = 0;
     int i;
     for (i = 0; i < count; i += TBX_WIDE) {
         tbx_points v[3];
         tbx_iw y;
         tbx_iw z;
-        const tbx_iw wild = tbx_solid_corners(v, q, indexed, stride, first + (size_t)i, is_double);
-        const tbx_iw n_y = tbx_solid_extent(&q->axis[0], v[0].y, v[1].y, v[2].y, &y);
-        const tbx_iw n_z = tbx_solid_extent(&q->axis[1], v[0].z, v[1].z, v[2].z, &z);
-        tbx_iw some = ((n_y > tbx_wide_int(0)) & (n_z > tbx_wide_int(0))) | wild;
+        tbx_iw end_y;
+        tbx_iw end_z;
+        tbx_iw some;
+        tbx_solid_corners(v, q, indexed, stride, first + (size_t)i, is_double);
+        tbx_solid_rows_between(&q->axis[0], v[0].y, v[1].y, v[2].y, &y, &end_y);
+        tbx_solid_rows_between(&q->axis[1], v[0].z, v[1].z, v[2].z, &z, &end_z);
+        some = (end_y > y) & (end_z > z);
         if (tbx_wide_any(some)) {
-            tbx_iw extent = tbx_wide_select(n_y > n_z, n_y, n_z);
-            const tbx_iw one = some & (extent == tbx_wide_int(1)) & ~wild;
-            unsigned left;
-            int lane;
+            const tbx_iw n_y = end_y - y;
+            const tbx_iw n_z = end_z - z;
+            const tbx_iw extent = tbx_wide_select(n_y > n_z, n_y, n_z);
+            tbx_iw one;
+            some &= (end_y > before_first) & (end_z > before_first);
+            some &= ~((y > q->axis[0].last) | (z > q->axis[1].last));
+            one = some & (extent == tbx_wide_int(1));
             if (tbx_wide_any(one)) {
                 some &= ~(one & tbx_solid_missed(q, v, y, z));
             }
-            left = tbx_wide_signs(some);
-            extent |= wild & tbx_wide_int(TBX_SOLID_ANYWAY);
+            live |= (uint32_t)tbx_wide_signs(some) << i;
             y -= before_first;
             z -= before_first;
             TBX_COPY(fill->y + i, &y, sizeof y);
             TBX_COPY(fill->z + i, &z, sizeof z);
             TBX_COPY(fill->extent + i, &extent, sizeof extent);
-            for (lane = 0; lane < TBX_WIDE; lane++) {
-                fill->live[lives] = i + lane;
-                lives += (int)(left >> lane & 1u);
-            }
         }
     }
-    fill->lives = lives;
+    return live;
 }
 
 /* The same, by what kind of mesh it is. */
-TBX_NOINLINE void tbx_solid_block(tbx_solid_fill *fill, size_t first, int count)
+TBX_NOINLINE uint32_t tbx_solid_block(tbx_solid_fill *fill, size_t first, int count)
 {
     const size_t packed = 3 * sizeof(float);
     const tbx_source *source = fill->quick.source;
     const int indexed = source->indices != NULL;
     if (source->is_double) {
-        if (indexed) {
-            tbx_solid_boxes(fill, 1, source->stride, first, count, 1);
-        } else {
-            tbx_solid_boxes(fill, 0, source->stride, first, count, 1);
-        }
-    } else if (!indexed) {
-        tbx_solid_boxes(fill, 0, source->stride, first, count, 0);
-    } else if (source->stride == packed) {
-        tbx_solid_boxes(fill, 1, packed, first, count, 0);
-    } else {
-        tbx_solid_boxes(fill, 1, source->stride, first, count, 0);
+        return indexed ? tbx_solid_boxes(fill, 1, source->stride, first, count, 1)
+                       : tbx_solid_boxes(fill, 0, source->stride, first, count, 1);
     }
+    if (!indexed) {
+        return tbx_solid_boxes(fill, 0, source->stride, first, count, 0);
+    }
+    return source->stride == packed ? tbx_solid_boxes(fill, 1, packed, first, count, 0)
+                                    : tbx_solid_boxes(fill, 1, source->stride, first, count, 0);
 }
 
 /* All triangles but the last few. Returns how many are done: 0 if the grid's numbers are out of range. */
@@ -16178,11 +16252,11 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
     for (i = 0; i < TBX_SOLID_ROWS; i++) {
         fill.list[i].n = 0;
     }
-    fill.larges = fill.lives = fill.crossings = 0;
+    fill.larges = fill.crossings = 0;
     for (t = 0; t < triangles; t += TBX_SOLID_BLOCK) {
         const size_t left = triangles - t;
-        tbx_solid_block(&fill, t, left < TBX_SOLID_BLOCK ? (int)left : TBX_SOLID_BLOCK);
-        tbx_solid_sort(&fill, t, left <= TBX_SOLID_BLOCK);
+        const uint32_t live = tbx_solid_block(&fill, t, left < TBX_SOLID_BLOCK ? (int)left : TBX_SOLID_BLOCK);
+        tbx_solid_sort(&fill, t, live, left <= TBX_SOLID_BLOCK);
     }
     tbx_solid_flip_all(&fill);
     return triangles;
