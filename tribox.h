@@ -6807,6 +6807,28 @@ TBX_FN int tbx_motion_corner(const tbx_motion *m, int axis, int want)
     return best;
 }
 
+/* r = l.x, where x is set only where l is not 0: two components of an edge's axis, one of a face's. */
+TBX_FN void tbx_motion_dot(tbx_calc *c, tbx_num *r, const tbx_num l[3], const int l_sign[3],
+                           const tbx_num x[3])
+{
+    const int mark = c->used;
+    tbx_num sum;
+    int terms = 0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        if (l_sign[k] != 0) {
+            tbx_num term;
+            tbx_num_mul(c, &term, &l[k], &x[k]);
+            if (terms++ != 0) {
+                tbx_num_add(c, &term, &term, &sum, 1);
+            }
+            tbx_num_keep(c, mark, &term, 1);
+            sum = term;
+        }
+    }
+    *r = sum;
+}
+
 /* The gap at t = 0 between T and the box's far face on a side of the axis: max over B of l'.b - min over T
  * of l'.v, l' = side * l. Returns 0 where the box has no end there. */
 TBX_FN int tbx_motion_gap(tbx_motion *m, int axis, int side, const tbx_num l[3], const int l_sign[3],
@@ -6817,17 +6839,25 @@ TBX_FN int tbx_motion_gap(tbx_motion *m, int axis, int side, const tbx_num l[3],
     const int mark = c->used;
     tbx_num gap[3];
     int k;
-    for (k = 0; k < 3; k++) {
-        const tbx_real *q = l_sign[k] * side > 0 ? &m->hi[k] : &m->lo[k];
-        if (l_sign[k] == 0) {
-            tbx_num_integer(c, &gap[k], 0, 0);
-        } else if (tbx_key_is_finite(q->key) & tbx_key_is_finite(v[k].key)) {
-            tbx_num_difference(c, &gap[k], q, &v[k]);
-        } else {
+    if (axis < TBX_AXIS_NORMAL) {
+        const tbx_real *q = side > 0 ? &m->hi[axis] : &m->lo[axis];
+        if (!(tbx_key_is_finite(q->key) & tbx_key_is_finite(v[axis].key))) {
             return 0;
         }
+        tbx_num_difference(c, out, q, &v[axis]);
+        tbx_num_flip(c, out, side);
+        return 1;
     }
-    tbx_num_dot(c, out, l, gap);
+    for (k = 0; k < 3; k++) {
+        const tbx_real *q = l_sign[k] * side > 0 ? &m->hi[k] : &m->lo[k];
+        if (l_sign[k] != 0) {
+            if (!(tbx_key_is_finite(q->key) & tbx_key_is_finite(v[k].key))) {
+                return 0;
+            }
+            tbx_num_difference(c, &gap[k], q, &v[k]);
+        }
+    }
+    tbx_motion_dot(c, out, l, l_sign, gap);
     tbx_num_flip(c, out, side);
     tbx_num_keep(c, mark, out, 1);
     return 1;
@@ -6840,7 +6870,7 @@ TBX_FN int tbx_motion_signs(tbx_motion *m, int axis, tbx_num l[3], int l_sign[3]
     int k;
     tbx_motion_axis(m, axis, l);
     for (k = 0; k < 3; k++) {
-        l_sign[k] = tbx_num_sign(&m->calc, &l[k]);
+        l_sign[k] = axis < TBX_AXIS_NORMAL ? k == axis : tbx_num_sign(&m->calc, &l[k]);
         if (axis == TBX_AXIS_NORMAL) {
             m->n_sign[k] = l_sign[k];
         }
@@ -6849,14 +6879,20 @@ TBX_FN int tbx_motion_signs(tbx_motion *m, int axis, tbx_num l[3], int l_sign[3]
 }
 
 /* How fast the box moves along the axis: r = l.u */
-TBX_FN void tbx_motion_speed(tbx_motion *m, const tbx_num l[3], tbx_num *r)
+TBX_FN void tbx_motion_speed(tbx_motion *m, int axis, const tbx_num l[3], const int l_sign[3], tbx_num *r)
 {
     tbx_num u[3];
     int k;
-    for (k = 0; k < 3; k++) {
-        tbx_num_of(&m->calc, &u[k], &m->velocity[k]);
+    if (axis < TBX_AXIS_NORMAL) {
+        tbx_num_of(&m->calc, r, &m->velocity[axis]);
+        return;
     }
-    tbx_num_dot(&m->calc, r, l, u);
+    for (k = 0; k < 3; k++) {
+        if (l_sign[k] != 0) {
+            tbx_num_of(&m->calc, &u[k], &m->velocity[k]);
+        }
+    }
+    tbx_motion_dot(&m->calc, r, l, l_sign, u);
 }
 
 /* Both conditions of one axis. */
@@ -6870,7 +6906,7 @@ TBX_FN void tbx_motion_clip(tbx_motion *m, int axis)
     int l_sign[3];
     int side;
     if (tbx_motion_signs(m, axis, l, l_sign)) {
-        tbx_motion_speed(m, l, &speed);
+        tbx_motion_speed(m, axis, l, l_sign, &speed);
         for (side = 1; side >= -1; side -= 2) {
             if (tbx_motion_gap(m, axis, side, l, l_sign, &gap)) {
                 tbx_num_flip(c, &speed, side);
@@ -6928,7 +6964,7 @@ TBX_NOINLINE int64_t tbx_motion_round_exact(const tbx_motion *found, int e, int 
     m.calc.used = 0;
     m.calc.store = store;
     (void)tbx_motion_signs(&m, m.end_axis[e], l, l_sign);
-    tbx_motion_speed(&m, l, &m.end[e].d);
+    tbx_motion_speed(&m, m.end_axis[e], l, l_sign, &m.end[e].d);
     (void)tbx_motion_gap(&m, m.end_axis[e], side, l, l_sign, &m.end[e].n);
     tbx_num_flip(&m.calc, &m.end[e].d, side);
     tbx_fraction_orient(&m.calc, &m.end[e], m.end[e].d.sign);
@@ -7007,6 +7043,19 @@ TBX_FN int tbx_shot_passes(tbx_calc *c, const tbx_shot *s)
  * share of the sums, errs by 7 u. */
 #define TBX_SHOT_ERROR (9.0 * TBX_U64)
 
+TBX_FN double tbx_shot_det(const double d[3], const double a[3], const double b[3], double *out_error)
+{
+    const double yz = d[0] * (a[1] * b[2]);
+    const double zy = d[0] * (a[2] * b[1]);
+    const double zx = d[1] * (a[2] * b[0]);
+    const double xz = d[1] * (a[0] * b[2]);
+    const double xy = d[2] * (a[0] * b[1]);
+    const double yx = d[2] * (a[1] * b[0]);
+    *out_error = (tbx_abs(yz) + tbx_abs(zy) + tbx_abs(zx) + tbx_abs(xz) + tbx_abs(xy) + tbx_abs(yx)) *
+                 TBX_SHOT_ERROR;
+    return (yz - zy) + (zx - xz) + (xy - yx);
+}
+
 TBX_FN int tbx_shot_misses(const float origin[3], const float dir[3], const float *const v[3])
 {
     double x[4][3];
@@ -7024,18 +7073,8 @@ TBX_FN int tbx_shot_misses(const float origin[3], const float dir[3], const floa
         tbx_minus3(x[i], x[i], x[3]);
     }
     for (i = 0; i < 3; i++) {
-        const double *a = x[i];
-        const double *b = x[i == 2 ? 0 : i + 1];
-        const double yz = d[0] * (a[1] * b[2]);
-        const double zy = d[0] * (a[2] * b[1]);
-        const double zx = d[1] * (a[2] * b[0]);
-        const double xz = d[1] * (a[0] * b[2]);
-        const double xy = d[2] * (a[0] * b[1]);
-        const double yx = d[2] * (a[1] * b[0]);
-        const double det = (yz - zy) + (zx - xz) + (xy - yx);
-        const double error =
-            (tbx_abs(yz) + tbx_abs(zy) + tbx_abs(zx) + tbx_abs(xz) + tbx_abs(xy) + tbx_abs(yx)) *
-            TBX_SHOT_ERROR;
+        double error;
+        const double det = tbx_shot_det(d, x[i], x[i == 2 ? 0 : i + 1], &error);
         above |= det > error;
         below |= det < -error;
     }
@@ -8789,6 +8828,8 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
 TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius);
 TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3],
                            const float box_max[3]);
+TBX_FN int tbx_pierce4(const float origin[3], const float dir[3], const float *from, const float center[3],
+                       const float *radius);
 #endif
 
 /* As a radius: also what is below 0. */
@@ -9488,26 +9529,22 @@ TBX_FN int64_t tbx_pierce_end(double t, double error, int e, double own, const f
 {
     const double beyond = e == 0 ? own - t : t - own;
     const int64_t key = tbx_round_outward(t, error, e);
-    if (beyond > error) {
-        return (int64_t)tbx_key32(own_float);
-    }
-    *unsure |= (beyond > -error) | (key == 0);
-    return key;
+    const int64_t is_own = -(int64_t)(beyond > error); /* a coin toss: no branch */
+    *unsure |= (tbx_abs(beyond) <= error) | ((key | is_own) == 0);
+    return (key & ~is_own) | ((int64_t)tbx_key32(own_float) & is_own);
 }
 
 /* In double. In units of u: B errs by 4 of the magnitudes b of its terms, C by 6 of c = m.m + r^2, so D =
  * B^2 - A C by 10 b^2 + 11 A c, its root by half of that over the root and by 5 of itself, and a root of f
- * by what both add up to, over A, and 11 of itself (4 of them a division's). Most rays miss: where D < 0;
- * from t >= 0 on also where C > 0 and B > 0. Returns MISS, HIT with the ends as keys, or UNSURE. */
+ * by what both add up to, over A, and 11 of itself (4 of them a division's). Returns MISS, HIT with the ends
+ * as keys, or UNSURE. */
 #define TBX_PIERCE_ERROR (32.0 * TBX_U64)
 
 typedef struct tbx_parabola {
     double a;
     double b;
-    double c;
     double d;
     double b_size;
-    double c_error;
     double d_error;
 } tbx_parabola;
 
@@ -9525,11 +9562,9 @@ TBX_FN void tbx_parabola_set(tbx_parabola *f, const float origin[3], const float
     mm = tbx_dot3(m, m);
     f->a = tbx_dot3(w, w);
     f->b = tbx_dot3(w, m);
-    f->c = mm - r;
-    f->d = f->b * f->b - f->a * f->c;
+    f->d = f->b * f->b - f->a * (mm - r);
     f->b_size = tbx_abs(w[0] * m[0]) + tbx_abs(w[1] * m[1]) + tbx_abs(w[2] * m[2]);
-    f->c_error = (mm + r) * TBX_PIERCE_ERROR;
-    f->d_error = f->b_size * f->b_size * TBX_PIERCE_ERROR + f->a * f->c_error;
+    f->d_error = (f->b_size * f->b_size + f->a * (mm + r)) * TBX_PIERCE_ERROR;
 }
 
 /* The roots where A > 0 and D is well above its error. Returns their error. */
@@ -9559,9 +9594,8 @@ TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const fl
     double error;
     int unsure = 0;
     tbx_parabola_set(&f, origin, dir, center, r);
-    if ((f.d < -f.d_error) | ((tbx_bits32(t) >> 31 == 0) & (f.c > f.c_error) &
-                              (f.b > f.b_size * TBX_PIERCE_ERROR))) { /* NaN is no ray, too */
-        return TBX_MISS;
+    if (f.d < -f.d_error) {
+        return TBX_MISS; /* NaN is no ray, too */
     }
     if (!(f.d > 1024.0 * f.d_error && f.a > 0.0) || !tbx_pierce_ends(t, ends)) {
         return TBX_UNSURE;
@@ -9582,10 +9616,17 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
     float t[2];
     int64_t key[2];
     int hit = TBX_UNSURE;
+    int usual = TBX_UNSURE; /* MISS, or HIT: numbers are */
     TBX_COPY(&t[0], &t_min, sizeof t_min);
     TBX_COPY(&t[1], &t_max, sizeof t_max);
+#if TRIBOX_SIMD
+    usual = tbx_pierce4(origin, dir, t, c, &radius);
+    if (usual == TBX_MISS) { /* most rays */
+        return 0;
+    }
+#endif
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY(tbx_odd4(origin, dir, c, c) || tbx_odd_radius(&radius) != 0)) {
+    if (usual == TBX_HIT || !(tbx_odd4(origin, dir, c, c) || tbx_odd_radius(&radius) != 0)) {
         hit = tbx_pierce_filter(origin, dir, t, c, tbx_take(&radius), key);
     }
 #endif
@@ -9653,6 +9694,16 @@ TBX_FN tbx_i4 tbx_load3i(const void *v)
 TBX_FN tbx_f4 tbx_load3(const void *v)
 {
     return (tbx_f4)tbx_load3i(v);
+}
+
+/* Two floats, and zeros. */
+TBX_FN tbx_f4 tbx_load_pair(const float v[2])
+{
+    tbx_l2 xy = { 0, 0 };
+    int64_t pair;
+    TBX_COPY(&pair, v, sizeof pair);
+    xy[0] = pair;
+    return (tbx_f4)xy;
 }
 
 TBX_FN tbx_f4 tbx_load4(const float v[4])
@@ -9777,6 +9828,14 @@ TBX_FN tbx_f4 tbx_sums3(tbx_f4 a, tbx_f4 b)
     return low + TBX_LANES(low, low, 2, 3, 2, 3) + high;
 }
 
+/* The sums of three lanes of each, in order. */
+TBX_FN tbx_f4 tbx_three_sums3(tbx_f4 a, tbx_f4 b, tbx_f4 c)
+{
+    const tbx_f4 ab = TBX_LANES(a, b, 0, 4, 1, 5);
+    const tbx_f4 ab_high = TBX_LANES(a, b, 2, 6, 3, 7);
+    return (TBX_LANES(ab, c, 0, 1, 4, 4) + TBX_LANES(ab, c, 2, 3, 5, 5)) + TBX_LANES(ab_high, c, 0, 1, 6, 6);
+}
+
 /* Sign bits: lanes whose magnitude, given by its bits, exceeds the float with bits `most`;
  * NaN exceeds all. The difference wraps around where a number below zero is asked, whose sign decides
  * elsewhere. */
@@ -9822,17 +9881,25 @@ TBX_FN tbx_i4 tbx_greater_high(tbx_i4 a, tbx_i4 b)
 #endif
 }
 
-/* The greatest upper halves of five vectors of bits, without their signs. */
+/* The greatest upper halves of three vectors of bits, without their signs; of five. */
+TBX_FN tbx_i4 tbx_greatest3(tbx_i4 a, tbx_i4 b, tbx_i4 c)
+{
+    const tbx_i4 positive = tbx_splat_int(0x7fffffff);
+    return tbx_greater_high(tbx_greater_high(a & positive, b & positive), c & positive);
+}
+
 TBX_FN tbx_i4 tbx_greatest5(tbx_i4 a, tbx_i4 b, tbx_i4 c, tbx_i4 d, tbx_i4 e)
 {
     const tbx_i4 positive = tbx_splat_int(0x7fffffff);
-    return tbx_greater_high(tbx_greater_high(tbx_greater_high(a & positive, b & positive), c & positive),
-                            tbx_greater_high(d & positive, e & positive));
+    return tbx_greater_high(tbx_greatest3(a, b, c), tbx_greater_high(d & positive, e & positive));
 }
 
-/* A segment in float: the verdict for a clipped box, whose size is not negative; range is checked. */
-TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper)
+/* A segment in float: is the clipped box hit? Where lower > upper a face parts them, or min > max. Range is
+ * checked. out_open: that is unsure; out_small: a difference of the ends is so small that what was read as
+ * zero, or flushed, may count. */
+TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper, int *out_open, int *out_small)
 {
+    const tbx_i4 tiny_bits = { 0, 0, 0, 1 }; /* as in tbx_filter4 */
     tbx_f4 a = q - p;
     tbx_f4 l = lower - p;
     tbx_f4 h = upper - lower;
@@ -9840,16 +9907,15 @@ TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper)
     TBX_KEEP_VECTOR(l);
     TBX_KEEP_VECTOR(h);
     {
-        const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
         const tbx_f4 m = l + l + h;
         const tbx_f4 e = tbx_abs4(a);
         const tbx_f4 c = a * tbx_yzx(m) - tbx_yzx(a) * m;
-        const tbx_f4 value = tbx_edge4(e, tbx_yzx(e), h, tbx_yzx(h), c);
+        const tbx_f4 value = tbx_radius4(e, h, tbx_yzx(h)) - tbx_abs4(c);
         const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * e * tbx_yzx(e);
-        if (tbx_any(value + bound < zero)) {
-            return TBX_MISS;
-        }
-        return tbx_any((tbx_i4)(value - bound)) ? TBX_UNSURE : TBX_HIT;
+        const int miss = tbx_any((lower > upper) | (value < -bound));
+        *out_open = tbx_any(value < bound) & !miss;
+        *out_small = tbx_signs(tbx_below(e + (tbx_f4)tiny_bits, 0x30800000)) != 8;
+        return !miss;
     }
 }
 
@@ -9870,8 +9936,11 @@ TBX_COLD int tbx_filter4_rare(const float v0[3], const float v1[3], const float 
         !(apart01 && tbx_any((p0 < p2) | (p0 > p2)) && tbx_any((p1 < p2) | (p1 > p2)))) {
         /* corners that repeat: a segment */
         const tbx_f4 q = apart01 ? p1 : p2;
-        return tbx_segment4(p0, q, tbx_max4(tbx_load3(box_min), tbx_min4(p0, q)),
-                            tbx_min4(tbx_load3(box_max), tbx_max4(p0, q)));
+        int open;
+        int tiny;
+        const int hit = tbx_segment4(p0, q, tbx_max4(tbx_load3(box_min), tbx_min4(p0, q)),
+                                     tbx_min4(tbx_load3(box_max), tbx_max4(p0, q)), &open, &tiny);
+        return open ? TBX_UNSURE : hit;
     }
     return found;
 }
@@ -14283,8 +14352,8 @@ TBX_COLD int64_t tbx_ray_end_again(const float origin[3], const float dir[3], co
 }
 
 /* Where the ray enters (e = 0) or leaves (1) the slab of axis k, rounded outward. The difference of floats
- * errs by 2^-52 of itself, the quotient is checked to 2^-48 and 2^-51: less than 2^-47. What was read as zero
- * moves an end by 2^-85 (2^-125 * 2^40), so ends below 1e-6 are left to the integers. */
+ * errs by 2^-52 of itself, and by 2^-125 for what was read as zero, which is less than 2^-51 of it above
+ * 1e-22; the quotient is checked to 2^-48 and 2^-51: less than 2^-47. */
 TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const float box_min[3],
                            const float box_max[3], int k, int e)
 {
@@ -14298,7 +14367,7 @@ TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const floa
     TBX_KEEP_SCALAR(t);
     key = tbx_round_outward(t, TBX_SLAB_ERROR * tbx_abs(t), e);
     if (TBX_RARELY(!TBX_DOUBLE_IS_53_BITS || key == 0 ||
-                   !(tbx_abs(t * d - a) < tbx_abs(a) * TBX_SLAB_INVERSE_ERROR && tbx_abs(t) > 1e-6))) {
+                   !(tbx_abs(t * d - a) < tbx_abs(a) * TBX_SLAB_INVERSE_ERROR && tbx_abs(a) > 1e-22))) {
         return tbx_ray_end_again(origin, dir, box_min, box_max, k, e);
     }
     return key;
@@ -14306,52 +14375,37 @@ TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const floa
 
 /* Bounds of the filter in float. */
 #define TBX_RAY_ERROR 1.9073486328125e-06f     /* 2^-19 */
-#define TBX_RAY_NOTHING 8.271806125530277e-25f /* 2^-80 */
-
-/* The t of these bits, not NaN, moved into [-2^100, 2^100], past every time in a box. */
-TBX_FN float tbx_ray_limit(uint32_t bits)
-{
-    const float most = 1.2676506002282294e+30f;
-    float t = tbx_from_bits32(bits);
-    TBX_KEEP_SCALAR(t);
-    t = t < most ? t : most;
-    return t > -most ? t : -most;
-}
-
-TBX_FN int64_t tbx_float_key(uint32_t bits)
-{
-    const int64_t magnitude = (int64_t)(bits & 0x7fffffffu);
-    return (bits >> 31) != 0 ? -magnitude : magnitude;
-}
+#define TBX_RAY_NOTHING 8.673617379884035e-19f /* 2^-60 */
 
 /* Writes an end of the interval inside: that of the axis (1, 2, 4: 0, 1, 2), or the ray's own (8). */
 TBX_FN void tbx_ray_write(float *out, const float origin[3], const float dir[3], const float box_min[3],
-                          const float box_max[3], int reached, int e, uint32_t t_bits)
+                          const float box_max[3], int reached, int e, const float *own)
 {
     if (out != NULL) {
         tbx_write(out, 0, TBX_FLOAT,
                   reached < 8 ? tbx_ray_end(origin, dir, box_min, box_max, reached >> 1, e)
-                              : tbx_float_key(t_bits));
+                              : (int64_t)tbx_key32(own));
     }
 }
 
-/* Slabs in float, x, y, z in three lanes, t_min and t_max in the fourth. Coordinates are at most 2^40, so
- * differences are at most 2^41, and components of dir within [2^-40, 2^40], so every t in a box is at most
- * 2^81. A difference errs by 2^-23 of itself, a reciprocal is checked to 2^-20, a product errs by 2^-23:
- * 2^-19 in all, and 2^-80 for what was flushed or read as zero (2^-125 * 2^40). The largest lower and the
- * least upper end are no farther from the exact ones than that. */
+/* Slabs in float, x, y, z in three lanes. Coordinates are below 2^40, so differences are at most 2^41, and
+ * components of dir within [2^-64, 2^64), so every t in a box is at most 2^105; t_min and t_max are moved into
+ * [-2^110, 2^110]. A difference errs by 2^-23 of itself, a reciprocal is checked to 2^-20, a product errs by
+ * 2^-23: 2^-19 in all, and 2^-60 for what was flushed or read as zero (2^-125 * 2^64). The largest lower and
+ * the least upper end are no farther from the exact ones than that. */
 TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float t[2], const float box_min[3],
                           const float box_max[3], float *out_t0, float *out_t1)
 {
     const tbx_i4 last_one = { 0, 0, 0, 0x3f800000 };
-    const tbx_i4 most = tbx_splat_int(0x53800000);  /* 2^40 */
-    const tbx_i4 least = tbx_splat_int(0x2b800000); /* 2^-40 */
+    const tbx_i4 least_exponent = tbx_splat_int(63 << 24);
     const tbx_f4 one = tbx_splat(1.0f);
-    uint32_t t_bits[2];
+    const tbx_f4 most = tbx_splat(1.2980742146337069e+33f); /* 2^110 */
     tbx_f4 o = tbx_load3(origin);
-    tbx_f4 d = (tbx_f4)((tbx_i4)tbx_load3(dir) | last_one);
+    tbx_f4 d = (tbx_f4)(tbx_load3i(dir) | last_one);
     tbx_f4 lo = tbx_load3(box_min);
-    const tbx_f4 hi = tbx_load3(box_max);
+    tbx_f4 hi = tbx_load3(box_max);
+    tbx_f4 own = tbx_load_pair(t);
+    const tbx_i4 greatest = tbx_greatest3((tbx_i4)o, (tbx_i4)lo, (tbx_i4)hi);
     tbx_f4 inverse;
     tbx_f4 a;
     tbx_f4 b;
@@ -14363,20 +14417,17 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     float error;
     int reached0;
     int reached1;
-    TBX_COPY(t_bits, t, sizeof t_bits);
-    t_bits[0] = tbx_opaque32(t_bits[0]);
-    t_bits[1] = tbx_opaque32(t_bits[1]);
-    /* by sign bits: out of range, also NaN and infinities */
-    if (TBX_RARELY(tbx_any((most - tbx_magnitude(o)) | (most - tbx_magnitude(lo)) |
-                           (most - tbx_magnitude(hi)) | (most - tbx_magnitude(d)) |
-                           (tbx_magnitude(d) - least)) |
-                   ((0x7f800000u - (t_bits[0] & 0x7fffffffu)) >> 31 != 0) |
-                   ((0x7f800000u - (t_bits[1] & 0x7fffffffu)) >> 31 != 0))) {
+    /* by sign bits: out of range, also NaN and infinities; twice the bits of d have no sign */
+    if (TBX_RARELY(tbx_any((tbx_splat_int(0x537fffff) - greatest) |
+                           (tbx_i4)((tbx_u4)d + (tbx_u4)d - (tbx_u4)least_exponent) |
+                           tbx_above(tbx_abs4(own), 0x7f800000)))) {
         return TBX_UNSURE;
     }
     TBX_KEEP_VECTOR(o);
     TBX_KEEP_VECTOR(d);
     TBX_KEEP_VECTOR(lo);
+    TBX_KEEP_VECTOR(hi);
+    TBX_KEEP_VECTOR(own);
     inverse = one / d;
     a = lo - o;
     b = hi - o;
@@ -14392,10 +14443,10 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     b = b * inverse;
     lower = tbx_min4(a, b);
     upper = tbx_max4(a, b);
-    lower[3] = tbx_ray_limit(t_bits[0]);
-    upper[3] = tbx_ray_limit(t_bits[1]);
-    ends = tbx_min4(TBX_LANES(-lower, upper, 0, 1, 4, 5), TBX_LANES(-lower, upper, 2, 3, 6, 7));
+    own = tbx_max4(tbx_min4(own, most), -most);
+    ends = tbx_min4(TBX_LANES(-lower, upper, 0, 1, 4, 5), TBX_LANES(-lower, upper, 2, 2, 6, 6));
     ends = tbx_min4(ends, TBX_LANES(ends, ends, 1, 0, 3, 2));
+    ends = tbx_min4(ends, TBX_LANES(-own, own, 0, 0, 5, 5));
     first = -ends[0];
     last = ends[2];
     error = TBX_RAY_ERROR * (tbx_absf(first) + tbx_absf(last)) + TBX_RAY_NOTHING;
@@ -14405,67 +14456,47 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     if (!(last - first > error)) {
         return TBX_UNSURE;
     }
-    error = 2.0f * TBX_RAY_ERROR * tbx_absf(first) + 2.0f * TBX_RAY_NOTHING;
-    reached0 = tbx_signs(lower >= tbx_splat(first - error));
-    error = 2.0f * TBX_RAY_ERROR * tbx_absf(last) + 2.0f * TBX_RAY_NOTHING;
-    reached1 = tbx_signs(upper <= tbx_splat(last + error));
+    error = first - (2.0f * TBX_RAY_ERROR * tbx_absf(first) + 2.0f * TBX_RAY_NOTHING);
+    reached0 = (tbx_signs(lower >= tbx_splat(error)) & 7) | (own[0] >= error) << 3;
+    error = last + (2.0f * TBX_RAY_ERROR * tbx_absf(last) + 2.0f * TBX_RAY_NOTHING);
+    reached1 = (tbx_signs(upper <= tbx_splat(error)) & 7) | (own[1] <= error) << 3;
     if (TBX_RARELY(((reached0 & (reached0 - 1)) | (reached1 & (reached1 - 1))) != 0)) {
         return TBX_UNSURE; /* more than one axis may be the first or last */
     }
-    tbx_ray_write(out_t0, origin, dir, box_min, box_max, reached0, 0, t_bits[0]);
-    tbx_ray_write(out_t1, origin, dir, box_min, box_max, reached1, 1, t_bits[1]);
+    tbx_ray_write(out_t0, origin, dir, box_min, box_max, reached0, 0, &t[0]);
+    tbx_ray_write(out_t1, origin, dir, box_min, box_max, reached1, 1, &t[1]);
     return TBX_HIT;
 }
 
-/* The segment's conditions in float ("segment and box"), x, y, z in three lanes. */
+/* The segment's conditions in float ("segment and box"). */
 TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float box_min[3],
                               const float box_max[3])
 {
-    const tbx_f4 half = tbx_splat(0.5f);
-    const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f }; /* 2^-149 */
-    const tbx_i4 most = tbx_splat_int(0x53800000);                    /* 2^40 */
     tbx_f4 p0 = tbx_load3(p);
     tbx_f4 p1 = tbx_load3(q);
     tbx_f4 lo = tbx_load3(box_min);
     tbx_f4 hi = tbx_load3(box_max);
-    if (TBX_RARELY(tbx_any((most - tbx_magnitude(p0)) | (most - tbx_magnitude(p1)) |
-                           (most - tbx_magnitude(lo)) | (most - tbx_magnitude(hi))))) {
+    const tbx_i4 greatest =
+        tbx_greater_high(tbx_greatest3((tbx_i4)p0, (tbx_i4)p1, (tbx_i4)lo), tbx_magnitude(hi));
+    int hit;
+    int open;
+    int tiny;
+    if (TBX_RARELY(tbx_any(tbx_splat_int(0x52ffffff) - greatest))) {
         return TBX_UNSURE;
     }
     TBX_KEEP_VECTOR(p0);
     TBX_KEEP_VECTOR(p1);
     TBX_KEEP_VECTOR(lo);
     TBX_KEEP_VECTOR(hi);
-    {
-        const tbx_f4 lower = tbx_max4(lo, tbx_min4(p0, p1));
-        const tbx_f4 upper = tbx_min4(hi, tbx_max4(p0, p1));
-        const tbx_i4 faces = lower > upper; /* a face parts them, or min > max */
-        tbx_f4 a = p1 - p0;
-        tbx_f4 l = lower - p0;
-        tbx_f4 u = upper - p0;
-        TBX_KEEP_VECTOR(a);
-        TBX_KEEP_VECTOR(l);
-        TBX_KEEP_VECTOR(u);
-        {
-            const tbx_f4 x = tbx_abs4(a);
-            const tbx_f4 m = (l + u) * half;
-            const tbx_f4 h = (u - l) * half;
-            const tbx_f4 c = m * tbx_yzx(a) - tbx_yzx(m) * a;
-            const tbx_f4 value = tbx_radius4(x, h, tbx_yzx(h)) - tbx_abs4(c);
-            const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * x * tbx_yzx(x);
-            const int refused = tbx_signs(tbx_below(x + tiny, 0x30800000));
-            const int miss = tbx_signs(faces | (value < -bound)) != 0;
-            const int open = (tbx_signs(value < bound) != 0) & !miss;
-            if (TBX_RARELY((refused != 8) | open)) {
-                if (open || (refused & 7) != 0 || tbx_may_flush(p) || tbx_may_flush(q) ||
-                    tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
-                    return TBX_UNSURE;
-                }
-            }
-            return !miss;
+    hit = tbx_segment4(p0, p1, tbx_max4(lo, tbx_min4(p0, p1)), tbx_min4(hi, tbx_max4(p0, p1)), &open, &tiny);
+    if (TBX_RARELY(open | tiny)) { /* one branch, hardly ever taken */
+        if (open || tbx_may_flush(p) || tbx_may_flush(q) || tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
+            return TBX_UNSURE;
         }
     }
+    return hit;
 }
+
 /* ---- Spheres */
 
 /* Is one of twelve floats subnormal, infinite or NaN? */
@@ -14511,8 +14542,9 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
     tbx_f4 q = tbx_load3(b);
     float of_a = *a_radius;
     float of_b = *b_radius;
-    const tbx_i4 outside = tbx_above(tbx_abs4(p), 0x5d800000) | tbx_above(tbx_abs4(q), 0x5d800000);
-    if (TBX_RARELY(tbx_any(outside) || !tbx_within(a_radius, 0x2b800000u, 0x5d800000u) ||
+    const tbx_i4 greatest = tbx_greater_high(tbx_magnitude(p), tbx_magnitude(q));
+    if (TBX_RARELY(tbx_any(tbx_splat_int(0x5d7fffff) - greatest) ||
+                   !tbx_within(a_radius, 0x2b800000u, 0x5d800000u) ||
                    !tbx_within(b_radius, 0x2b800000u, 0x5d800000u))) {
         return TBX_UNSURE;
     }
@@ -14523,7 +14555,8 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
     return tbx_ball4(p - q, of_a + of_b);
 }
 
-/* No coordinate of the box is subnormal, so lo > hi is what it says. */
+/* Faces that seem equal but differ in their bits may be subnormals read as zero, of which the lower may be the
+ * greater; to a distance they add nothing. */
 TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3],
                            const float box_max[3])
 {
@@ -14532,20 +14565,17 @@ TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float bo
     tbx_f4 lo = tbx_load3(box_min);
     tbx_f4 hi = tbx_load3(box_max);
     float r = *radius;
-    const tbx_f4 size_lo = tbx_abs4(lo);
-    const tbx_f4 size_hi = tbx_abs4(hi);
-    const tbx_i4 outside = tbx_above(tbx_abs4(p), 0x5d800000) | tbx_above(size_lo, 0x5d800000) |
-                           tbx_above(size_hi, 0x5d800000) | tbx_below(size_lo, 0x00800000) |
-                           tbx_below(size_hi, 0x00800000);
-    if (TBX_RARELY(tbx_any(outside) || !tbx_within(radius, 0x2b800000u, 0x5d800000u))) {
+    const tbx_i4 greatest = tbx_greatest3((tbx_i4)p, (tbx_i4)lo, (tbx_i4)hi);
+    if (TBX_RARELY(tbx_any(tbx_splat_int(0x5d7fffff) - greatest) ||
+                   !tbx_within(radius, 0x2b800000u, 0x5d800000u))) {
         return TBX_UNSURE;
     }
     TBX_KEEP_VECTOR(p);
     TBX_KEEP_VECTOR(lo);
     TBX_KEEP_VECTOR(hi);
     TBX_KEEP_SCALAR(r);
-    if (TBX_RARELY(tbx_any(lo > hi))) {
-        return TBX_MISS;
+    if (TBX_RARELY(tbx_any((lo > hi) | ((lo == hi) & ~((tbx_i4)lo == (tbx_i4)hi))))) {
+        return TBX_UNSURE;
     }
     {
         tbx_f4 below = lo - p;
@@ -14556,62 +14586,82 @@ TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float bo
     }
 }
 
-/* x.y, x.x, and the sum of the magnitudes of x.y's terms. */
-typedef struct tbx_dots {
-    float xy;
-    float xx;
-    float size;
-} tbx_dots;
-
-TBX_FN tbx_dots tbx_dots4(tbx_f4 x, tbx_f4 y)
-{
-    const tbx_f4 xy = x * y;
-    const tbx_f4 xx = x * x;
-    const tbx_f4 low = TBX_LANES(xy, xx, 0, 4, 1, 5);
-    const tbx_f4 high = TBX_LANES(xy, xx, 2, 6, 3, 7);
-    const tbx_f4 sums = low + TBX_LANES(low, low, 2, 3, 2, 3) + high;
-    const tbx_f4 sizes = tbx_abs4(low) + tbx_abs4(TBX_LANES(low, low, 2, 3, 2, 3)) + tbx_abs4(high);
-    tbx_dots r;
-    r.xy = sums[0];
-    r.xx = sums[1];
-    r.size = sizes[0];
-    return r;
-}
-
-/* v errs by 4 u of the magnitudes of its terms, and their sum by as much of itself: error is 8 u. Sure
- * beyond (|v| + error)^2 - v^2, with 2^-19 = 16 u of |v| more in each factor for the roundings of v^2, 2
- * u, and of r^2 |n|^2, 6 u of itself: where that is above 3 v^2, and its error more than what the factor
- * adds, it is far from |v| + error / 2, which v is not beyond. |n|^2 is at least 2^-40 and r at least
- * 2^-30, so what is flushed or read as 0, 2^-94 of v, is nothing to that. Returns what tribox_plane_sphere
- * does, or UNSURE. */
-#define TBX_PLANE_SPHERE_ERROR4 (8.0f * TBX_U32)
+/* v errs by 4 u of the magnitudes of its terms, and their sum m by as much of itself, so v is within 8 u m of
+ * exact; v^2 errs by 2 u, r^2 |n|^2 by 6 u of itself. So v^2 - r^2 |n|^2 is sure beyond (2 |v| + error) error
+ * with an error of 8 + 5 of m, as |v| is at most m. |n|^2 is at least 2^-40 and r at least 2^-30, so what is
+ * flushed or read as 0, 2^-94 of v, is nothing to that. Returns what tribox_plane_sphere does, or UNSURE. */
+#define TBX_PLANE_SPHERE_ERROR4 (16.0f * TBX_U32)
 
 TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius)
 {
     tbx_f4 x = tbx_load3(n);
     tbx_f4 y = tbx_load3(c);
-    float of_d = *d;
+    tbx_f4 of_d = { *d, 0.0f, 0.0f, 0.0f };
     float r = *radius;
-    const tbx_i4 outside = tbx_above(tbx_abs4(x), 0x4e800000) | tbx_above(tbx_abs4(y), 0x4e800000);
-    if (TBX_RARELY(tbx_any(outside) || !tbx_within(radius, 0x30800000u, 0x4e800000u) ||
-                   (tbx_bits32(d) & 0x7fffffffu) > 0x5d800000u)) { /* 2^30, 2^-30..2^30, 2^60 */
+    tbx_i4 greatest;
+    TBX_KEEP_VECTOR(of_d);
+    greatest = tbx_greatest3((tbx_i4)x, (tbx_i4)y, (tbx_i4)of_d);
+    if (TBX_RARELY(tbx_any(tbx_splat_int(0x4e7fffff) - greatest) ||
+                   !tbx_within(radius, 0x30800000u, 0x4e800000u))) { /* 2^30, 2^-30..2^30 */
         return TBX_UNSURE;
     }
     TBX_KEEP_VECTOR(x);
     TBX_KEEP_VECTOR(y);
-    TBX_KEEP_SCALAR(of_d);
+    TBX_KEEP_VECTOR(of_d);
     TBX_KEEP_SCALAR(r);
     {
-        const tbx_dots dots = tbx_dots4(x, y);
-        const float v = dots.xy + of_d;
+        const tbx_f4 xy = x * y;
+        const tbx_f4 xx = x * x;
+        const tbx_f4 sums = tbx_three_sums3(xy, xx, tbx_abs4(xy));
+        const float v = sums[0] + of_d[0];
         const float size = tbx_absf(v);
-        const float error = (dots.size + tbx_absf(of_d)) * TBX_PLANE_SPHERE_ERROR4;
-        const float apart = v * v - r * r * dots.xx;
-        const float band = (size + size + error) * (error + size * TBX_BALL_ERROR4);
-        if (TBX_RARELY(!(tbx_absf(apart) > band)) || TBX_RARELY(!(dots.xx > 9.094947017729282e-13f))) {
+        const float error = (sums[2] + tbx_absf(of_d[0])) * TBX_PLANE_SPHERE_ERROR4;
+        const float apart = v * v - r * r * sums[1];
+        const float band = (size + size + error) * error;
+        if (TBX_RARELY(!(tbx_absf(apart) > band)) || TBX_RARELY(!(sums[1] > 9.094947017729282e-13f))) {
             return TBX_UNSURE; /* 2^-40 */
         }
-        return (1 - (int)(tbx_bits32(&v) >> 31 << 1)) & ((int)(tbx_bits32(&apart) >> 31) - 1);
+        return (-(int)(tbx_bits32(&v) >> 31) | 1) & ((int)(tbx_bits32(&apart) >> 31) - 1);
+    }
+}
+
+/* Ray and sphere, with A, B, C and D as in section 10. MISS if it is certain that D < 0, or, from t >= 0 on,
+ * that B > 0 and C > 0: most rays. HIT: numbers are in range, also for the run in double. Or UNSURE.
+ *
+ * In units of u: A errs by 3 of itself, B by 4 of the magnitudes b of its terms, b^2 <= A m.m, C by 6 of c =
+ * m.m + r^2. So D < 0 where B^2 < A (C - K c) with K = 32: B^2 and A C err by 21 of A c. Where C > K c, and B
+ * is not above 0, but seems so, B^2 is below 2^-40 A c, and D < 0.
+ *
+ * Numbers are below 2^28, r at least 2^-30. What is flushed or read as 0, 2^-125 of m and of dir, is 2^-94 of
+ * c, and moves B by at most 2^-94 and A by 2^-124 or 2^-125 of its root: so A counts as 2^-60 less, B as 2^-90
+ * less, which is nothing to A c u where A is above 2^-60. */
+#define TBX_PIERCE_ERROR4 (32.0f * TBX_U32)
+
+TBX_FN int tbx_pierce4(const float origin[3], const float dir[3], const float *from, const float center[3],
+                       const float *radius)
+{
+    const tbx_f4 flushed = { 8.673617379884035e-19f, 8.077935669463161e-28f, 0.0f, 0.0f };
+    tbx_f4 m = tbx_load3(origin);
+    tbx_f4 w = tbx_load3(dir);
+    tbx_f4 x = tbx_load3(center);
+    float r = *radius;
+    const tbx_i4 greatest = tbx_greatest3((tbx_i4)m, (tbx_i4)x, (tbx_i4)w);
+    if (TBX_RARELY(tbx_any(tbx_splat_int(0x4d7fffff) - greatest) ||
+                   !tbx_within(radius, 0x30800000u, 0x4d800000u))) { /* 2^28, 2^-30..2^28 */
+        return TBX_UNSURE;
+    }
+    TBX_KEEP_VECTOR(m);
+    TBX_KEEP_VECTOR(w);
+    TBX_KEEP_VECTOR(x);
+    TBX_KEEP_SCALAR(r);
+    m = m - x;
+    TBX_KEEP_VECTOR(m);
+    {
+        const tbx_f4 sums = tbx_three_sums3(w * w, w * m, m * m) - flushed;
+        const float least = (sums[2] - r * r) - (sums[2] + r * r) * TBX_PIERCE_ERROR4;
+        const int behind = (tbx_bits32(from) >> 31 == 0) & (sums[1] > 0.0f);
+        const int beside = sums[0] * least > sums[1] * sums[1];
+        return !((beside | behind) & (least > 0.0f));
     }
 }
 
