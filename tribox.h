@@ -685,6 +685,13 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 
 /* ---- 3. Platform --------------------------------------------------------------------------------------- */
 
+/* Where to find what, from here on.
+ *   The conditions of [SS10] and [AM01]: exact, 5b, tbx_exact_axes; of one box, 6, tbx_filter; of a prepared
+ *   triangle, 7, tbx_store_edges and tbx_store_plane; of a grid's rows, 8, tbx_walk_groups.
+ *   The touching rule: 5b, tbx_lo_is_open and tbx_hi_is_open, and who asks them.
+ *   A bound of rounding: derived in the comment before the macro TBX_..._ULPS or TBX_..._ERROR that names it.
+ *   The same in vectors: section 11, under the same name with _simd, _lanes or a digit for the lanes. */
+
 #if defined(__CUDACC__) || defined(__HIPCC__)
 #define TBX_HD __host__ __device__
 #else
@@ -2410,7 +2417,7 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
  * every R at most 2^40: where X_b, X_c > 0, G >= 2^-30 R_b and 2^-30 R_c, so the bound, at least 2^-18 G,
  * exceeds 2^-126 R by 2^78; V >= 2^-60 R_a likewise. Where X_b or X_c is 0, all edges across a are along an
  * axis. Nothing overflows: w is at most 2^30 G, and n_a at most 2^30 V, so scaled they are below 2^48, V is
- * below 2^122, and q below 2^41, even where it is that of another p. */
+ * below 2^122, and q below 2^43, even where faces do not hold. */
 #if TBX_GNU
 #define TBX_PURE __attribute__((pure))
 #else
@@ -9952,7 +9959,6 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
 {
     const tbx_i4 tiny_bits = { 0, 0, 0, 1 }; /* 2^-149 */
     const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
-    const tbx_f4 ulps = tbx_splat(TBX_ULPS * TBX_U32);
     tbx_f4 p0 = tbx_load3(v0);
     tbx_f4 p1 = tbx_load3(v1);
     tbx_f4 p2 = tbx_load3(v2);
@@ -10006,7 +10012,7 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
             const tbx_f4 x_yzx = tbx_yzx(x);
             const tbx_f4 area = x * x_yzx;
             const tbx_f4 volume = area * tbx_yzx(x_yzx);
-            const tbx_f4 bound = ulps * TBX_JOIN(area, volume, 0);
+            const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * TBX_JOIN(area, volume, 0);
             /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as
              * zero */
             const int refused = tbx_signs(tbx_below(x + (tbx_f4)tiny_bits, 0x30800000));
@@ -10571,21 +10577,27 @@ TBX_FN tbx_f4 tbx_least_values(const tribox_tri *tri, tbx_f4 q)
     return tbx_min4(tbx_min4(first, second), third);
 }
 
-/* Is a magnitude 2^42 or more, where a product might overflow, or NaN? */
-TBX_FN int tbx_is_far_off(tbx_f4 x)
+/* Is a magnitude of p, of which x has the lanes, 2^42 or more, where a product might overflow, or NaN? By the
+ * bits of x and y in one integer, and those of z, beside what the vectors do. */
+TBX_FN int tbx_is_far_off(tbx_f4 x, const float p[3])
 {
-    return tbx_any(tbx_above(tbx_abs4(x), 0x54800000));
+    const uint64_t xy = (uint64_t)((tbx_l2)x)[0] & 0x7fffffff7fffffffu;
+    const uint64_t z = tbx_bits32(&p[2]) & 0x7fffffffu;
+    return (((xy + 0x2b8000002b800000u) | (z + 0x2b800000u)) & 0x8000000080000000u) != 0;
 }
 
-/* The test in lanes: HIT, MISS or UNSURE. Where faces do not hold, q is that of p = 0: no operation meets NaN
- * or overflows. gcc would go by mask registers for AVX-512; kept in vectors, the test gains 1.04x. */
+/* The test in lanes: HIT, MISS or UNSURE. gcc would go by mask registers for AVX-512; kept in vectors, the
+ * test gains 1.04x. */
 TBX_FN int tbx_tri_test_simd(const tribox_tri *tri, const float p[3])
 {
     const tbx_f4 x = tbx_load_xyzz(p);
     tbx_i4 parted = tbx_parted(tri, (tbx_i4)x);
     tbx_f4 q;
     TBX_KEEP_VECTOR(parted);
-    q = (tbx_f4)((tbx_i4)x & ~parted) - tbx_load4(tri->ref);
+    if (TBX_RARELY(tbx_is_far_off(x, p))) {
+        return TBX_UNSURE;
+    }
+    q = x - tbx_load4(tri->ref);
     TBX_KEEP_VECTOR(q);
     {
         const tbx_f4 least = tbx_least_values(tri, q);
@@ -10684,7 +10696,7 @@ TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
     tbx_f4 sum;
     tbx_f4 without_x;
     tbx_f4 without_step;
-    if (TBX_RARELY(tbx_is_far_off(x) | (tri->hidden.in_range != 2))) {
+    if (TBX_RARELY(tbx_is_far_off(x, p) | (tri->hidden.in_range != 2))) {
         return TBX_OCTANTS_UNSURE;
     }
     lower = x - tbx_load4(tri->ref);
