@@ -1021,6 +1021,7 @@ TBX_FN void tbx_widen(double *out, const float *x)
     if (TBX_RARELY(tbx_is_unusual(bits))) {
         tbx_widen_unusual(out, bits);
     } else {
+        TBX_KEEP_POINTER(x); /* not converted before it is known to be usual */
         *out = (double)*x;
     }
 }
@@ -10217,16 +10218,16 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
     const tbx_l2 tiny = { 0, 1 }; /* 2^-1074 */
     const double ulp = TBX_ULPS * TBX_U64;
     const tbx_d2 ulps = tbx_pair(ulp, ulp);
-    const tbx_d2 p0 = tbx_load2(v0);
-    const tbx_d2 p1 = tbx_load2(v1);
-    const tbx_d2 p2 = tbx_load2(v2);
-    const tbx_d2 lo = tbx_load2(box_min);
-    const tbx_d2 hi = tbx_load2(box_max);
-    const tbx_d2 z0 = tbx_load1(v0 + 2);
-    const tbx_d2 z1 = tbx_load1(v1 + 2);
-    const tbx_d2 z2 = tbx_load1(v2 + 2);
-    const tbx_d2 z_lo = tbx_load1(box_min + 2);
-    const tbx_d2 z_hi = tbx_load1(box_max + 2);
+    tbx_d2 p0 = tbx_load2(v0);
+    tbx_d2 p1 = tbx_load2(v1);
+    tbx_d2 p2 = tbx_load2(v2);
+    tbx_d2 lo = tbx_load2(box_min);
+    tbx_d2 hi = tbx_load2(box_max);
+    tbx_d2 z0 = tbx_load1(v0 + 2);
+    tbx_d2 z1 = tbx_load1(v1 + 2);
+    tbx_d2 z2 = tbx_load1(v2 + 2);
+    tbx_d2 z_lo = tbx_load1(box_min + 2);
+    tbx_d2 z_hi = tbx_load1(box_max + 2);
     tbx_axes xy;
     tbx_axes z;
     tbx_side sx;
@@ -10241,6 +10242,16 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
     if (TBX_RARELY(tbx_any(tbx_splat_int(((1023 + 300) << 20) - 1) - greatest))) {
         return TBX_UNSURE;
     }
+    TBX_KEEP_VECTOR(p0);
+    TBX_KEEP_VECTOR(p1);
+    TBX_KEEP_VECTOR(p2);
+    TBX_KEEP_VECTOR(lo);
+    TBX_KEEP_VECTOR(hi);
+    TBX_KEEP_VECTOR(z0);
+    TBX_KEEP_VECTOR(z1);
+    TBX_KEEP_VECTOR(z2);
+    TBX_KEEP_VECTOR(z_lo);
+    TBX_KEEP_VECTOR(z_hi);
     tbx_axes_set(&xy, p0, p1, p2, lo, hi, none);
     tbx_axes_set(&z, z0, z1, z2, z_lo, z_hi, tiny);
     tbx_side_set(&sx, TBX_PAIR(xy.a1, xy.a2, 0, 2), TBX_PAIR(xy.m, xy.m, 0, 0), TBX_PAIR(xy.h, xy.h, 0, 0),
@@ -10487,10 +10498,10 @@ TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[
     const unsigned rule = thin ? (unsigned)TRIBOX_THIN : tbx_rule(flags);
     const int lo_is_open = tbx_lo_is_open(rule);
     const int hi_is_open = tbx_hi_is_open(rule);
-    const tbx_f4 p0 = tbx_load3(v0);
-    const tbx_f4 p1 = tbx_load3(v1);
-    const tbx_f4 p2 = tbx_load3(v2);
-    const tbx_i4 sizes = (tbx_i4)tbx_load3(size);
+    tbx_f4 p0 = tbx_load3(v0);
+    tbx_f4 p1 = tbx_load3(v1);
+    tbx_f4 p2 = tbx_load3(v2);
+    tbx_i4 sizes = (tbx_i4)tbx_load3(size);
     /* sizes of -0 wrap, as unsigned */
     const tbx_i4 far_off = tbx_above(tbx_abs4(p0), most) | tbx_above(tbx_abs4(p1), most) |
                            tbx_above(tbx_abs4(p2), most) | tbx_above((tbx_f4)sizes, most) |
@@ -10498,6 +10509,10 @@ TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[
     if (TBX_RARELY((tbx_signs(far_off | sizes) & 7) != 0)) {
         return 0;
     }
+    TBX_KEEP_VECTOR(p0);
+    TBX_KEEP_VECTOR(p1);
+    TBX_KEEP_VECTOR(p2);
+    TBX_KEEP_VECTOR(sizes);
     {
         const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
         const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
@@ -10689,7 +10704,7 @@ TBX_FN unsigned tbx_upper_halves(unsigned axes)
  * or cease to hold. */
 TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
 {
-    const tbx_f4 x = tbx_load_xyzz(p);
+    tbx_f4 x = tbx_load_xyzz(p);
     const tbx_f4 step = tbx_load4(tri->hidden.step);
     tbx_f4 lower;
     tbx_f4 upper;
@@ -10699,6 +10714,7 @@ TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
     if (TBX_RARELY(tbx_is_far_off(x, p) | (tri->hidden.in_range != 2))) {
         return TBX_OCTANTS_UNSURE;
     }
+    TBX_KEEP_VECTOR(x);
     lower = x - tbx_load4(tri->ref);
     sum = x + step;
     TBX_KEEP_VECTOR(lower);
@@ -11156,12 +11172,15 @@ TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
     const double n = (double)q->n[k];
     const double steps = TBX_STEPS * q->units[k];
     const double most = 1.329227995784916e36 / steps; /* 2^120 */
-    const float far_off = (float)(most < 1e38 ? most : 1e38);
+    double least_far = most < 1e38 ? most : 1e38;
+    float far_off;
     double error = (0.5 * n + 2.0) * 3.0 * (double)TBX_U32 + 2.0 * q->delta;
     double slack;
     double bias;
     double near_by;
     float near_float;
+    TBX_KEEP_SCALAR(least_far); /* not narrowed before it is known to fit */
+    far_off = (float)least_far;
     q->centre[k + 1] = (float)(q->origin[k] + 0.5 * n / q->units[k]);
     TBX_KEEP(q->centre[k + 1]);
     error += 3.0 * (double)TBX_U32 * (double)TBX_U32 * tbx_abs((double)q->centre[k + 1]) * q->units[k];
@@ -11475,9 +11494,14 @@ TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
     z[1] = last;
     upper = TBX_LANES((tbx_i4)xy, (tbx_i4)z, 1, 3, 5, 7) & tbx_splat_int(0x7fffffff);
     if (!TBX_RARELY(tbx_any(upper > tbx_splat_int((1023 + 100) << 20)))) {
-        const tbx_f4 low = __builtin_ia32_cvtpd2ps(xy - centre->xy);
-        const tbx_f4 high = __builtin_ia32_cvtpd2ps(z - centre->z);
-        tbx_f4 row = TBX_LANES(low, high, 0, 1, 4, 5);
+        tbx_f4 low;
+        tbx_f4 high;
+        tbx_f4 row;
+        TBX_KEEP_VECTOR(xy); /* not converted before: overflow */
+        TBX_KEEP_VECTOR(z);
+        low = __builtin_ia32_cvtpd2ps(xy - centre->xy);
+        high = __builtin_ia32_cvtpd2ps(z - centre->z);
+        row = TBX_LANES(low, high, 0, 1, 4, 5);
         TBX_KEEP_VECTOR(row); /* two moves; as one they become eight */
         bits = (tbx_i4)TBX_LANES(row, row, 2, 0, 1, 3);
     }
@@ -11493,6 +11517,7 @@ TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
     if (!TBX_RARELY((int)((tbx_bits64(&x[0]) & magnitude) > most) |
                     (int)((tbx_bits64(&x[1]) & magnitude) > most) |
                     (int)((tbx_bits64(&x[2]) & magnitude) > most))) {
+        TBX_KEEP(x); /* not converted before: overflow */
         r[1] = (float)(x[0] - centre->xy[0]);
         r[2] = (float)(x[1] - centre->xy[1]);
         r[3] = (float)(x[2] - centre->z[1]);
@@ -11822,6 +11847,9 @@ TBX_NOINLINE void tbx_block_careful(tbx_block *b, const tbx_quick *q, const tbx_
             beyond |= (row & magnitude) > far_bits;
         }
         if (!tbx_any(beyond)) {
+            for (c = 0; c < 3; c++) { /* nothing is computed before the question */
+                TBX_KEEP_VECTOR(v[c]);
+            }
             tbx_boxes_find(box, kind, &f, v, 1);
         }
         kind[0] = q->kind_of[kind[0]];
