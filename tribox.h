@@ -1077,6 +1077,8 @@ TBX_FN int tbx_read_floats(double out[3], const void *from)
     if (TBX_RARELY(tbx_is_unusual_pair(tbx_opaque64(xy)) | tbx_is_unusual(tbx_bits32(&x[2])))) {
         return tbx_read_unusual(out, from);
     }
+    TBX_KEEP_POINTER(from); /* not converted before they are known to be usual */
+    TBX_COPY(x, from, sizeof x);
     out[0] = (double)x[0];
     out[1] = (double)x[1];
     out[2] = (double)x[2];
