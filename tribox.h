@@ -685,13 +685,6 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 
 /* ---- 3. Platform --------------------------------------------------------------------------------------- */
 
-/* Where to find what, from here on.
- *   The conditions of [SS10] and [AM01]: exact, 5b, tbx_exact_axes; of one box, 6, tbx_filter; of a prepared
- *   triangle, 7, tbx_store_edges and tbx_store_plane; of a grid's rows, 8, tbx_walk_groups.
- *   The touching rule: 5b, tbx_lo_is_open and tbx_hi_is_open, and who asks them.
- *   A bound of rounding: derived in the comment before the macro TBX_..._ULPS or TBX_..._ERROR that names it.
- *   The same in vectors: section 11, under the same name with _simd, _lanes or a digit for the lanes. */
-
 #if defined(__CUDACC__) || defined(__HIPCC__)
 #define TBX_HD __host__ __device__
 #else
@@ -1007,21 +1000,14 @@ TBX_COLD void tbx_widen_unusual(double *out, uint32_t bits)
     TBX_COPY(out, &wide, sizeof wide);
 }
 
-/* A float's bits: is it neither 0 nor normal? */
-TBX_FN int tbx_is_unusual(uint32_t bits)
-{
-    const uint32_t magnitude = bits & 0x7fffffffu;
-    return (magnitude - 1u < 0x007fffffu) | (magnitude >= 0x7f800000u);
-}
-
 /* The float's value as a double, also where the processor would read a subnormal as zero. */
 TBX_FN void tbx_widen(double *out, const float *x)
 {
     const uint32_t bits = tbx_bits32(x);
-    if (TBX_RARELY(tbx_is_unusual(bits))) {
+    const uint32_t magnitude = bits & 0x7fffffffu;
+    if (TBX_RARELY((magnitude - 1u < 0x007fffffu) | (magnitude >= 0x7f800000u))) {
         tbx_widen_unusual(out, bits);
     } else {
-        TBX_KEEP_POINTER(x); /* not converted before it is known to be usual */
         *out = (double)*x;
     }
 }
@@ -1041,55 +1027,6 @@ TBX_FN int tbx_is_nan(const double *x)
 TBX_FN int tbx_is_finite(const double *x)
 {
     return (tbx_bits64(x) & 0x7fffffffffffffffu) < 0x7ff0000000000000u;
-}
-
-TBX_FN int tbx_finite3(const double x[3])
-{
-    return tbx_is_finite(&x[0]) & tbx_is_finite(&x[1]) & tbx_is_finite(&x[2]);
-}
-
-TBX_COLD int tbx_read_unusual(double out[3], const void *from)
-{
-    float x[3];
-    TBX_COPY(x, from, sizeof x);
-    tbx_widen3(out, x);
-    return tbx_finite3(out);
-}
-
-/* Two floats' bits in one word: is one of them neither 0 nor normal? Bits 31 and 63 say so, without a carry
- * from one to the other: the first sum of infinity and NaN has them, the second of all but 0, the third of
- * normal numbers. */
-TBX_FN int tbx_is_unusual_pair(uint64_t pair)
-{
-    const uint64_t magnitudes = pair & 0x7fffffff7fffffffu;
-    return (((magnitudes + 0x0080000000800000u) |
-             ((magnitudes + 0x7fffffff7fffffffu) & ~(magnitudes + 0x7f8000007f800000u))) &
-            0x8000000080000000u) != 0;
-}
-
-/* Three floats as doubles. Returns 0 where one is NaN or infinite. */
-TBX_FN int tbx_read_floats(double out[3], const void *from)
-{
-    float x[3];
-    uint64_t xy;
-    TBX_COPY(x, from, sizeof x);
-    TBX_COPY(&xy, x, sizeof xy);
-    if (TBX_RARELY(tbx_is_unusual_pair(tbx_opaque64(xy)) | tbx_is_unusual(tbx_bits32(&x[2])))) {
-        return tbx_read_unusual(out, from);
-    }
-    TBX_KEEP_POINTER(from); /* not converted before they are known to be usual */
-    TBX_COPY(x, from, sizeof x);
-    out[0] = (double)x[0];
-    out[1] = (double)x[1];
-    out[2] = (double)x[2];
-    return 1;
-}
-
-/* Is x zero, or is its magnitude at least 2^least and less than 2^most? */
-TBX_FN int tbx_in_range(const double *x, int least, int most)
-{
-    const uint64_t magnitude = tbx_bits64(x) & 0x7fffffffffffffffu;
-    return magnitude == 0 || (unsigned)(magnitude >> 52) - (unsigned)(1023 + least) < (unsigned)(most - least);
 }
 
 /* An integer that orders as the number does (NaN aside); both zeros give 0. */
@@ -1587,26 +1524,6 @@ TBX_FN int tbx_orient3(const tbx_exact *f, const int q[3])
 
 /* ---- 5b. The exact test -------------------------------------------------------------------------------- */
 
-/* The touching rule: which faces of a box are open, all lower ones, all upper ones. THIN means closed. A rule
- * moves exact zeros only, so no bound of floating-point arithmetic sees it. Who asks these two: of one box
- * tbx_exact_overlap, tbx_clip_box and tbx_clip_axis; of prepared boxes tbx_tri_start, tbx_tri_test,
- * tbx_octant_faces and, in lanes, tbx_tri_init_simd; of a grid tbx_frame_init and, in lanes, tbx_quick_init. */
-TBX_FN int tbx_lo_is_open(unsigned flags)
-{
-    return (flags & (TRIBOX_THIN | TRIBOX_OPEN)) == TRIBOX_OPEN;
-}
-
-TBX_FN int tbx_hi_is_open(unsigned flags)
-{
-    return (flags & TRIBOX_THIN) == 0 && (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
-}
-
-/* The flags that a one-box question has. */
-TBX_FN unsigned tbx_rule(unsigned flags)
-{
-    return (flags & TRIBOX_THIN) != 0 ? 0u : flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN);
-}
-
 /* The sign of component k of edge v[i+1] - v[i]. */
 TBX_FN int tbx_edge_sign(const tbx_exact *f, int i, int k)
 {
@@ -1749,8 +1666,8 @@ TBX_FN tbx_coord tbx_exact_extreme(const tbx_exact *f, int k, int side)
  * where it lies strictly outside. */
 TBX_COLD int tbx_exact_overlap(tbx_exact *f, unsigned flags)
 {
-    const int lo_is_open = tbx_lo_is_open(flags);
-    const int hi_is_open = tbx_hi_is_open(flags);
+    const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
+    const int hi_is_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
     unsigned open_lo = 0;
     unsigned open_hi = 0;
     int k;
@@ -1773,13 +1690,12 @@ TBX_COLD int tbx_exact_overlap(tbx_exact *f, unsigned flags)
         } else if (hi_is_open) {
             open_hi |= 1u << k;
         }
-        f->x[TBX_MID][k] = f->x[0][k]; /* unused: what it was may span more bits */
+        f->x[TBX_MID][k] = *lo; /* unused */
     }
     tbx_exact_finish(f);
     return tbx_exact_axes(f, TBX_ALL_AXES, open_lo, open_hi);
 }
 
-/* The corners; the box's rows are v0 until they are set. */
 TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[3], const double v2[3])
 {
     int k;
@@ -1787,7 +1703,6 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
         f->x[0][k] = tbx_at(&v0[k], NULL, 0);
         f->x[1][k] = tbx_at(&v1[k], NULL, 0);
         f->x[2][k] = tbx_at(&v2[k], NULL, 0);
-        f->x[TBX_LO][k] = f->x[TBX_MID][k] = f->x[TBX_HI][k] = f->x[0][k];
     }
 }
 
@@ -1834,6 +1749,23 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
 
 enum { TBX_MISS = 0, TBX_HIT = 1, TBX_UNSURE = 2 };
 
+/* The touching rule of a one-box question; THIN means closed there.
+ *
+ * A rule says which faces of a box are open. It moves exact zeros only, so floating-point bounds never see
+ * it. What a rule means stands in: tbx_exact_overlap (which zeros hold), tbx_clip_box and tbx_clip_axis
+ * (faces of one box), tbx_tri_start, tbx_tri_test and tbx_octant_faces (of prepared boxes), tbx_frame_init
+ * (of a grid, whose lo_is_open and hi_is_open the walk reads); and again, in section 11, tbx_tri_init_simd
+ * and tbx_quick_init. */
+TBX_FN unsigned tbx_rule(unsigned flags)
+{
+    return (flags & TRIBOX_THIN) != 0 ? 0u : flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN);
+}
+
+TBX_FN int tbx_finite3(const double x[3])
+{
+    return tbx_is_finite(&x[0]) & tbx_is_finite(&x[1]) & tbx_is_finite(&x[2]);
+}
+
 /* The triangle is a set of points: no corner has a NaN or an infinity. */
 TBX_FN int tbx_corners_finite(const double v0[3], const double v1[3], const double v2[3])
 {
@@ -1866,22 +1798,23 @@ TBX_FN double tbx_greater(double a, double b)
 
 /* Is the magnitude 0 or in [2^-200, 2^300)? Such doubles are multiples of 2^-252, and so are their
  * differences: nothing is flushed to zero, and nothing that the filter computes overflows. */
-TBX_FN int tbx_is_usual(const double *x)
+TBX_FN unsigned tbx_is_usual(const double *x)
 {
     const uint64_t magnitude = tbx_bits64(x) & 0x7fffffffffffffffu;
-    return (magnitude == 0) | (magnitude - ((uint64_t)(1023 - 200) << 52) < (uint64_t)500 << 52);
+    return (unsigned)(magnitude == 0) |
+           (unsigned)(magnitude - ((uint64_t)(1023 - 200) << 52) < (uint64_t)500 << 52);
 }
 
-TBX_FN int tbx_is_usual3(const double x[3])
+TBX_FN unsigned tbx_is_usual3(const double x[3])
 {
     return tbx_is_usual(&x[0]) & tbx_is_usual(&x[1]) & tbx_is_usual(&x[2]);
 }
 
-TBX_NOINLINE int tbx_all_usual(const double v0[3], const double v1[3], const double v2[3],
-                               const double box_min[3], const double box_max[3])
+TBX_COLD int tbx_all_usual(const double v0[3], const double v1[3], const double v2[3],
+                           const double box_min[3], const double box_max[3])
 {
-    return tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2) & tbx_is_usual3(box_min) &
-           tbx_is_usual3(box_max);
+    return (int)(tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2) & tbx_is_usual3(box_min) &
+                 tbx_is_usual3(box_max));
 }
 
 /* The box, clipped to the triangle's bounding box. Bit k of open_lo, open_hi: that face is not in the box. */
@@ -1898,8 +1831,8 @@ typedef struct tbx_clip {
 TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3], const double v2[3],
                         const double box_min[3], const double box_max[3], unsigned flags)
 {
-    const int lo_is_open = tbx_lo_is_open(flags);
-    const int hi_is_open = tbx_hi_is_open(flags);
+    const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
+    const int hi_is_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
     int k;
     clip->open_lo = 0;
     clip->open_hi = 0;
@@ -1932,8 +1865,8 @@ TBX_FN int tbx_clip_axis(tbx_clip *clip, int k, const double v[3], double lo, do
     int parted = lower > upper; /* also where lo > hi */
     clip->lo[k] = lower;
     clip->hi[k] = upper;
-    if (tbx_hi_is_open(flags)) {
-        const int lo_is_open = tbx_lo_is_open(flags);
+    if (flags != 0) {
+        const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
         parted |= (lo >= hi) | (hi <= t_min) | (lo_is_open & (lo >= t_max));
         clip->open_lo |= (unsigned)(lo_is_open & (lo >= t_min)) << k;
         clip->open_hi |= (unsigned)(hi <= t_max) << k;
@@ -2132,6 +2065,7 @@ TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const dou
     tbx_exact_corners(&f, v0, v1, v2);
     for (k = 0; k < 3; k++) {
         f.x[TBX_LO][k] = tbx_at(&clip->lo[k], NULL, 0);
+        f.x[TBX_MID][k] = f.x[TBX_LO][k]; /* unused */
         f.x[TBX_HI][k] = tbx_at(&clip->hi[k], NULL, 0);
     }
     tbx_exact_finish(&f);
@@ -2230,7 +2164,8 @@ TBX_COLD int tbx_overlap_unusual(const double v0[3], const double v1[3], const d
 TBX_NOINLINE int tbx_overlap(const double v0[3], const double v1[3], const double v2[3],
                              const double box_min[3], const double box_max[3], unsigned flags)
 {
-    if (tbx_all_usual(v0, v1, v2, box_min, box_max)) {
+    if (tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2) & tbx_is_usual3(box_min) &
+        tbx_is_usual3(box_max)) {
         return tbx_overlap_usual(v0, v1, v2, box_min, box_max, flags);
     }
     return tbx_overlap_unusual(v0, v1, v2, box_min, box_max, flags);
@@ -2263,9 +2198,10 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
                        const float box_max[3], int rule);
 #endif
 
-TBX_FN int tbx_overlap_double(const double v0[3], const double v1[3], const double v2[3],
-                              const double box_min[3], const double box_max[3], unsigned rule)
+TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
+                                      const double box_min[3], const double box_max[3], unsigned flags)
 {
+    const unsigned rule = tbx_rule(flags);
 #if TRIBOX_SIMD
     const int verdict = tbx_filter2(v0, v1, v2, box_min, box_max, rule != 0);
     if (verdict != TBX_UNSURE) {
@@ -2275,33 +2211,94 @@ TBX_FN int tbx_overlap_double(const double v0[3], const double v1[3], const doub
     return tbx_overlap(v0, v1, v2, box_min, box_max, rule);
 }
 
-TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
-                                      const double box_min[3], const double box_max[3], unsigned flags)
-{
-    return tbx_overlap_double(v0, v1, v2, box_min, box_max, tbx_rule(flags));
-}
-
 TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const double v2[3],
                                  const double box_min[3], const double box_max[3])
 {
-    return tbx_overlap_double(v0, v1, v2, box_min, box_max, 0);
+#if TRIBOX_SIMD
+    const int verdict = tbx_filter2(v0, v1, v2, box_min, box_max, 0);
+    if (verdict != TBX_UNSURE) {
+        return verdict;
+    }
+#endif
+    return tbx_overlap(v0, v1, v2, box_min, box_max, 0);
 }
 
-/* The float entry of the scalar body. As doubles, all finite floats are usual. */
-TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
-                                     const float box_min[3], const float box_max[3], unsigned rule)
+/* Two floats' bits in one word: is one of them neither 0 nor normal? Bits 31 and 63 say so, without a carry
+ * from one to the other: the first sum of infinity and NaN has them, the second of all but 0, the third of
+ * normal numbers. */
+TBX_FN uint64_t tbx_unusual_pair(uint64_t pair)
+{
+    const uint64_t magnitudes = pair & 0x7fffffff7fffffffu;
+    return (magnitudes + 0x0080000000800000u) |
+           ((magnitudes + 0x7fffffff7fffffffu) & ~(magnitudes + 0x7f8000007f800000u));
+}
+
+TBX_FN uint64_t tbx_unusual3(const float x[3])
+{
+    uint64_t xy;
+    TBX_COPY(&xy, x, sizeof xy);
+    return tbx_unusual_pair(tbx_opaque64(xy)) | tbx_unusual_pair(tbx_bits32(x + 2));
+}
+
+TBX_FN void tbx_widen_normal3(double out[3], const float x[3])
+{
+    out[0] = (double)x[0];
+    out[1] = (double)x[1];
+    out[2] = (double)x[2];
+}
+
+/* The float entry for numbers that are not usual. */
+TBX_COLD int tbx_overlap_widened_unusual(const float v0[3], const float v1[3], const float v2[3],
+                                         const float box_min[3], const float box_max[3], unsigned flags)
 {
     double wide[5][3];
-    if (tbx_read_floats(wide[0], v0) & tbx_read_floats(wide[1], v1) & tbx_read_floats(wide[2], v2) &
-        tbx_read_floats(wide[3], box_min) & tbx_read_floats(wide[4], box_max)) {
-        return tbx_overlap_usual(wide[0], wide[1], wide[2], wide[3], wide[4], rule);
+    const float *from[5];
+    int i;
+    from[0] = v0;
+    from[1] = v1;
+    from[2] = v2;
+    from[3] = box_min;
+    from[4] = box_max;
+    for (i = 0; i < 5; i++) {
+        tbx_widen3(wide[i], from[i]);
     }
-    return tbx_overlap_unusual(wide[0], wide[1], wide[2], wide[3], wide[4], rule);
+    return tbx_overlap_unusual(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
 }
 
-TBX_FN int tbx_overlap_float(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                             const float box_max[3], unsigned rule)
+/* The float entry of the scalar body. As doubles, zeros and normal floats are usual. */
+TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
+                                     const float box_min[3], const float box_max[3], unsigned flags)
 {
+    double wide[5][3];
+    const uint64_t unusual = tbx_unusual3(v0) | tbx_unusual3(v1) | tbx_unusual3(v2) | tbx_unusual3(box_min) |
+                             tbx_unusual3(box_max);
+    if (!TBX_RARELY((unusual & 0x8000000080000000u) != 0)) {
+        tbx_widen_normal3(wide[0], v0);
+        tbx_widen_normal3(wide[1], v1);
+        tbx_widen_normal3(wide[2], v2);
+        tbx_widen_normal3(wide[3], box_min);
+        tbx_widen_normal3(wide[4], box_max);
+        return tbx_overlap_usual(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
+    }
+    return tbx_overlap_widened_unusual(v0, v1, v2, box_min, box_max, flags);
+}
+
+TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                             const float box_max[3])
+{
+#if TRIBOX_SIMD
+    const int verdict = tbx_filter4(v0, v1, v2, box_min, box_max, 0);
+    if (verdict != TBX_UNSURE) {
+        return verdict;
+    }
+#endif
+    return tbx_overlap_widened(v0, v1, v2, box_min, box_max, 0);
+}
+
+TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const float v2[3],
+                                  const float box_min[3], const float box_max[3], unsigned flags)
+{
+    const unsigned rule = tbx_rule(flags);
 #if TRIBOX_SIMD
     const int verdict = tbx_filter4(v0, v1, v2, box_min, box_max, rule != 0);
     if (verdict != TBX_UNSURE) {
@@ -2309,18 +2306,6 @@ TBX_FN int tbx_overlap_float(const float v0[3], const float v1[3], const float v
     }
 #endif
     return tbx_overlap_widened(v0, v1, v2, box_min, box_max, rule);
-}
-
-TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                             const float box_max[3])
-{
-    return tbx_overlap_float(v0, v1, v2, box_min, box_max, 0);
-}
-
-TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const float v2[3],
-                                  const float box_min[3], const float box_max[3], unsigned flags)
-{
-    return tbx_overlap_float(v0, v1, v2, box_min, box_max, tbx_rule(flags));
 }
 
 /* [AM01] in plain float: box at the origin, nine cross-product axes, three faces, the plane. */
@@ -2420,7 +2405,7 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
  * every R at most 2^40: where X_b, X_c > 0, G >= 2^-30 R_b and 2^-30 R_c, so the bound, at least 2^-18 G,
  * exceeds 2^-126 R by 2^78; V >= 2^-60 R_a likewise. Where X_b or X_c is 0, all edges across a are along an
  * axis. Nothing overflows: w is at most 2^30 G, and n_a at most 2^30 V, so scaled they are below 2^48, V is
- * below 2^122, and q below 2^43, even where faces do not hold. */
+ * below 2^122, and q below 2^41, even where it is that of another p. */
 #if TBX_GNU
 #define TBX_PURE __attribute__((pure))
 #else
@@ -2457,6 +2442,13 @@ TBX_FN double tbx_key32_value(int32_t key)
     double value;
     tbx_widen(&value, &x);
     return value;
+}
+
+/* Is x zero, or is its magnitude at least 2^least and less than 2^most? */
+TBX_FN int tbx_in_range(const double *x, int least, int most)
+{
+    const uint64_t bits = tbx_bits64(x) & 0x7fffffffffffffffu;
+    return bits == 0 || bits - ((uint64_t)(1023 + least) << 52) < ((uint64_t)(most - least) << 52);
 }
 
 /* Is s, a rounded a + b, their exact sum? It less the larger one is a double, in every rounding mode: it is
@@ -2541,7 +2533,13 @@ TBX_FN int32_t tbx_least_key(const double *t, const double *size, int strict)
 TBX_COLD int tbx_normal_sign_exact(const double v0[3], const double v1[3], const double v2[3], int b, int c)
 {
     tbx_exact f;
+    int row;
     tbx_exact_corners(&f, v0, v1, v2);
+    for (row = TBX_LO; row < TBX_ROWS; row++) { /* unused */
+        f.x[row][0] = f.x[0][0];
+        f.x[row][1] = f.x[0][1];
+        f.x[row][2] = f.x[0][2];
+    }
     tbx_exact_finish(&f);
     return tbx_orient2(&f, b, c, 0, 1, 2, 2);
 }
@@ -2738,8 +2736,8 @@ TBX_FN int tbx_tri_start(tribox_tri *tri, const double v[3][3], const double siz
     const double zero = 0.0;
     const int finite = tbx_finite3(size);
     const unsigned rule = finite && (flags & TRIBOX_THIN) != 0 ? (unsigned)TRIBOX_THIN : tbx_rule(flags);
-    const int lo_is_open = tbx_lo_is_open(rule);
-    const int hi_is_open = tbx_hi_is_open(rule);
+    const int lo_is_open = (rule & TRIBOX_OPEN) != 0;
+    const int hi_is_open = (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
     int empty = !tbx_corners_finite(v[0], v[1], v[2]);
     int k;
     for (k = 0; k < 4; k++) {
@@ -2903,7 +2901,6 @@ TBX_COLD int tbx_tri_exact(const tribox_tri *tri, const double p[3], unsigned oc
     int k;
     TBX_COPY(v, tri->v, sizeof v);
     TBX_COPY(size, tri->size, sizeof size);
-    tbx_exact_corners(&f, v[0], v[1], v[2]);
     for (k = 0; k < 3; k++) {
         const int upper = (int)(octant >> k & 1u);
         f.x[TBX_LO][k] = tbx_at(&p[k], &size[k], 2 * upper);
@@ -2911,6 +2908,7 @@ TBX_COLD int tbx_tri_exact(const tribox_tri *tri, const double p[3], unsigned oc
         /* an infinite step is read as 2^1024; four of them from any p lie beyond every corner */
         f.x[TBX_HI][k] = tbx_at(&p[k], &size[k], tbx_is_finite(&size[k]) ? 2 * upper + 2 : 8);
     }
+    tbx_exact_corners(&f, v[0], v[1], v[2]);
     return tbx_exact_overlap(&f, tri->flags);
 }
 
@@ -2939,8 +2937,8 @@ TBX_COLD int tbx_tri_decide(const tribox_tri *tri, const double p[3], unsigned o
 /* The specification of the test: faces, the conditions in float, what they leave open. */
 TBX_NOINLINE int tbx_tri_test(const tribox_tri *tri, const double p[3])
 {
-    const int lo_is_open = tbx_lo_is_open(tri->flags);
-    const int hi_is_open = tbx_hi_is_open(tri->flags);
+    const int lo_is_open = (tri->flags & TRIBOX_OPEN) != 0;
+    const int hi_is_open = (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
     int verdict = TBX_UNSURE;
     int k;
     if (tri->empty || !tbx_finite3(p)) {
@@ -3039,8 +3037,8 @@ TRIBOX_FN void tribox_tri_resize(tribox_tri *tri, const float size[3])
  * size, only the first is a box. */
 TBX_FN unsigned tbx_octant_faces(const tribox_tri *tri, int k, const double *p)
 {
-    const int lo_is_open = tbx_lo_is_open(tri->flags);
-    const int hi_is_open = tbx_hi_is_open(tri->flags);
+    const int lo_is_open = (tri->flags & TRIBOX_OPEN) != 0;
+    const int hi_is_open = (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
     const double t_min = tri->t_min[k];
     const double t_max = tri->t_max[k];
     const double size = tri->size[k];
@@ -3173,9 +3171,10 @@ TBX_FN size_t tbx_saturating_add(size_t a, size_t b)
 
 /* Is the number 0, or is its magnitude within 2^-e..2^e? Sums, products and quotients of a few such numbers
  * neither overflow nor come near to subnormals. */
-TBX_FN int tbx_is_ordinary(const double *x, int e)
+TBX_FN int tbx_is_ordinary(const double *x, unsigned e)
 {
-    return tbx_in_range(x, -e, e);
+    const uint64_t magnitude = tbx_bits64(x) & 0x7fffffffffffffffu;
+    return magnitude == 0 || (unsigned)(magnitude >> 52) - (1023u - e) < 2u * e;
 }
 
 /* Whatever is 2^-ORDINARY..2^ORDINARY, or 0: all floats are. Differences of two such doubles are 0 or at
@@ -3311,6 +3310,31 @@ TBX_FN int tbx_corners_kind(double v[3][3])
     return tbx_corners_finite(v[0], v[1], v[2]) ? TBX_ANY_FINITE : TBX_NO_POINTS;
 }
 
+/* Three floats as doubles. Returns 0 where one is NaN or infinite. Bit 31 of exponent + 2^23 says all ones,
+ * and of exponent - 2^23 all zeros; what that borrows from a neighbour only sends it the careful way, too. */
+TBX_FN int tbx_read_floats(double out[3], const void *from)
+{
+    const uint64_t step = (uint64_t)0x00800000u << 32 | 0x00800000u;
+    const uint64_t exponents = (uint64_t)0x7f800000u << 32 | 0x7f800000u;
+    const uint64_t signs = (uint64_t)0x80000000u << 32 | 0x80000000u;
+    float x[3];
+    uint64_t xy;
+    uint64_t z;
+    TBX_COPY(x, from, sizeof x);
+    TBX_COPY(&xy, x, sizeof xy);
+    xy = tbx_opaque64(xy) & exponents;
+    z = tbx_bits32(&x[2]) & 0x7f800000u;
+    if (TBX_RARELY((((xy + step) | (xy - step)) & signs) != 0 ||
+                   z - 0x00800000u >= 0x7f000000u)) {
+        tbx_widen3(out, x);
+        return tbx_finite3(out);
+    }
+    out[0] = (double)x[0];
+    out[1] = (double)x[1];
+    out[2] = (double)x[2];
+    return 1;
+}
+
 TBX_FN const char *tbx_source_at(const tbx_source *s, size_t t, size_t c)
 {
     const size_t at = 3 * t + c;
@@ -3419,8 +3443,8 @@ TBX_FN int tbx_frame_init(tbx_frame *f, const tribox_grid *grid)
     f->grid = grid;
     f->on = 1;
     f->thin = (grid->flags & TRIBOX_THIN) != 0;
-    f->lo_is_open = tbx_lo_is_open(grid->flags);
-    f->hi_is_open = tbx_hi_is_open(grid->flags);
+    f->lo_is_open = !f->thin && (grid->flags & TRIBOX_OPEN) != 0;
+    f->hi_is_open = !f->thin && (grid->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
     f->reach = 16.0;
     for (k = 0; k < 3; k++) {
         const int on =
@@ -3878,25 +3902,34 @@ TBX_FN void tbx_walk_narrow(tbx_walk *w, int group, int64_t r, int64_t y, int64_
     }
 }
 
-/* The triangle's least and greatest coordinate. */
-TBX_FN void tbx_walk_extremes(const tbx_walk *w, int k, double *out_least, double *out_most)
+/* The triangle's index box on axis k where rounding leaves it open: exact. first, last: the greater voxel of
+ * those in question; open_first, open_last: whether there is a question. */
+TBX_COLD void tbx_walk_box_exact(const tbx_walk *w, int k, int open_first, int open_last, int64_t *first,
+                                 int64_t *last)
 {
-    *out_least = tbx_min(tbx_min(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
-    *out_most = tbx_max(tbx_max(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
+    const tbx_frame *f = w->frame;
+    const tribox_grid *grid = f->grid;
+    const double least = tbx_min(tbx_min(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
+    const double most = tbx_max(tbx_max(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
+    if (open_first && tbx_plane_compare(grid, k, grid->lo[k] + *first, least) >= f->hi_is_open) {
+        --*first;
+    }
+    if (open_last && tbx_plane_compare(grid, k, grid->lo[k] + *last, most) > -f->lo_is_open) {
+        --*last;
+    }
 }
 
-/* The whole index box where numbers are out of range, within the region and the voxels round it. */
+/* The same where numbers are out of range, within the region and the voxels round it. */
 TBX_COLD void tbx_walk_box_search(tbx_walk *w)
 {
     const tbx_frame *f = w->frame;
     int k;
     w->light = 0;
     for (k = 0; k < 3; k++) {
+        const double least = tbx_min(tbx_min(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
+        const double most = tbx_max(tbx_max(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
         const int64_t lo = f->grid->lo[k];
         const int64_t hi = f->grid->hi[k];
-        double least;
-        double most;
-        tbx_walk_extremes(w, k, &least, &most);
         w->whole[k] = tbx_plane_search(f->grid, k, lo + 1, hi + 1, least, f->hi_is_open) - 1 - lo;
         w->more[k] = tbx_plane_search(f->grid, k, lo, hi, most, !f->lo_is_open) - 1 - lo - w->whole[k];
     }
@@ -3920,24 +3953,17 @@ TBX_FN void tbx_fixed_extremes(const tbx_frame *f, int k, double v0, double v1, 
     *out_most = (int64_t)most;
 }
 
-/* Whole index boxes where a face may lie on a grid plane: of two voxels in question the plane between them
- * decides. */
-TBX_COLD void tbx_walk_box_unsure(tbx_walk *w, const int64_t fixed_least[3], const int64_t fixed_most[3])
+/* Whole index boxes where a face may lie on a grid plane. */
+TBX_COLD void tbx_walk_box_unsure(tbx_walk *w, const int64_t least[3], const int64_t most[3])
 {
-    const tbx_frame *f = w->frame;
+    const int64_t slack = w->frame->slack;
     int k;
     w->box_is_strict = 0;
     for (k = 0; k < 3; k++) {
-        const int64_t lo = f->grid->lo[k];
-        int64_t first = ((fixed_least[k] + f->slack) >> TBX_FIXED) - TBX_BEFORE;
-        int64_t last = ((fixed_most[k] + f->slack) >> TBX_FIXED) - TBX_BEFORE;
-        double least;
-        double most;
-        tbx_walk_extremes(w, k, &least, &most);
-        first -= first != ((fixed_least[k] - f->slack) >> TBX_FIXED) - TBX_BEFORE &&
-                 tbx_plane_compare(f->grid, k, lo + first, least) >= f->hi_is_open;
-        last -= last != ((fixed_most[k] - f->slack) >> TBX_FIXED) - TBX_BEFORE &&
-                tbx_plane_compare(f->grid, k, lo + last, most) > -f->lo_is_open;
+        int64_t first = ((least[k] + slack) >> TBX_FIXED) - TBX_BEFORE;
+        int64_t last = ((most[k] + slack) >> TBX_FIXED) - TBX_BEFORE;
+        tbx_walk_box_exact(w, k, first != ((least[k] - slack) >> TBX_FIXED) - TBX_BEFORE,
+                           last != ((most[k] - slack) >> TBX_FIXED) - TBX_BEFORE, &first, &last);
         w->whole[k] = first;
         w->more[k] = last - first;
     }
@@ -3995,6 +4021,22 @@ TBX_FN int tbx_walk_box(tbx_walk *w, const tbx_frame *f, double v[3][3], int kin
     }
 }
 
+/* The sign of the normal's component a, where double leaves it open. */
+TBX_COLD int tbx_walk_normal_exact(const tbx_walk *w, int a)
+{
+    tbx_exact f;
+    int row;
+    int k;
+    tbx_exact_corners(&f, w->corner[0], w->corner[1], w->corner[2]);
+    for (row = TBX_LO; row < TBX_ROWS; row++) { /* unused */
+        for (k = 0; k < 3; k++) {
+            f.x[row][k] = f.x[0][k];
+        }
+    }
+    tbx_exact_finish(&f);
+    return tbx_orient2(&f, a < 2 ? a + 1 : 0, a > 0 ? a - 1 : 2, 0, 1, 2, 2);
+}
+
 TBX_FN void tbx_walk_normal(tbx_walk *w, int a, int b, int c)
 {
     if (w->light) {
@@ -4013,7 +4055,7 @@ TBX_FN void tbx_walk_normal(tbx_walk *w, int a, int b, int c)
             return;
         }
     }
-    w->n_sign[a] = tbx_normal_sign_exact(w->corner[0], w->corner[1], w->corner[2], b, c);
+    w->n_sign[a] = tbx_walk_normal_exact(w, a);
 }
 
 /* Corners and edges in voxels. */
@@ -4707,6 +4749,14 @@ TRIBOX_FN void tribox_grid_fill_f64(const tribox_grid *grid, const tribox_mesh_f
     tbx_source source;
     tbx_source_double(&source, mesh);
     tbx_fill_mesh(grid, &source, bits);
+}
+
+/* Corner c of the mesh's triangle t. */
+TBX_FN const void *tbx_corner(const tribox_mesh *mesh, size_t t, int c)
+{
+    const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
+    const size_t at = 3 * t + (size_t)c;
+    return (const char *)mesh->positions + (mesh->indices != NULL ? (size_t)mesh->indices[at] : at) * stride;
 }
 
 /* ---- Solid
@@ -6817,28 +6867,6 @@ TBX_FN int tbx_motion_corner(const tbx_motion *m, int axis, int want)
     return best;
 }
 
-/* r = l.x, where x is set only where l is not 0: two components of an edge's axis, one of a face's. */
-TBX_FN void tbx_motion_dot(tbx_calc *c, tbx_num *r, const tbx_num l[3], const int l_sign[3],
-                           const tbx_num x[3])
-{
-    const int mark = c->used;
-    tbx_num sum;
-    int terms = 0;
-    int k;
-    for (k = 0; k < 3; k++) {
-        if (l_sign[k] != 0) {
-            tbx_num term;
-            tbx_num_mul(c, &term, &l[k], &x[k]);
-            if (terms++ != 0) {
-                tbx_num_add(c, &term, &term, &sum, 1);
-            }
-            tbx_num_keep(c, mark, &term, 1);
-            sum = term;
-        }
-    }
-    *r = sum;
-}
-
 /* The gap at t = 0 between T and the box's far face on a side of the axis: max over B of l'.b - min over T
  * of l'.v, l' = side * l. Returns 0 where the box has no end there. */
 TBX_FN int tbx_motion_gap(tbx_motion *m, int axis, int side, const tbx_num l[3], const int l_sign[3],
@@ -6849,25 +6877,17 @@ TBX_FN int tbx_motion_gap(tbx_motion *m, int axis, int side, const tbx_num l[3],
     const int mark = c->used;
     tbx_num gap[3];
     int k;
-    if (axis < TBX_AXIS_NORMAL) {
-        const tbx_real *q = side > 0 ? &m->hi[axis] : &m->lo[axis];
-        if (!(tbx_key_is_finite(q->key) & tbx_key_is_finite(v[axis].key))) {
-            return 0;
-        }
-        tbx_num_difference(c, out, q, &v[axis]);
-        tbx_num_flip(c, out, side);
-        return 1;
-    }
     for (k = 0; k < 3; k++) {
         const tbx_real *q = l_sign[k] * side > 0 ? &m->hi[k] : &m->lo[k];
-        if (l_sign[k] != 0) {
-            if (!(tbx_key_is_finite(q->key) & tbx_key_is_finite(v[k].key))) {
-                return 0;
-            }
+        if (l_sign[k] == 0) {
+            tbx_num_integer(c, &gap[k], 0, 0);
+        } else if (tbx_key_is_finite(q->key) & tbx_key_is_finite(v[k].key)) {
             tbx_num_difference(c, &gap[k], q, &v[k]);
+        } else {
+            return 0;
         }
     }
-    tbx_motion_dot(c, out, l, l_sign, gap);
+    tbx_num_dot(c, out, l, gap);
     tbx_num_flip(c, out, side);
     tbx_num_keep(c, mark, out, 1);
     return 1;
@@ -6880,7 +6900,7 @@ TBX_FN int tbx_motion_signs(tbx_motion *m, int axis, tbx_num l[3], int l_sign[3]
     int k;
     tbx_motion_axis(m, axis, l);
     for (k = 0; k < 3; k++) {
-        l_sign[k] = axis < TBX_AXIS_NORMAL ? k == axis : tbx_num_sign(&m->calc, &l[k]);
+        l_sign[k] = tbx_num_sign(&m->calc, &l[k]);
         if (axis == TBX_AXIS_NORMAL) {
             m->n_sign[k] = l_sign[k];
         }
@@ -6889,20 +6909,14 @@ TBX_FN int tbx_motion_signs(tbx_motion *m, int axis, tbx_num l[3], int l_sign[3]
 }
 
 /* How fast the box moves along the axis: r = l.u */
-TBX_FN void tbx_motion_speed(tbx_motion *m, int axis, const tbx_num l[3], const int l_sign[3], tbx_num *r)
+TBX_FN void tbx_motion_speed(tbx_motion *m, const tbx_num l[3], tbx_num *r)
 {
     tbx_num u[3];
     int k;
-    if (axis < TBX_AXIS_NORMAL) {
-        tbx_num_of(&m->calc, r, &m->velocity[axis]);
-        return;
-    }
     for (k = 0; k < 3; k++) {
-        if (l_sign[k] != 0) {
-            tbx_num_of(&m->calc, &u[k], &m->velocity[k]);
-        }
+        tbx_num_of(&m->calc, &u[k], &m->velocity[k]);
     }
-    tbx_motion_dot(&m->calc, r, l, l_sign, u);
+    tbx_num_dot(&m->calc, r, l, u);
 }
 
 /* Both conditions of one axis. */
@@ -6916,7 +6930,7 @@ TBX_FN void tbx_motion_clip(tbx_motion *m, int axis)
     int l_sign[3];
     int side;
     if (tbx_motion_signs(m, axis, l, l_sign)) {
-        tbx_motion_speed(m, axis, l, l_sign, &speed);
+        tbx_motion_speed(m, l, &speed);
         for (side = 1; side >= -1; side -= 2) {
             if (tbx_motion_gap(m, axis, side, l, l_sign, &gap)) {
                 tbx_num_flip(c, &speed, side);
@@ -6974,7 +6988,7 @@ TBX_NOINLINE int64_t tbx_motion_round_exact(const tbx_motion *found, int e, int 
     m.calc.used = 0;
     m.calc.store = store;
     (void)tbx_motion_signs(&m, m.end_axis[e], l, l_sign);
-    tbx_motion_speed(&m, m.end_axis[e], l, l_sign, &m.end[e].d);
+    tbx_motion_speed(&m, l, &m.end[e].d);
     (void)tbx_motion_gap(&m, m.end_axis[e], side, l, l_sign, &m.end[e].n);
     tbx_num_flip(&m.calc, &m.end[e].d, side);
     tbx_fraction_orient(&m.calc, &m.end[e], m.end[e].d.sign);
@@ -7053,19 +7067,6 @@ TBX_FN int tbx_shot_passes(tbx_calc *c, const tbx_shot *s)
  * share of the sums, errs by 7 u. */
 #define TBX_SHOT_ERROR (9.0 * TBX_U64)
 
-TBX_FN double tbx_shot_det(const double d[3], const double a[3], const double b[3], double *out_error)
-{
-    const double yz = d[0] * (a[1] * b[2]);
-    const double zy = d[0] * (a[2] * b[1]);
-    const double zx = d[1] * (a[2] * b[0]);
-    const double xz = d[1] * (a[0] * b[2]);
-    const double xy = d[2] * (a[0] * b[1]);
-    const double yx = d[2] * (a[1] * b[0]);
-    *out_error = (tbx_abs(yz) + tbx_abs(zy) + tbx_abs(zx) + tbx_abs(xz) + tbx_abs(xy) + tbx_abs(yx)) *
-                 TBX_SHOT_ERROR;
-    return (yz - zy) + (zx - xz) + (xy - yx);
-}
-
 TBX_FN int tbx_shot_misses(const float origin[3], const float dir[3], const float *const v[3])
 {
     double x[4][3];
@@ -7083,8 +7084,18 @@ TBX_FN int tbx_shot_misses(const float origin[3], const float dir[3], const floa
         tbx_minus3(x[i], x[i], x[3]);
     }
     for (i = 0; i < 3; i++) {
-        double error;
-        const double det = tbx_shot_det(d, x[i], x[i == 2 ? 0 : i + 1], &error);
+        const double *a = x[i];
+        const double *b = x[i == 2 ? 0 : i + 1];
+        const double yz = d[0] * (a[1] * b[2]);
+        const double zy = d[0] * (a[2] * b[1]);
+        const double zx = d[1] * (a[2] * b[0]);
+        const double xz = d[1] * (a[0] * b[2]);
+        const double xy = d[2] * (a[0] * b[1]);
+        const double yx = d[2] * (a[1] * b[0]);
+        const double det = (yz - zy) + (zx - xz) + (xy - yx);
+        const double error =
+            (tbx_abs(yz) + tbx_abs(zy) + tbx_abs(zx) + tbx_abs(xz) + tbx_abs(xy) + tbx_abs(yx)) *
+            TBX_SHOT_ERROR;
         above |= det > error;
         below |= det < -error;
     }
@@ -7368,7 +7379,7 @@ TBX_FN int tbx_sweep_box_valid(tbx_motion *m, const float box_min[3], const floa
 {
     int flat = 0;
     int k;
-    m->open = tbx_lo_is_open(flags);
+    m->open = (flags & (TRIBOX_OPEN | TRIBOX_THIN)) == TRIBOX_OPEN;
     tbx_read(m->lo, box_min, 3, TBX_FLOAT);
     tbx_read(m->hi, box_max, 3, TBX_FLOAT);
     tbx_read(m->velocity, velocity, 3, TBX_FLOAT);
@@ -8838,8 +8849,6 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
 TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius);
 TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3],
                            const float box_max[3]);
-TBX_FN int tbx_pierce4(const float origin[3], const float dir[3], const float *from, const float center[3],
-                       const float *radius);
 #endif
 
 /* As a radius: also what is below 0. */
@@ -9539,22 +9548,26 @@ TBX_FN int64_t tbx_pierce_end(double t, double error, int e, double own, const f
 {
     const double beyond = e == 0 ? own - t : t - own;
     const int64_t key = tbx_round_outward(t, error, e);
-    const int64_t is_own = -(int64_t)(beyond > error); /* a coin toss: no branch */
-    *unsure |= (tbx_abs(beyond) <= error) | ((key | is_own) == 0);
-    return (key & ~is_own) | ((int64_t)tbx_key32(own_float) & is_own);
+    if (beyond > error) {
+        return (int64_t)tbx_key32(own_float);
+    }
+    *unsure |= (beyond > -error) | (key == 0);
+    return key;
 }
 
 /* In double. In units of u: B errs by 4 of the magnitudes b of its terms, C by 6 of c = m.m + r^2, so D =
  * B^2 - A C by 10 b^2 + 11 A c, its root by half of that over the root and by 5 of itself, and a root of f
- * by what both add up to, over A, and 11 of itself (4 of them a division's). Returns MISS, HIT with the ends
- * as keys, or UNSURE. */
+ * by what both add up to, over A, and 11 of itself (4 of them a division's). Most rays miss: where D < 0;
+ * from t >= 0 on also where C > 0 and B > 0. Returns MISS, HIT with the ends as keys, or UNSURE. */
 #define TBX_PIERCE_ERROR (32.0 * TBX_U64)
 
 typedef struct tbx_parabola {
     double a;
     double b;
+    double c;
     double d;
     double b_size;
+    double c_error;
     double d_error;
 } tbx_parabola;
 
@@ -9572,9 +9585,11 @@ TBX_FN void tbx_parabola_set(tbx_parabola *f, const float origin[3], const float
     mm = tbx_dot3(m, m);
     f->a = tbx_dot3(w, w);
     f->b = tbx_dot3(w, m);
-    f->d = f->b * f->b - f->a * (mm - r);
+    f->c = mm - r;
+    f->d = f->b * f->b - f->a * f->c;
     f->b_size = tbx_abs(w[0] * m[0]) + tbx_abs(w[1] * m[1]) + tbx_abs(w[2] * m[2]);
-    f->d_error = (f->b_size * f->b_size + f->a * (mm + r)) * TBX_PIERCE_ERROR;
+    f->c_error = (mm + r) * TBX_PIERCE_ERROR;
+    f->d_error = f->b_size * f->b_size * TBX_PIERCE_ERROR + f->a * f->c_error;
 }
 
 /* The roots where A > 0 and D is well above its error. Returns their error. */
@@ -9604,8 +9619,9 @@ TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const fl
     double error;
     int unsure = 0;
     tbx_parabola_set(&f, origin, dir, center, r);
-    if (f.d < -f.d_error) {
-        return TBX_MISS; /* NaN is no ray, too */
+    if ((f.d < -f.d_error) | ((tbx_bits32(t) >> 31 == 0) & (f.c > f.c_error) &
+                              (f.b > f.b_size * TBX_PIERCE_ERROR))) { /* NaN is no ray, too */
+        return TBX_MISS;
     }
     if (!(f.d > 1024.0 * f.d_error && f.a > 0.0) || !tbx_pierce_ends(t, ends)) {
         return TBX_UNSURE;
@@ -9626,17 +9642,10 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
     float t[2];
     int64_t key[2];
     int hit = TBX_UNSURE;
-    int usual = TBX_UNSURE; /* MISS, or HIT: numbers are */
     TBX_COPY(&t[0], &t_min, sizeof t_min);
     TBX_COPY(&t[1], &t_max, sizeof t_max);
-#if TRIBOX_SIMD
-    usual = tbx_pierce4(origin, dir, t, c, &radius);
-    if (usual == TBX_MISS) { /* most rays */
-        return 0;
-    }
-#endif
 #if TBX_DOUBLE_IS_53_BITS
-    if (usual == TBX_HIT || !(tbx_odd4(origin, dir, c, c) || tbx_odd_radius(&radius) != 0)) {
+    if (!TBX_RARELY(tbx_odd4(origin, dir, c, c) || tbx_odd_radius(&radius) != 0)) {
         hit = tbx_pierce_filter(origin, dir, t, c, tbx_take(&radius), key);
     }
 #endif
@@ -9704,16 +9713,6 @@ TBX_FN tbx_i4 tbx_load3i(const void *v)
 TBX_FN tbx_f4 tbx_load3(const void *v)
 {
     return (tbx_f4)tbx_load3i(v);
-}
-
-/* Two floats, and zeros. */
-TBX_FN tbx_f4 tbx_load_pair(const float v[2])
-{
-    tbx_l2 xy = { 0, 0 };
-    int64_t pair;
-    TBX_COPY(&pair, v, sizeof pair);
-    xy[0] = pair;
-    return (tbx_f4)xy;
 }
 
 TBX_FN tbx_f4 tbx_load4(const float v[4])
@@ -9838,14 +9837,6 @@ TBX_FN tbx_f4 tbx_sums3(tbx_f4 a, tbx_f4 b)
     return low + TBX_LANES(low, low, 2, 3, 2, 3) + high;
 }
 
-/* The sums of three lanes of each, in order. */
-TBX_FN tbx_f4 tbx_three_sums3(tbx_f4 a, tbx_f4 b, tbx_f4 c)
-{
-    const tbx_f4 ab = TBX_LANES(a, b, 0, 4, 1, 5);
-    const tbx_f4 ab_high = TBX_LANES(a, b, 2, 6, 3, 7);
-    return (TBX_LANES(ab, c, 0, 1, 4, 4) + TBX_LANES(ab, c, 2, 3, 5, 5)) + TBX_LANES(ab_high, c, 0, 1, 6, 6);
-}
-
 /* Sign bits: lanes whose magnitude, given by its bits, exceeds the float with bits `most`;
  * NaN exceeds all. The difference wraps around where a number below zero is asked, whose sign decides
  * elsewhere. */
@@ -9891,25 +9882,17 @@ TBX_FN tbx_i4 tbx_greater_high(tbx_i4 a, tbx_i4 b)
 #endif
 }
 
-/* The greatest upper halves of three vectors of bits, without their signs; of five. */
-TBX_FN tbx_i4 tbx_greatest3(tbx_i4 a, tbx_i4 b, tbx_i4 c)
-{
-    const tbx_i4 positive = tbx_splat_int(0x7fffffff);
-    return tbx_greater_high(tbx_greater_high(a & positive, b & positive), c & positive);
-}
-
+/* The greatest upper halves of five vectors of bits, without their signs. */
 TBX_FN tbx_i4 tbx_greatest5(tbx_i4 a, tbx_i4 b, tbx_i4 c, tbx_i4 d, tbx_i4 e)
 {
     const tbx_i4 positive = tbx_splat_int(0x7fffffff);
-    return tbx_greater_high(tbx_greatest3(a, b, c), tbx_greater_high(d & positive, e & positive));
+    return tbx_greater_high(tbx_greater_high(tbx_greater_high(a & positive, b & positive), c & positive),
+                            tbx_greater_high(d & positive, e & positive));
 }
 
-/* A segment in float: is the clipped box hit? Where lower > upper a face parts them, or min > max. Range is
- * checked. out_open: that is unsure; out_small: a difference of the ends is so small that what was read as
- * zero, or flushed, may count. */
-TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper, int *out_open, int *out_small)
+/* A segment in float: the verdict for a clipped box, whose size is not negative; range is checked. */
+TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper)
 {
-    const tbx_i4 tiny_bits = { 0, 0, 0, 1 }; /* as in tbx_filter4 */
     tbx_f4 a = q - p;
     tbx_f4 l = lower - p;
     tbx_f4 h = upper - lower;
@@ -9917,15 +9900,16 @@ TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper, int *out
     TBX_KEEP_VECTOR(l);
     TBX_KEEP_VECTOR(h);
     {
+        const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
         const tbx_f4 m = l + l + h;
         const tbx_f4 e = tbx_abs4(a);
         const tbx_f4 c = a * tbx_yzx(m) - tbx_yzx(a) * m;
-        const tbx_f4 value = tbx_radius4(e, h, tbx_yzx(h)) - tbx_abs4(c);
+        const tbx_f4 value = tbx_edge4(e, tbx_yzx(e), h, tbx_yzx(h), c);
         const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * e * tbx_yzx(e);
-        const int miss = tbx_any((lower > upper) | (value < -bound));
-        *out_open = tbx_any(value < bound) & !miss;
-        *out_small = tbx_signs(tbx_below(e + (tbx_f4)tiny_bits, 0x30800000)) != 8;
-        return !miss;
+        if (tbx_any(value + bound < zero)) {
+            return TBX_MISS;
+        }
+        return tbx_any((tbx_i4)(value - bound)) ? TBX_UNSURE : TBX_HIT;
     }
 }
 
@@ -9946,11 +9930,8 @@ TBX_COLD int tbx_filter4_rare(const float v0[3], const float v1[3], const float 
         !(apart01 && tbx_any((p0 < p2) | (p0 > p2)) && tbx_any((p1 < p2) | (p1 > p2)))) {
         /* corners that repeat: a segment */
         const tbx_f4 q = apart01 ? p1 : p2;
-        int open;
-        int tiny;
-        const int hit = tbx_segment4(p0, q, tbx_max4(tbx_load3(box_min), tbx_min4(p0, q)),
-                                     tbx_min4(tbx_load3(box_max), tbx_max4(p0, q)), &open, &tiny);
-        return open ? TBX_UNSURE : hit;
+        return tbx_segment4(p0, q, tbx_max4(tbx_load3(box_min), tbx_min4(p0, q)),
+                            tbx_min4(tbx_load3(box_max), tbx_max4(p0, q)));
     }
     return found;
 }
@@ -9962,6 +9943,7 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
 {
     const tbx_i4 tiny_bits = { 0, 0, 0, 1 }; /* 2^-149 */
     const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
+    const tbx_f4 ulps = tbx_splat(TBX_ULPS * TBX_U32);
     tbx_f4 p0 = tbx_load3(v0);
     tbx_f4 p1 = tbx_load3(v1);
     tbx_f4 p2 = tbx_load3(v2);
@@ -10015,7 +9997,7 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
             const tbx_f4 x_yzx = tbx_yzx(x);
             const tbx_f4 area = x * x_yzx;
             const tbx_f4 volume = area * tbx_yzx(x_yzx);
-            const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * TBX_JOIN(area, volume, 0);
+            const tbx_f4 bound = ulps * TBX_JOIN(area, volume, 0);
             /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as
              * zero */
             const int refused = tbx_signs(tbx_below(x + (tbx_f4)tiny_bits, 0x30800000));
@@ -10124,11 +10106,13 @@ TBX_FN int tbx_signs2(tbx_l2 mask)
 }
 #endif
 
-/* The upper 32 bits of two doubles of a and two of b. */
+/* The upper 32 bits, and the lower ones, of two 64-bit lanes of a and two of b. */
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
 #define TBX_HIGH_WORDS(a, b) TBX_LANES((tbx_i4)(a), (tbx_i4)(b), 0, 2, 4, 6)
+#define TBX_LOW_WORDS(a, b) TBX_LANES((tbx_i4)(a), (tbx_i4)(b), 1, 3, 5, 7)
 #else
 #define TBX_HIGH_WORDS(a, b) TBX_LANES((tbx_i4)(a), (tbx_i4)(b), 1, 3, 5, 7)
+#define TBX_LOW_WORDS(a, b) TBX_LANES((tbx_i4)(a), (tbx_i4)(b), 0, 2, 4, 6)
 #endif
 
 /* Two axes of the question; names as in tbx_filter4. */
@@ -10220,16 +10204,16 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
     const tbx_l2 tiny = { 0, 1 }; /* 2^-1074 */
     const double ulp = TBX_ULPS * TBX_U64;
     const tbx_d2 ulps = tbx_pair(ulp, ulp);
-    tbx_d2 p0 = tbx_load2(v0);
-    tbx_d2 p1 = tbx_load2(v1);
-    tbx_d2 p2 = tbx_load2(v2);
-    tbx_d2 lo = tbx_load2(box_min);
-    tbx_d2 hi = tbx_load2(box_max);
-    tbx_d2 z0 = tbx_load1(v0 + 2);
-    tbx_d2 z1 = tbx_load1(v1 + 2);
-    tbx_d2 z2 = tbx_load1(v2 + 2);
-    tbx_d2 z_lo = tbx_load1(box_min + 2);
-    tbx_d2 z_hi = tbx_load1(box_max + 2);
+    const tbx_d2 p0 = tbx_load2(v0);
+    const tbx_d2 p1 = tbx_load2(v1);
+    const tbx_d2 p2 = tbx_load2(v2);
+    const tbx_d2 lo = tbx_load2(box_min);
+    const tbx_d2 hi = tbx_load2(box_max);
+    const tbx_d2 z0 = tbx_load1(v0 + 2);
+    const tbx_d2 z1 = tbx_load1(v1 + 2);
+    const tbx_d2 z2 = tbx_load1(v2 + 2);
+    const tbx_d2 z_lo = tbx_load1(box_min + 2);
+    const tbx_d2 z_hi = tbx_load1(box_max + 2);
     tbx_axes xy;
     tbx_axes z;
     tbx_side sx;
@@ -10244,16 +10228,6 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
     if (TBX_RARELY(tbx_any(tbx_splat_int(((1023 + 300) << 20) - 1) - greatest))) {
         return TBX_UNSURE;
     }
-    TBX_KEEP_VECTOR(p0);
-    TBX_KEEP_VECTOR(p1);
-    TBX_KEEP_VECTOR(p2);
-    TBX_KEEP_VECTOR(lo);
-    TBX_KEEP_VECTOR(hi);
-    TBX_KEEP_VECTOR(z0);
-    TBX_KEEP_VECTOR(z1);
-    TBX_KEEP_VECTOR(z2);
-    TBX_KEEP_VECTOR(z_lo);
-    TBX_KEEP_VECTOR(z_hi);
     tbx_axes_set(&xy, p0, p1, p2, lo, hi, none);
     tbx_axes_set(&z, z0, z1, z2, z_lo, z_hi, tiny);
     tbx_side_set(&sx, TBX_PAIR(xy.a1, xy.a2, 0, 2), TBX_PAIR(xy.m, xy.m, 0, 0), TBX_PAIR(xy.h, xy.h, 0, 0),
@@ -10498,12 +10472,12 @@ TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[
     const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f }; /* 2^-149 */
     const int thin = (flags & TRIBOX_THIN) != 0;
     const unsigned rule = thin ? (unsigned)TRIBOX_THIN : tbx_rule(flags);
-    const int lo_is_open = tbx_lo_is_open(rule);
-    const int hi_is_open = tbx_hi_is_open(rule);
-    tbx_f4 p0 = tbx_load3(v0);
-    tbx_f4 p1 = tbx_load3(v1);
-    tbx_f4 p2 = tbx_load3(v2);
-    tbx_i4 sizes = (tbx_i4)tbx_load3(size);
+    const int lo_is_open = (rule & TRIBOX_OPEN) != 0;
+    const int hi_is_open = (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const tbx_f4 p0 = tbx_load3(v0);
+    const tbx_f4 p1 = tbx_load3(v1);
+    const tbx_f4 p2 = tbx_load3(v2);
+    const tbx_i4 sizes = (tbx_i4)tbx_load3(size);
     /* sizes of -0 wrap, as unsigned */
     const tbx_i4 far_off = tbx_above(tbx_abs4(p0), most) | tbx_above(tbx_abs4(p1), most) |
                            tbx_above(tbx_abs4(p2), most) | tbx_above((tbx_f4)sizes, most) |
@@ -10511,10 +10485,6 @@ TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[
     if (TBX_RARELY((tbx_signs(far_off | sizes) & 7) != 0)) {
         return 0;
     }
-    TBX_KEEP_VECTOR(p0);
-    TBX_KEEP_VECTOR(p1);
-    TBX_KEEP_VECTOR(p2);
-    TBX_KEEP_VECTOR(sizes);
     {
         const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
         const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
@@ -10594,27 +10564,21 @@ TBX_FN tbx_f4 tbx_least_values(const tribox_tri *tri, tbx_f4 q)
     return tbx_min4(tbx_min4(first, second), third);
 }
 
-/* Is a magnitude of p, of which x has the lanes, 2^42 or more, where a product might overflow, or NaN? By the
- * bits of x and y in one integer, and those of z, beside what the vectors do. */
-TBX_FN int tbx_is_far_off(tbx_f4 x, const float p[3])
+/* Is a magnitude 2^42 or more, where a product might overflow, or NaN? */
+TBX_FN int tbx_is_far_off(tbx_f4 x)
 {
-    const uint64_t xy = (uint64_t)((tbx_l2)x)[0] & 0x7fffffff7fffffffu;
-    const uint64_t z = tbx_bits32(&p[2]) & 0x7fffffffu;
-    return (((xy + 0x2b8000002b800000u) | (z + 0x2b800000u)) & 0x8000000080000000u) != 0;
+    return tbx_any(tbx_above(tbx_abs4(x), 0x54800000));
 }
 
-/* The test in lanes: HIT, MISS or UNSURE. gcc would go by mask registers for AVX-512; kept in vectors, the
- * test gains 1.04x. */
+/* The test in lanes: HIT, MISS or UNSURE. Where faces do not hold, q is that of p = 0: no operation meets NaN
+ * or overflows. gcc would go by mask registers for AVX-512; kept in vectors, the test gains 1.04x. */
 TBX_FN int tbx_tri_test_simd(const tribox_tri *tri, const float p[3])
 {
     const tbx_f4 x = tbx_load_xyzz(p);
     tbx_i4 parted = tbx_parted(tri, (tbx_i4)x);
     tbx_f4 q;
     TBX_KEEP_VECTOR(parted);
-    if (TBX_RARELY(tbx_is_far_off(x, p))) {
-        return TBX_UNSURE;
-    }
-    q = x - tbx_load4(tri->ref);
+    q = (tbx_f4)((tbx_i4)x & ~parted) - tbx_load4(tri->ref);
     TBX_KEEP_VECTOR(q);
     {
         const tbx_f4 least = tbx_least_values(tri, q);
@@ -10706,17 +10670,16 @@ TBX_FN unsigned tbx_upper_halves(unsigned axes)
  * or cease to hold. */
 TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
 {
-    tbx_f4 x = tbx_load_xyzz(p);
+    const tbx_f4 x = tbx_load_xyzz(p);
     const tbx_f4 step = tbx_load4(tri->hidden.step);
     tbx_f4 lower;
     tbx_f4 upper;
     tbx_f4 sum;
     tbx_f4 without_x;
     tbx_f4 without_step;
-    if (TBX_RARELY(tbx_is_far_off(x, p) | (tri->hidden.in_range != 2))) {
+    if (TBX_RARELY(tbx_is_far_off(x) | (tri->hidden.in_range != 2))) {
         return TBX_OCTANTS_UNSURE;
     }
-    TBX_KEEP_VECTOR(x);
     lower = x - tbx_load4(tri->ref);
     sum = x + step;
     TBX_KEEP_VECTOR(lower);
@@ -11070,6 +11033,8 @@ typedef struct tbx_quick {
     int32_t far_bits[4];  /* of the greatest magnitude it is used for */
     int32_t bias[4];      /* of index 0, less the slack */
     int32_t limit[4];     /* what is above in either half is unsure, or outside */
+    int32_t off_below[4]; /* from the centre: boxes that end below, */
+    int32_t off_above[4]; /* or begin above, are off the region */
     float inverse[4];
     float shift_down[3]; /* MARGIN - origin, less and plus the bound */
     float shift_up[3];
@@ -11093,10 +11058,10 @@ typedef struct tbx_quick {
     int lattice;    /* some step is not 0 */
     int upper_open; /* touching a voxel's upper faces does not count */
     int lower_open;
-    int fetch;                   /* the bits exceed the caches */
+    int fetch;      /* the bits exceed the caches */
+    int short_axes; /* all below 2^15 voxels */
     uintptr_t bits;
     size_t row_words;
-    uint16_t kind_of[216]; /* by voxels on x + 6 times y's + 36 times z's; 5: more than 4, 0: unsure */
 } tbx_quick;
 
 #define TBX_PIECES 40.0f /* of a voxel: eighths, tenths, twentieths, fortieths */
@@ -11121,9 +11086,11 @@ TBX_FN float tbx_lattice_step(const tribox_grid *grid, int k, double spacing)
 
 /* Classes of boxes. */
 enum {
-    TBX_CLASS_SHORT, /* one voxel or two */
-    TBX_CLASS_FLAT,  /* 2x2x1 voxels */
-    TBX_CLASS_2,     /* 2^3, up to 3^3, 4^3 */
+    TBX_CLASS_SHORT,  /* one voxel or two */
+    TBX_CLASS_FLAT_X, /* two on two axes, one on this */
+    TBX_CLASS_FLAT_Y,
+    TBX_CLASS_FLAT_Z,
+    TBX_CLASS_2, /* 2^3, up to 3^3, 4^3 */
     TBX_CLASS_3,
     TBX_CLASS_4,
     TBX_CLASS_ON_2, /* the same with some axis on the lattice */
@@ -11134,38 +11101,19 @@ enum {
     TBX_CLASSES
 };
 
-/* A box's kind: its extents in two bits each, the voxels less 1; TBX_NO_SKIP unless it is left out where it
- * equals its predecessor's; and its class from bit 8 on. */
-#define TBX_NO_SKIP 128
-
-TBX_FN void tbx_kinds_init(tbx_quick *q, int skips)
-{
-    int i;
-    for (i = 0; i < 216; i++) {
-        const int x = i % 6;
-        const int y = i / 6 % 6;
-        const int z = i / 36;
-        const int most = x > y ? x > z ? x : z : y > z ? y : z;
-        const int longer = (x > 1) + (y > 1) + (z > 1);
-        int kind = TBX_CLASS_OTHER << 8 | TBX_NO_SKIP;
-        if (x > 0 && y > 0 && z > 0) {
-            kind = TBX_CLASS_LARGE << 8 | TBX_NO_SKIP;
-            if (!q->thin && most < 5) {
-                const int c = most > 2 || longer > 2 ? TBX_CLASS_2 + most - 2
-                              : longer == 2          ? TBX_CLASS_FLAT
-                                                     : TBX_CLASS_SHORT;
-                kind = c << 8 | (c == TBX_CLASS_SHORT && skips ? 0 : TBX_NO_SKIP);
-                kind |= (x - 1) | (y - 1) << 2 | (z - 1) << 4;
-            }
-        }
-        q->kind_of[i] = (uint16_t)kind;
-    }
-}
-
 /* A double's upper 26 bits. */
 TBX_FN double tbx_high_half(double x)
 {
     return tbx_from_bits64(tbx_bits64(&x) & ~(uint64_t)0x7ffffff);
+}
+
+/* Of what lies beyond the fixed point's numbers the last one, that none is beyond. */
+TBX_FN int32_t tbx_off_place(double x)
+{
+    double place = x < 2147483647.0 ? x : 2147483647.0;
+    place = place > -2147483648.0 ? place : -2147483648.0;
+    TBX_KEEP_SCALAR(place);
+    return (int32_t)place;
 }
 
 /* Fixed point on axis k. Returns 0 if its slack is too large. */
@@ -11174,15 +11122,12 @@ TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
     const double n = (double)q->n[k];
     const double steps = TBX_STEPS * q->units[k];
     const double most = 1.329227995784916e36 / steps; /* 2^120 */
-    double least_far = most < 1e38 ? most : 1e38;
-    float far_off;
+    const float far_off = (float)(most < 1e38 ? most : 1e38);
     double error = (0.5 * n + 2.0) * 3.0 * (double)TBX_U32 + 2.0 * q->delta;
     double slack;
     double bias;
     double near_by;
     float near_float;
-    TBX_KEEP_SCALAR(least_far); /* not narrowed before it is known to fit */
-    far_off = (float)least_far;
     q->centre[k + 1] = (float)(q->origin[k] + 0.5 * n / q->units[k]);
     TBX_KEEP(q->centre[k + 1]);
     error += 3.0 * (double)TBX_U32 * (double)TBX_U32 * tbx_abs((double)q->centre[k + 1]) * q->units[k];
@@ -11195,6 +11140,8 @@ TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
     bias = bias < 4294967295.0 ? bias : 4294967295.0;
     bias = bias > -4294967295.0 ? bias : -4294967295.0;
     TBX_KEEP_SCALAR(bias);
+    q->off_below[k + 1] = tbx_off_place(-bias - 2.0 * slack - 2.0);
+    q->off_above[k + 1] = tbx_off_place(n * TBX_STEPS - bias + 2.0);
     q->bias[k + 1] = (int32_t)(uint32_t)(uint64_t)(int64_t)bias;
     near_by = 2113929216.0 / steps - tbx_abs((double)q->subtrahend[k + 1]); /* 2^31 less a 64th */
     near_by = near_by < most ? near_by : most;
@@ -11206,18 +11153,16 @@ TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
     return error < 0.125;
 }
 
-/* For a source of doubles or floats; skips: a box of one or two voxels that equals its predecessor's is left
- * out. */
-TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_target *t, int is_double,
-                           int skips)
+/* For a source of doubles or floats. */
+TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_target *t, int is_double)
 {
     const double u = (double)TBX_U32;
     const double margin = (double)TBX_MARGIN;
     int k;
     q->on = TBX_DOUBLE_IS_53_BITS;
     q->thin = (grid->flags & TRIBOX_THIN) != 0;
-    q->upper_open = tbx_hi_is_open(grid->flags);
-    q->lower_open = tbx_lo_is_open(grid->flags);
+    q->upper_open = !q->thin && (grid->flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN)) != 0;
+    q->lower_open = !q->thin && (grid->flags & TRIBOX_OPEN) != 0;
     q->layer_words = t->ny * t->row_words;
     q->delta = 0.0;
     q->delta_low = 0.0f;
@@ -11227,7 +11172,8 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
     q->far_bits[0] = 0x7fffffff;
     q->bias[0] = 0;
     q->limit[0] = -1;
-    tbx_kinds_init(q, skips);
+    q->off_below[0] = -2147483647 - 1;
+    q->off_above[0] = 2147483647;
     for (k = 0; k < 3; k++) {
         const double n = (double)grid->hi[k] - (double)grid->lo[k];
         if (!(tbx_is_ordinary(&grid->origin[k], 100) & tbx_is_ordinary(&grid->size[k], 60)) || n > 65536.0) {
@@ -11249,6 +11195,7 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
     q->on &= q->delta < 1e-4;
     q->fetch = t->bits != NULL && q->layer_words > 131072 / (size_t)q->n[2]; /* 1 MiB */
     q->bits = (uintptr_t)t->bits;
+    q->short_axes = (q->n[0] | q->n[1] | q->n[2]) < 32768;
     q->row_words = t->row_words;
     for (k = 0; k < 3 && q->on; k++) {
         const double size = grid->size[k];
@@ -11339,7 +11286,7 @@ TBX_FN void tbx_group_pad(tbx_group *g)
     }
 }
 
-#define TBX_BLOCK 72 /* the stack stays below 16 KiB */
+#define TBX_BLOCK 64 /* a bit of 64 for each triangle */
 
 /* What a triangle leaves for the row walk: how many triangles before the next block's first it is, and its
  * rows and layers. */
@@ -11357,9 +11304,9 @@ typedef struct tbx_fill {
     const tbx_source *source;
     const tbx_target *target;
     tbx_quick quick;
-    size_t next;       /* the first triangle of the next block */
-    int on_planes;     /* the last block's boxes were mostly beside grid planes */
-    int later_count;   /* a block's, and of what waited in groups, at most */
+    size_t next;     /* the first triangle of the next block */
+    int on_planes;   /* the last block's boxes were mostly beside grid planes */
+    int later_count; /* a block's, and of what waited in groups, at most */
     tbx_later later[TBX_BLOCK + 3 * TBX_WIDE];
 } TBX_ALIGNED tbx_fill;
 
@@ -11376,17 +11323,22 @@ TBX_FN tbx_later *tbx_fill_later(tbx_fill *fill, size_t triangle)
 
 /* ---- Blocks of triangles: their boxes, and lists of them by class
  *
- * A box is a key: its first voxel's x, y, z, from the region's first, in 16 bits each from bit 16 on, below
- * them its kind. Of a box that is cut x, y and z are signed. Corners are rows of four floats: x, y, z in
- * lanes 1 to 3, and anything finite in lane 0, so that a row of a mesh is one load. */
+ * Of a box there are the first voxel, from the region's first, and the extents, that is the voxels less 1: x,
+ * y, z in 16 bits each from bit 16 on, below those of the extents flags. Of a box that is cut x, y and z are
+ * signed. A key is the first voxel, and below it extents of up to 3 in two bits each. Corners are rows of four
+ * floats: x, y, z in lanes 1 to 3, and anything finite in lane 0, so that a row of a mesh is one load. */
 typedef struct tbx_block {
-    uint64_t box
-        [TBX_BLOCK]
-        [2]; /* key; voxels on x, y, z in 16 bits each from bit 16 on, or with bit 0 set `more` from 32 on */
-    unsigned char list[TBX_CLASSES][TBX_BLOCK];
-    int count[TBX_CLASSES];
-    size_t first; /* triangle */
+    uint64_t first[TBX_BLOCK];
+    uint64_t more[TBX_BLOCK];
+    uint64_t word[TBX_BLOCK]; /* of the bits, in which the first voxel is */
+    uint64_t of[TBX_CLASSES]; /* a bit for each triangle of a class, */
+    uint64_t same;            /* and for each that has its predecessor's box, which is sure */
+    size_t start;             /* the first triangle */
 } tbx_block;
+
+#define TBX_MORE_NOT_KNOWN 1
+#define TBX_MORE_CUT 2
+#define TBX_MORE_LATTICE 4
 
 typedef union tbx_corners {
     tbx_f4 row[3][TBX_BLOCK];
@@ -11396,6 +11348,9 @@ typedef union tbx_corners {
 typedef uint16_t tbx_hw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
 typedef int16_t tbx_sw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
 typedef int16_t tbx_s8 __attribute__((vector_size(16)));
+typedef unsigned char tbx_b16 __attribute__((vector_size(16)));
+typedef char tbx_c16 __attribute__((vector_size(16)));
+typedef uint64_t tbx_m2 __attribute__((vector_size(16)));
 
 /* How far each word of a is above that of b, 0 where it is not. */
 TBX_FORCED tbx_uw tbx_words_above(tbx_uw a, tbx_uw b)
@@ -11410,49 +11365,105 @@ TBX_FORCED tbx_uw tbx_words_above(tbx_uw a, tbx_uw b)
 #endif
 }
 
-/* The boxes of WIDE / 4 triangles, of their first voxels' lanes and those of their extents, in words, and
- * where their kinds are. Words are those of numbers from -2^15 to 2^15 - 1, or they are above. */
-TBX_FORCED void tbx_boxes_of(uint64_t out_box[][2], unsigned out_kind[TBX_WIDE / 4], tbx_iw first,
-                             tbx_iw extents)
+/* Eight words of 32-bit lanes; what is no 16-bit number becomes the one next to it. */
+TBX_FORCED tbx_s8 tbx_words_of(tbx_i4 a, tbx_i4 b)
 {
-    int i;
 #if defined(__SSE2__)
-    const uint64_t gather = (uint64_t)1 << 40 | (uint64_t)6 << 24 | 36 << 8; /* to bits 56.. */
-#if defined(__AVX2__)
-    const tbx_sw words = __builtin_ia32_packssdw256(first, extents);
+    return (tbx_s8)__builtin_ia32_packssdw128(a, b);
 #else
-    const tbx_sw words = (tbx_sw)__builtin_ia32_packssdw128((tbx_i4)first, (tbx_i4)extents);
+    tbx_s8 r;
+    int i;
+    for (i = 0; i < 4; i++) {
+        r[i] = (int16_t)(a[i] > 32767 ? 32767 : a[i] < -32768 ? -32768 : a[i]);
+        r[4 + i] = (int16_t)(b[i] > 32767 ? 32767 : b[i] < -32768 ? -32768 : b[i]);
+    }
+    return r;
 #endif
-#if defined(__clang__)
-    const tbx_sw five = (tbx_sw)tbx_wide_int(0x50005);
-    const tbx_sw is_less = (tbx_sw)(words < five);
-    const tbx_sw least = (words & is_less) | (five & ~is_less);
-#elif defined(__AVX2__)
-    const tbx_sw least = __builtin_ia32_pminsw256(words, (tbx_sw)tbx_wide_int(0x50005));
+}
+
+/* Of words the products, added in pairs. */
+TBX_FORCED tbx_i4 tbx_words_dot(tbx_s8 a, tbx_s8 b)
+{
+#if defined(__SSE2__)
+    return (tbx_i4)__builtin_ia32_pmaddwd128(a, b);
 #else
-    const tbx_sw least = __builtin_ia32_pminsw128(words, (tbx_sw)tbx_wide_int(0x50005));
+    const tbx_i4 half = tbx_splat_int(16); /* which word of a lane is the upper one is all the same */
+    const tbx_i4 low = (((tbx_i4)a << half) >> half) * (((tbx_i4)b << half) >> half);
+    return low + ((tbx_i4)a >> half) * ((tbx_i4)b >> half);
 #endif
-    tbx_f4 box[TBX_WIDE / 4];
-    tbx_f4 few[TBX_WIDE / 4];
-    tbx_wide_parts(box, (tbx_fw)words);
-    tbx_wide_parts(few, (tbx_fw)least);
-    for (i = 0; i < TBX_WIDE / 4; i++) { /* not by memory, from which narrower loads than stores may stall */
-        out_box[i][0] = (uint64_t)((tbx_l2)box[i])[0];
-        out_box[i][1] = (uint64_t)((tbx_l2)box[i])[1];
-        out_kind[i] = (unsigned)(((uint64_t)((tbx_l2)few[i])[1] * gather) >> 56);
+}
+
+/* The cubes of words of extents, 4 at most. */
+TBX_FORCED tbx_i4 tbx_words_cubes(tbx_s8 extents)
+{
+    const tbx_s8 four = { 4, 4, 4, 4, 4, 4, 4, 4 };
+#if defined(__SSE2__) && !defined(__clang__)
+    const tbx_s8 most = __builtin_ia32_pminsw128(extents, four);
+#else
+    const tbx_s8 is_less = (tbx_s8)(extents < four);
+    const tbx_s8 most = (extents & is_less) | (four & ~is_less);
+#endif
+    return tbx_words_dot(most, most * most);
+}
+
+/* The products of numbers below 2^32. */
+TBX_FORCED tbx_m2 tbx_low_products(tbx_m2 a, tbx_m2 b)
+{
+#if defined(__SSE2__) && !defined(__clang__)
+    return (tbx_m2)__builtin_ia32_pmuludq128((tbx_i4)a, (tbx_i4)b);
+#else
+    return (a & 0xffffffffu) * (b & 0xffffffffu);
+#endif
+}
+
+/* Lanes of -1 for the vectors that are 0. */
+TBX_FORCED tbx_i4 tbx_lanes_zero(tbx_i4 a, tbx_i4 b, tbx_i4 c, tbx_i4 d)
+{
+#if defined(__SSE2__)
+    return (tbx_i4)__builtin_ia32_packsswb128(tbx_words_of(a, b), tbx_words_of(c, d)) == tbx_splat_int(0);
+#else
+    const tbx_i4 r = { -!tbx_any(a != tbx_splat_int(0)), -!tbx_any(b != tbx_splat_int(0)),
+                       -!tbx_any(c != tbx_splat_int(0)), -!tbx_any(d != tbx_splat_int(0)) };
+    return r;
+#endif
+}
+
+/* Of 64 bits each, those that are the same as those before. */
+TBX_FORCED tbx_i4 tbx_words_before(tbx_s8 before, tbx_s8 words)
+{
+    const tbx_f4 moved = TBX_LANES((tbx_f4)before, (tbx_f4)words, 2, 3, 4, 5);
+    return (tbx_i4)moved == (tbx_i4)words;
+}
+
+/* Lanes from 0 to 255, as bytes. */
+TBX_FORCED int32_t tbx_bytes_of(tbx_i4 a)
+{
+#if defined(__SSE2__)
+    const tbx_s8 words = tbx_words_of(a, a);
+    return ((tbx_i4)__builtin_ia32_packuswb128(words, words))[0];
+#else
+    unsigned char byte[4];
+    int32_t r;
+    int i;
+    for (i = 0; i < 4; i++) {
+        byte[i] = (unsigned char)a[i];
+    }
+    TBX_COPY(&r, byte, sizeof r);
+    return r;
+#endif
+}
+
+/* Words, in fours from the lowest of 64 bits. */
+TBX_FORCED void tbx_words_to(uint64_t out[2], tbx_s8 words)
+{
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    int i;
+    out[0] = out[1] = 0;
+    for (i = 7; i >= 0; i--) {
+        out[i >> 2] = out[i >> 2] << 16 | (uint16_t)words[i];
     }
 #else
-    for (i = 0; i < TBX_WIDE / 4; i++) {
-        int k;
-        out_kind[i] = 0;
-        out_box[i][0] = out_box[i][1] = 0;
-        for (k = 3; k > 0; k--) {
-            const uint32_t few = (uint32_t)extents[4 * i + k];
-            out_kind[i] = 6 * out_kind[i] + (few < 5 ? few : 5);
-            out_box[i][0] |= (uint64_t)(uint16_t)first[4 * i + k] << 16 * k;
-            out_box[i][1] |= (uint64_t)(uint16_t)few << 16 * k;
-        }
-    }
+    TBX_COPY(out, &words, sizeof words);
 #endif
 }
 
@@ -11496,14 +11507,9 @@ TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
     z[1] = last;
     upper = TBX_LANES((tbx_i4)xy, (tbx_i4)z, 1, 3, 5, 7) & tbx_splat_int(0x7fffffff);
     if (!TBX_RARELY(tbx_any(upper > tbx_splat_int((1023 + 100) << 20)))) {
-        tbx_f4 low;
-        tbx_f4 high;
-        tbx_f4 row;
-        TBX_KEEP_VECTOR(xy); /* not converted before: overflow */
-        TBX_KEEP_VECTOR(z);
-        low = __builtin_ia32_cvtpd2ps(xy - centre->xy);
-        high = __builtin_ia32_cvtpd2ps(z - centre->z);
-        row = TBX_LANES(low, high, 0, 1, 4, 5);
+        const tbx_f4 low = __builtin_ia32_cvtpd2ps(xy - centre->xy);
+        const tbx_f4 high = __builtin_ia32_cvtpd2ps(z - centre->z);
+        tbx_f4 row = TBX_LANES(low, high, 0, 1, 4, 5);
         TBX_KEEP_VECTOR(row); /* two moves; as one they become eight */
         bits = (tbx_i4)TBX_LANES(row, row, 2, 0, 1, 3);
     }
@@ -11519,7 +11525,6 @@ TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
     if (!TBX_RARELY((int)((tbx_bits64(&x[0]) & magnitude) > most) |
                     (int)((tbx_bits64(&x[1]) & magnitude) > most) |
                     (int)((tbx_bits64(&x[2]) & magnitude) > most))) {
-        TBX_KEEP(x); /* not converted before: overflow */
         r[1] = (float)(x[0] - centre->xy[0]);
         r[2] = (float)(x[1] - centre->xy[1]);
         r[3] = (float)(x[2] - centre->z[1]);
@@ -11623,13 +11628,14 @@ TBX_FN int tbx_block_load(tbx_corners *out, const tbx_quick *q, const tbx_source
     }
 }
 
-/* Of tbx_quick, what fixed point takes, for WIDE / 4 triangles. The last voxel is one more than it is, so
- * that its difference from the first is a number of voxels. */
+/* Of tbx_quick, what fixed point takes, for WIDE / 4 triangles. */
 typedef struct tbx_fixed {
     tbx_fw base;
     tbx_fw steps;
-    tbx_uw bias[2];
-    tbx_uw limit[2];
+    tbx_uw bias;
+    tbx_uw limit;
+    tbx_s8 rows; /* y and z times these are a row's number */
+    tbx_m2 row_words;
 } TBX_ALIGNED tbx_fixed;
 
 TBX_FORCED tbx_iw tbx_wide_repeat(tbx_i4 a)
@@ -11644,22 +11650,18 @@ TBX_FORCED tbx_iw tbx_wide_repeat(tbx_i4 a)
 
 TBX_FORCED void tbx_fixed_of(tbx_fixed *f, const tbx_quick *q)
 {
-    const tbx_i4 one = { 0, 65536, 65536, 65536 };
-    const tbx_i4 bias = tbx_load4i(q->bias);
-    tbx_i4 limit = tbx_load4i(q->limit);
     f->base = (tbx_fw)tbx_wide_repeat((tbx_i4)tbx_load4(q->subtrahend));
     f->steps = (tbx_fw)tbx_wide_repeat((tbx_i4)tbx_load4(q->steps));
-    f->bias[0] = (tbx_uw)tbx_wide_repeat(bias);
-    f->bias[1] = (tbx_uw)tbx_wide_repeat((tbx_i4)((tbx_u4)bias + (tbx_u4)one));
-    f->limit[0] = (tbx_uw)tbx_wide_repeat(limit);
-    /* up to the last number that there is: the one after it is 0, and no index */
-    limit = (tbx_i4)((tbx_u4)limit +
-                     ((tbx_u4)one & ~(tbx_u4)((limit >> tbx_splat_int(16)) == tbx_splat_int(-1))));
-    f->limit[1] = (tbx_uw)tbx_wide_repeat(limit);
+    f->bias = (tbx_uw)tbx_wide_repeat(tbx_load4i(q->bias));
+    f->limit = (tbx_uw)tbx_wide_repeat(tbx_load4i(q->limit));
+    f->rows[0] = f->rows[1] = f->rows[4] = f->rows[5] = 0;
+    f->rows[2] = f->rows[6] = 1;
+    f->rows[3] = f->rows[7] = (int16_t)q->n[1];
+    f->row_words[0] = f->row_words[1] = (uint64_t)q->row_words;
 }
 
-/* The least and the greatest voxel in fixed point, the greatest's one more. */
-TBX_FORCED void tbx_box_fixed(tbx_uw out[2], const tbx_fixed *f, const tbx_fw v[3], int careful)
+/* The least and the greatest place in fixed point, from the centre. */
+TBX_FORCED void tbx_box_fixed(tbx_iw out[2], const tbx_fixed *f, const tbx_fw v[3], int careful)
 {
     tbx_fw low = tbx_wide_min(tbx_wide_min(v[0], v[1]), v[2]) - f->base;
     tbx_fw high = tbx_wide_max(tbx_wide_max(v[0], v[1]), v[2]) - f->base;
@@ -11672,22 +11674,186 @@ TBX_FORCED void tbx_box_fixed(tbx_uw out[2], const tbx_fixed *f, const tbx_fw v[
         low = tbx_wide_min(tbx_wide_max(low, -most), most);
         high = tbx_wide_min(tbx_wide_max(high, -most), most);
     }
-    out[0] = (tbx_uw) __builtin_convertvector(low, tbx_iw) + f->bias[0];
-    out[1] = (tbx_uw) __builtin_convertvector(high, tbx_iw) + f->bias[1];
+    out[0] = __builtin_convertvector(low, tbx_iw);
+    out[1] = __builtin_convertvector(high, tbx_iw);
 }
 
-/* Boxes of WIDE / 4 triangles, and where their kinds are. */
-TBX_FORCED void tbx_boxes_find(uint64_t out_box[][2], unsigned out_kind[TBX_WIDE / 4], const tbx_fixed *f,
-                               const tbx_fw v[3], int careful)
+/* Boxes of four triangles. The code is the extents' cubes, 4 at most, added up: it tells the class. */
+typedef struct tbx_four {
+    tbx_s8 first[2];
+    tbx_s8 more[2];
+    tbx_i4 code;
+    tbx_i4 sure;
+    tbx_i4 off;
+} TBX_ALIGNED tbx_four;
+
+/* Of four boxes, a row each, the first voxel, the extents, what is above the limit, and off the region. */
+typedef struct tbx_four_rows {
+    tbx_f4 first[4];
+    tbx_f4 more[4];
+    tbx_f4 above[4];
+    tbx_f4 off[4];
+} TBX_ALIGNED tbx_four_rows;
+
+/* The next WIDE / 4 of them, from number `part` on. */
+TBX_FORCED void tbx_four_next(tbx_four_rows *out, int part, const tbx_quick *q, const tbx_fixed *f,
+                              const tbx_corners *corners, int at, int careful)
 {
-    tbx_uw fixed[2];
-    tbx_iw sure;
-    tbx_uw extents;
-    tbx_box_fixed(fixed, f, v, careful);
-    sure = (tbx_iw)((tbx_words_above(fixed[0], f->limit[0]) | tbx_words_above(fixed[1], f->limit[1])) ==
-                    (tbx_uw)tbx_wide_int(0));
-    extents = (tbx_uw)((tbx_hw)fixed[1] - (tbx_hw)fixed[0]) >> (tbx_uw)tbx_wide_int(16);
-    tbx_boxes_of(out_box, out_kind, (tbx_iw)fixed[0] >> tbx_wide_int(16), (tbx_iw)extents & sure);
+    const tbx_iw half = tbx_wide_int(16);
+    tbx_iw place[2];
+    tbx_uw low;
+    tbx_uw high;
+    tbx_fw v[3];
+    v[0] = corners->some[0][(at + part) / (TBX_WIDE / 4)];
+    v[1] = corners->some[1][(at + part) / (TBX_WIDE / 4)];
+    v[2] = corners->some[2][(at + part) / (TBX_WIDE / 4)];
+    tbx_box_fixed(place, f, v, careful);
+    if (careful) {
+        const tbx_iw below = tbx_wide_repeat(tbx_load4i(q->off_below));
+        const tbx_iw above = tbx_wide_repeat(tbx_load4i(q->off_above));
+        tbx_wide_parts(out->off + part, (tbx_fw)((place[1] < below) | (place[0] > above)));
+    }
+    low = (tbx_uw)place[0] + f->bias;
+    high = (tbx_uw)place[1] + f->bias;
+    tbx_wide_parts(out->above + part,
+                   (tbx_fw)(tbx_words_above(low, f->limit) | tbx_words_above(high, f->limit)));
+    tbx_wide_parts(out->more + part, (tbx_fw)((tbx_uw)((tbx_hw)high - (tbx_hw)low) >> (tbx_uw)half));
+    tbx_wide_parts(out->first + part, (tbx_fw)((tbx_iw)low >> half));
+}
+
+/* Of four triangles from `at` on; with care `off` is told. gcc -O2 unrolls no loop. */
+TBX_FORCED void tbx_four_find(tbx_four *out, const tbx_quick *q, const tbx_fixed *f,
+                              const tbx_corners *corners, int at, int careful)
+{
+    const tbx_s8 one = { 1, 1, 1, 1, 1, 1, 1, 1 };
+    tbx_four_rows r;
+    tbx_four_next(&r, 0, q, f, corners, at, careful);
+    tbx_four_next(&r, TBX_WIDE / 4, q, f, corners, at, careful);
+    if (TBX_WIDE == 4) {
+        tbx_four_next(&r, 2, q, f, corners, at, careful);
+        tbx_four_next(&r, 3, q, f, corners, at, careful);
+    }
+    out->first[0] = tbx_words_of((tbx_i4)r.first[0], (tbx_i4)r.first[1]);
+    out->first[1] = tbx_words_of((tbx_i4)r.first[2], (tbx_i4)r.first[3]);
+    out->more[0] = tbx_words_of((tbx_i4)r.more[0], (tbx_i4)r.more[1]);
+    out->more[1] = tbx_words_of((tbx_i4)r.more[2], (tbx_i4)r.more[3]);
+    out->code =
+        tbx_words_dot(tbx_words_of(tbx_words_cubes(out->more[0]), tbx_words_cubes(out->more[1])), one);
+    out->sure =
+        tbx_lanes_zero((tbx_i4)r.above[0], (tbx_i4)r.above[1], (tbx_i4)r.above[2], (tbx_i4)r.above[3]);
+    if (careful) {
+        out->off = ~tbx_lanes_zero((tbx_i4)r.off[0], (tbx_i4)r.off[1], (tbx_i4)r.off[2], (tbx_i4)r.off[3]);
+    }
+}
+
+/* The word of a box's first voxel. */
+TBX_FORCED uint64_t tbx_first_word(const tbx_quick *q, uint64_t first)
+{
+    return (uint64_t)tbx_key_axis(first, 2) * q->layer_words +
+           (uint64_t)tbx_key_axis(first, 1) * q->row_words + (uint64_t)(tbx_key_axis(first, 0) >> 6);
+}
+
+/* Two of them, where all axes are below 2^15. */
+TBX_FORCED void tbx_first_words(uint64_t out[2], const tbx_quick *q, const tbx_fixed *f, tbx_s8 first)
+{
+#if defined(__SSE2__)
+    const tbx_m2 row = (tbx_m2)tbx_words_dot(first, f->rows) >> 32;
+    const tbx_m2 x = ((tbx_m2)first >> 22) & 1023;
+    const tbx_m2 word = tbx_low_products(row, f->row_words) + x;
+    (void)q;
+    TBX_COPY(out, &word, sizeof word);
+#else
+    uint64_t two[2];
+    (void)f;
+    tbx_words_to(two, first);
+    out[0] = tbx_first_word(q, two[0]);
+    out[1] = tbx_first_word(q, two[1]);
+#endif
+}
+
+TBX_FORCED void tbx_four_store(tbx_block *b, int at, const tbx_quick *q, const tbx_fixed *f,
+                               const tbx_four *four)
+{
+    tbx_words_to(&b->first[at], four->first[0]);
+    tbx_words_to(&b->first[at + 2], four->first[1]);
+    tbx_words_to(&b->more[at], four->more[0]);
+    tbx_words_to(&b->more[at + 2], four->more[1]);
+    tbx_first_words(&b->word[at], q, f, four->first[0]);
+    tbx_first_words(&b->word[at + 2], q, f, four->first[1]);
+}
+
+/* The words, where an axis is longer. */
+TBX_NOINLINE void tbx_block_words(tbx_block *b, const tbx_quick *q, int count)
+{
+    int i;
+    for (i = 0; i < count; i++) {
+        b->word[i] = tbx_first_word(q, b->first[i]);
+    }
+}
+
+/* A bit for each of a block's codes that is at most `most`. */
+TBX_FORCED uint64_t tbx_codes_up_to(const unsigned char *code, int most)
+{
+    uint64_t r = 0;
+    int i;
+#if defined(__SSE2__)
+    const tbx_b16 all = (tbx_b16)tbx_splat_int(most * 0x01010101);
+    for (i = 0; i < TBX_BLOCK; i += 16) {
+        tbx_b16 some;
+        TBX_COPY(&some, code + i, sizeof some);
+        r |= (uint64_t)(unsigned)__builtin_ia32_pmovmskb128((tbx_c16)(some <= all)) << i;
+    }
+#else
+    for (i = 0; i < TBX_BLOCK; i++) {
+        r |= (uint64_t)(code[i] <= most) << i;
+    }
+#endif
+    return r;
+}
+
+/* The class of a box of 2x2x1 voxels. */
+TBX_FORCED unsigned tbx_class_flat(uint64_t more)
+{
+    const unsigned x = (unsigned)(more >> 16);
+    const unsigned y = (unsigned)(more >> 32);
+    return TBX_CLASS_FLAT_X + (x & 1u) + (x & y & 1u);
+}
+
+/* The class of a box. */
+TBX_FORCED unsigned tbx_class_of(unsigned code, uint64_t more)
+{
+    if (code == 2) {
+        return tbx_class_flat(more);
+    } else {
+        const unsigned small =
+            (unsigned)((code > 1) + (code > 3) + (code > 24)); /* 0 SHORT, 1 up to 2^3, and on */
+        return code > 81 || (code > 62 && code != 81) ? (unsigned)TBX_CLASS_LARGE
+               : small > 0                            ? (unsigned)TBX_CLASS_2 + small - 1
+                                                      : (unsigned)TBX_CLASS_SHORT;
+    }
+}
+
+/* The classes by codes, of the triangles in `some`: 0 and 1 are one voxel and two, 2 and 3 are 2x2x1 and 2^3
+ * voxels, boxes of up to 3^3 have 8 to 24, of 4^3 27 to 62, or 81, larger ones 64 to 192. */
+TBX_FORCED void tbx_block_classes(tbx_block *b, const unsigned char *code, uint64_t some)
+{
+    const uint64_t up_to_1 = tbx_codes_up_to(code, 1) & some;
+    const uint64_t up_to_2 = tbx_codes_up_to(code, 2) & some;
+    const uint64_t up_to_3 = tbx_codes_up_to(code, 3) & some;
+    uint64_t flat;
+    b->of[TBX_CLASS_SHORT] = up_to_1;
+    for (flat = up_to_2 ^ up_to_1; flat != 0; flat &= flat - 1) {
+        b->of[tbx_class_flat(b->more[__builtin_ctzll(flat)])] |= flat & (0 - flat);
+    }
+    b->of[TBX_CLASS_2] = up_to_3 ^ up_to_2;
+    if (up_to_3 != some) {
+        const uint64_t up_to_24 = tbx_codes_up_to(code, 24) & some;
+        uint64_t four = tbx_codes_up_to(code, 62) & some;
+        four |= (tbx_codes_up_to(code, 81) ^ tbx_codes_up_to(code, 80)) & some;
+        b->of[TBX_CLASS_3] = up_to_24 ^ up_to_3;
+        b->of[TBX_CLASS_4] = four ^ up_to_24;
+        b->of[TBX_CLASS_LARGE] = some ^ four;
+    }
 }
 
 /* Asks for the memory of boxes' voxels. */
@@ -11695,72 +11861,61 @@ TBX_FORCED void tbx_block_fetch(const tbx_block *b, const tbx_quick *q, int coun
 {
     int i;
     for (i = 0; i < count; i++) {
-        const uint64_t key = b->box[i][0];
-        const size_t word = (size_t)tbx_key_axis(key, 2) * q->layer_words +
-                            (size_t)tbx_key_axis(key, 1) * q->row_words + (size_t)(tbx_key_axis(key, 0) >> 6);
+        const size_t word = (size_t)b->word[i];
         TBX_PREFETCH(q->bits + sizeof(uint64_t) * word);
         TBX_PREFETCH(q->bits + sizeof(uint64_t) * (word + q->layer_words));
         TBX_PREFETCH(q->bits + sizeof(uint64_t) * (word + 2 * q->layer_words));
     }
 }
 
-/* Boxes of a block and lists of them by class, OTHER where they are not sure. Of triangles in the same one or
- * two voxels that follow each other the first will do. */
+/* Boxes of a block and their classes, OTHER where they are not sure. */
 TBX_FORCED void tbx_block_boxes(tbx_block *b, const tbx_quick *q, const tbx_corners *corners, int count)
 {
+    const uint64_t all = ~(uint64_t)0 >> (64 - count);
+    unsigned char code[TBX_BLOCK] TBX_ALIGNED;
+    uint64_t sure = 0;
+    uint64_t same = 0;
+    tbx_s8 last_first = (tbx_s8)tbx_splat_int(-1); /* no box */
+    tbx_s8 last_more = last_first;
     tbx_fixed f;
-    unsigned char *end[TBX_CLASSES];
-    uint64_t previous = ~(uint64_t)0;
-    uint64_t last = 0;
-    unsigned c = 0;
     int i;
-    int j;
     tbx_fixed_of(&f, q);
-    for (i = 0; i < TBX_CLASSES; i++) {
-        end[i] = b->list[i];
+    for (i = 0; i < count; i += 4) {
+        tbx_four four;
+        tbx_i4 alike[2];
+        int32_t codes;
+        tbx_four_find(&four, q, &f, corners, i, 0);
+        tbx_four_store(b, i, q, &f, &four);
+        alike[0] = tbx_words_before(last_first, four.first[0]) & tbx_words_before(last_more, four.more[0]);
+        alike[1] =
+            tbx_words_before(four.first[0], four.first[1]) & tbx_words_before(four.more[0], four.more[1]);
+        last_first = four.first[1];
+        last_more = four.more[1];
+        sure = sure >> 4 | (uint64_t)(unsigned)tbx_signs(four.sure) << 60;
+        same = same >> 4 |
+               (uint64_t)(unsigned)tbx_signs((tbx_i4)tbx_words_of(alike[0], alike[1]) == tbx_splat_int(-1))
+                   << 60;
+        codes = tbx_bytes_of(four.code);
+        TBX_COPY(code + i, &codes, sizeof codes);
     }
-    for (i = 0; i < count; i += TBX_WIDE / 4) {
-        uint64_t box[TBX_WIDE / 4][2];
-        unsigned where[TBX_WIDE / 4];
-        tbx_fw v[3];
-        v[0] = corners->some[0][i / (TBX_WIDE / 4)];
-        v[1] = corners->some[1][i / (TBX_WIDE / 4)];
-        v[2] = corners->some[2][i / (TBX_WIDE / 4)];
-        tbx_boxes_find(box, where, &f, v, 0);
-        for (j = 0; j < TBX_WIDE / 4; j++) {
-            const unsigned kind = q->kind_of[where[j]];
-            const uint64_t key = box[j][0] | kind;
-            unsigned char *at;
-            b->box[i + j][0] = key;
-            b->box[i + j][1] = box[j][1];
-            c = kind >> 8;
-            at = end[c];
-            *at = (unsigned char)(i + j);
-            last = (uint64_t)(key != previous);
-            end[c] = at + last;
-            previous = key & ~(uint64_t)TBX_NO_SKIP;
-        }
+    for (; i < TBX_BLOCK; i += 4) {
+        sure >>= 4;
+        same >>= 4;
+        code[i] = code[i + 1] = code[i + 2] = code[i + 3] = 0;
     }
-    if (i > count) { /* the last one stands for none */
-        end[c] -= last;
+    sure &= all;
+    b->same = same & sure & sure << 1; /* others will have other boxes */
+    b->of[TBX_CLASS_OTHER] = all ^ sure;
+    if (q->thin) {
+        b->of[TBX_CLASS_LARGE] = sure;
+    } else {
+        tbx_block_classes(b, code, sure);
     }
-    for (i = 0; i < TBX_CLASSES; i++) {
-        b->count[i] = (int)(end[i] - b->list[i]);
+    if (!q->short_axes) {
+        tbx_block_words(b, q, count);
     }
     if (q->fetch) {
         tbx_block_fetch(b, q, count);
-    }
-}
-
-/* The class of a box in the region of so many voxels more than one: a byte for each axis. */
-TBX_FORCED unsigned tbx_class_of(const tbx_quick *q, uint32_t more)
-{
-    if ((more & 0xfefcfcfcu) != 0) {
-        return TBX_CLASS_LARGE;
-    } else {
-        return (unsigned)
-                   q->kind_of[(more & 3) + 1 + 6 * ((more >> 8 & 3) + 1) + 36 * ((more >> 16 & 3) + 1)] >>
-               8;
     }
 }
 
@@ -11784,17 +11939,25 @@ TBX_FORCED tbx_i4 tbx_key_box(uint64_t key, int32_t more)
     return r;
 }
 
+/* The key of a box of up to 4^3: words of extents are moved to two bits each. */
+TBX_FORCED uint64_t tbx_block_key(const tbx_block *b, int i)
+{
+    const uint64_t gather = (uint64_t)1 << 42 | 1 << 28 | 1 << 14; /* to bits 58.. */
+    return b->first[i] | (b->more[i] * gather) >> 58;
+}
+
 /* `more` of a box of any kind. */
 TBX_FORCED int32_t tbx_block_more(const tbx_block *b, int i)
 {
-    const uint64_t extents = b->box[i][1];
-    if ((extents & 1) != 0) {
-        return (int32_t)(extents >> 32);
+    const uint64_t more = b->more[i];
+    const uint32_t x = tbx_key_axis(more, 0);
+    const uint32_t y = tbx_key_axis(more, 1);
+    const uint32_t z = tbx_key_axis(more, 2);
+    if ((more & TBX_MORE_NOT_KNOWN) != 0 || (x | y | z) > 63) {
+        return TBX_NOT_KNOWN;
     } else {
-        const uint32_t x = tbx_key_axis(extents, 0) - 1;
-        const uint32_t y = tbx_key_axis(extents, 1) - 1;
-        const uint32_t z = tbx_key_axis(extents, 2) - 1;
-        return (x | y | z) > 63 ? TBX_NOT_KNOWN : (int32_t)(x | y << 8 | z << 16);
+        return (int32_t)(x | y << 8 | z << 16) | ((more & TBX_MORE_CUT) != 0 ? TBX_IS_CUT : 0) |
+               ((more & TBX_MORE_LATTICE) != 0 ? TBX_ON_LATTICE : 0);
     }
 }
 
@@ -11812,78 +11975,108 @@ TBX_FORCED uint64_t tbx_key_voxels(uint64_t key)
     return rows * (layers >> (48 - (key & 48)));
 }
 
-/* Puts triangle i of the block, with its box, into the list of its class. */
-TBX_FORCED void tbx_block_add(tbx_block *b, const tbx_quick *q, unsigned char i, tbx_i4 box)
+/* Puts triangle i of the block, with its box, into its class. */
+TBX_FORCED void tbx_block_add(tbx_block *b, const tbx_quick *q, int i, tbx_i4 box)
 {
-    unsigned c = tbx_class_of(q, (uint32_t)(box[3] & ~TBX_ON_LATTICE));
+    const uint32_t x = (uint32_t)box[3] & 255;
+    const uint32_t y = (uint32_t)box[3] >> 8 & 255;
+    const uint32_t z = (uint32_t)box[3] >> 16 & 255;
+    unsigned c = TBX_CLASS_LARGE;
+    b->first[i] = tbx_key_set(box) & ~(uint64_t)65535;
+    b->more[i] = (uint64_t)x << 16 | (uint64_t)y << 32 | (uint64_t)z << 48;
+    if (box[3] != TBX_NOT_KNOWN && (box[3] & TBX_IS_CUT) == 0 && (x | y | z) < 4 && !q->thin) {
+        c = tbx_class_of(x * x * x + y * y * y + z * z * z, b->more[i]);
+    }
     if ((box[3] & TBX_ON_LATTICE) != 0 && c != TBX_CLASS_SHORT) {
         c = c < TBX_CLASS_2 ? (unsigned)TBX_CLASS_2 : c;
         c = q->upper_open || c == TBX_CLASS_LARGE ? (unsigned)TBX_CLASS_LARGE
                                                   : c + (TBX_CLASS_ON_2 - TBX_CLASS_2);
     }
-    b->box[i][0] = tbx_key_set(box);
-    b->box[i][1] = (uint64_t)(uint32_t)box[3] << 32 | 1;
-    b->list[c][b->count[c]++] = i;
+    b->word[i] = tbx_first_word(q, b->first[i]);
+    b->more[i] |= box[3] == TBX_NOT_KNOWN ? TBX_MORE_NOT_KNOWN : 0;
+    b->more[i] |= (box[3] & TBX_IS_CUT) != 0 ? TBX_MORE_CUT : 0;
+    b->more[i] |= (box[3] & TBX_ON_LATTICE) != 0 ? TBX_MORE_LATTICE : 0;
+    b->of[c] |= (uint64_t)1 << i;
 }
 
-/* OTHER boxes with care: those that are sure to their lists. */
-TBX_NOINLINE void tbx_block_careful(tbx_block *b, const tbx_quick *q, const tbx_corners *corners)
+/* OTHER boxes with care: those that are sure to their classes, those that are off the region to none. */
+TBX_NOINLINE void tbx_block_careful(tbx_block *b, const tbx_quick *q, const tbx_corners *corners, int count)
 {
     const tbx_i4 magnitude = tbx_splat_int(0x7fffffff);
     const tbx_i4 far_bits = tbx_load4i(q->far_bits);
+    uint64_t *other = &b->of[TBX_CLASS_OTHER];
     tbx_fixed f;
-    unsigned char *list = b->list[TBX_CLASS_OTHER];
-    const int count = b->count[TBX_CLASS_OTHER];
-    int left = 0;
+    int i;
     int j;
     int c;
     tbx_fixed_of(&f, q);
-    for (j = 0; j < count; j++) {
+    for (i = 0; i < count; i += 4) {
+        const unsigned some = (unsigned)(*other >> i) & 15u;
         tbx_i4 beyond = tbx_splat_int(0);
-        uint64_t box[TBX_WIDE / 4][2] = { { 0, 0 } };
-        unsigned kind[TBX_WIDE / 4] = { 0 };
-        tbx_fw v[3];
+        tbx_four four;
+        unsigned sure;
         for (c = 0; c < 3; c++) {
-            const tbx_i4 row = (tbx_i4)corners->row[c][list[j]];
-            v[c] = (tbx_fw)tbx_wide_repeat(row);
-            beyond |= (row & magnitude) > far_bits;
-        }
-        if (!tbx_any(beyond)) {
-            for (c = 0; c < 3; c++) { /* nothing is computed before the question */
-                TBX_KEEP_VECTOR(v[c]);
+            for (j = i; j < i + 4; j++) {
+                beyond |= ((tbx_i4)corners->row[c][j] & magnitude) > far_bits;
             }
-            tbx_boxes_find(box, kind, &f, v, 1);
         }
-        kind[0] = q->kind_of[kind[0]];
-        if (kind[0] >> 8 == TBX_CLASS_OTHER) {
-            list[left++] = list[j];
-        } else {
-            unsigned char *to = b->list[kind[0] >> 8];
-            to[b->count[kind[0] >> 8]++] = list[j];
-            b->box[list[j]][0] = box[0][0] | kind[0];
-            b->box[list[j]][1] = box[0][1];
+        if (some == 0 || tbx_any(beyond)) {
+            continue;
+        }
+        tbx_four_find(&four, q, &f, corners, i, 1);
+        tbx_four_store(b, i, q, &f, &four);
+        sure = (unsigned)tbx_signs(four.sure) & some;
+        *other ^= (uint64_t)((sure | (unsigned)tbx_signs(four.off)) & some) << i;
+        for (j = 0; j < 4; j++) {
+            if ((sure >> j & 1u) != 0) {
+                c = q->thin ? TBX_CLASS_LARGE : (int)tbx_class_of((unsigned)four.code[j], b->more[i + j]);
+                b->of[c] |= (uint64_t)1 << (i + j);
+            }
         }
     }
-    b->count[TBX_CLASS_OTHER] = left;
+    if (!q->short_axes) {
+        tbx_block_words(b, q, count);
+    }
 }
 
-/* The corners of WIDE triangles, in rows. */
-typedef struct tbx_placed {
-    tbx_f4 row[3][TBX_WIDE];
-} TBX_ALIGNED tbx_placed;
+#define TBX_LIST (TBX_BLOCK + TBX_WIDE)
 
-/* Lanes 1, 2, 3 of WIDE rows. */
-TBX_FORCED void tbx_points_of(tbx_points *out, const tbx_f4 *row)
+/* Repeats a list's last one, so that WIDE can be taken. */
+TBX_FORCED void tbx_list_end(unsigned char *list, int n)
+{
+    int i;
+    for (i = n; i < n + TBX_WIDE && n > 0; i++) {
+        list[i] = list[n - 1];
+    }
+}
+
+/* The triangles of a class, in a list. */
+TBX_FORCED int tbx_list_of(unsigned char *list, uint64_t of)
+{
+    int n = 0;
+    for (; of != 0; of &= of - 1) {
+        list[n++] = (unsigned char)__builtin_ctzll(of);
+    }
+    tbx_list_end(list, n);
+    return n;
+}
+
+/* Lanes 1, 2, 3 of WIDE rows that are listed. */
+TBX_FORCED void tbx_points_at(tbx_points *out, const tbx_f4 *row, const unsigned char *list)
 {
     tbx_f4 x[TBX_WIDE / 4];
     tbx_f4 y[TBX_WIDE / 4];
     tbx_f4 z[TBX_WIDE / 4];
     int i;
-    for (i = 0; i < TBX_WIDE / 4; i++, row += 4) {
-        const tbx_f4 a = TBX_LANES(row[0], row[1], 0, 4, 1, 5);
-        const tbx_f4 b = TBX_LANES(row[2], row[3], 0, 4, 1, 5);
-        const tbx_f4 c = TBX_LANES(row[0], row[1], 2, 6, 3, 7);
-        const tbx_f4 d = TBX_LANES(row[2], row[3], 2, 6, 3, 7);
+    for (i = 0; i < TBX_WIDE / 4; i++, list += 4) {
+        const tbx_f4 r0 = row[list[0]];
+        const tbx_f4 r1 = row[list[1]];
+        const tbx_f4 r2 = row[list[2]];
+        const tbx_f4 r3 = row[list[3]];
+        const tbx_f4 a = TBX_LANES(r0, r1, 0, 4, 1, 5);
+        const tbx_f4 b = TBX_LANES(r2, r3, 0, 4, 1, 5);
+        const tbx_f4 c = TBX_LANES(r0, r1, 2, 6, 3, 7);
+        const tbx_f4 d = TBX_LANES(r2, r3, 2, 6, 3, 7);
         x[i] = TBX_LANES(a, b, 2, 3, 6, 7);
         y[i] = TBX_LANES(c, d, 0, 1, 4, 5);
         z[i] = TBX_LANES(c, d, 2, 3, 6, 7);
@@ -11894,20 +12087,29 @@ TBX_FORCED void tbx_points_of(tbx_points *out, const tbx_f4 *row)
 }
 
 /* Corners of the WIDE triangles of a block that are listed. */
-TBX_FORCED void tbx_points_listed(tbx_points out[3], const tbx_corners *corners, const unsigned char *list,
-                                  int count)
+TBX_FORCED void tbx_points_listed(tbx_points out[3], const tbx_corners *corners, const unsigned char *list)
 {
-    tbx_placed some;
+    tbx_points_at(&out[0], corners->row[0], list);
+    tbx_points_at(&out[1], corners->row[1], list);
+    tbx_points_at(&out[2], corners->row[2], list);
+}
+
+/* The first voxels of boxes in the region that are listed, as integers. */
+TBX_FORCED void tbx_firsts_listed(tbx_iw out[3], const tbx_block *b, const unsigned char *list)
+{
+    const tbx_uw half = (tbx_uw)tbx_wide_int(16);
+    tbx_f4 wx[TBX_WIDE / 4];
+    tbx_f4 yz[TBX_WIDE / 4];
     int i;
-    for (i = 0; i < TBX_WIDE; i++) {
-        const size_t at = list[i < count ? i : 0];
-        some.row[0][i] = corners->row[0][at];
-        some.row[1][i] = corners->row[1][at];
-        some.row[2][i] = corners->row[2][at];
+    for (i = 0; i < TBX_WIDE / 4; i++, list += 4) {
+        const tbx_l2 ab = { (int64_t)b->first[list[0]], (int64_t)b->first[list[1]] };
+        const tbx_l2 cd = { (int64_t)b->first[list[2]], (int64_t)b->first[list[3]] };
+        wx[i] = (tbx_f4)TBX_LOW_WORDS(ab, cd);
+        yz[i] = (tbx_f4)TBX_HIGH_WORDS(ab, cd);
     }
-    tbx_points_of(&out[0], some.row[0]);
-    tbx_points_of(&out[1], some.row[1]);
-    tbx_points_of(&out[2], some.row[2]);
+    out[0] = (tbx_iw)((tbx_uw)tbx_wide_of(wx) >> half);
+    out[1] = (tbx_iw)tbx_wide_of(yz) & tbx_wide_int(65535);
+    out[2] = (tbx_iw)((tbx_uw)tbx_wide_of(yz) >> half);
 }
 
 /* ---- Boxes that take the careful way, WIDE at a time */
@@ -11995,7 +12197,7 @@ TBX_FORCED tbx_iw tbx_extents(const tbx_boxes *box)
  * off by its bound at most within MARGIN, by 2^-20 of itself beyond; so are empty boxes, and triangles that
  * are not finite. */
 TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_corners *corners, const unsigned char *list,
-                                    int count, tbx_i4 out[TBX_WIDE])
+                                    tbx_i4 out[TBX_WIDE])
 {
     const tbx_iw none = tbx_wide_int(0);
     tbx_points v[3];
@@ -12007,7 +12209,7 @@ TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_corners *corne
     tbx_iw last;
     int i;
     int k;
-    tbx_points_listed(v, corners, list, count);
+    tbx_points_listed(v, corners, list);
     for (i = 0; i < 3; i++) {
         v[i].x = tbx_box_tame(q, 0, v[i].x, &finite);
         v[i].y = tbx_box_tame(q, 1, v[i].y, &finite);
@@ -12132,8 +12334,8 @@ TBX_NOINLINE tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, c
 TBX_NOINLINE int tbx_block_special(tbx_block *b, const tribox_grid *grid, const tbx_quick *q,
                                    const tbx_source *source, const tbx_corners *corners)
 {
-    const unsigned char *list = b->list[TBX_CLASS_OTHER];
-    const int count = b->count[TBX_CLASS_OTHER];
+    unsigned char list[TBX_LIST];
+    const int count = tbx_list_of(list, b->of[TBX_CLASS_OTHER]);
     int on_lattice = 0;
     int i;
     int j;
@@ -12146,11 +12348,11 @@ TBX_NOINLINE int tbx_block_special(tbx_block *b, const tribox_grid *grid, const 
     }
     for (i = 0; i < count; i += TBX_WIDE) {
         tbx_i4 box[TBX_WIDE];
-        tbx_boxes_special(q, corners, list + i, count - i, box);
+        tbx_boxes_special(q, corners, list + i, box);
         for (j = 0; j < TBX_WIDE && i + j < count; j++) {
             tbx_i4 one = box[j];
             if (one[3] == TBX_NOT_KNOWN) {
-                one = tbx_box_exact(grid, q, source, b->first + list[i + j]);
+                one = tbx_box_exact(grid, q, source, b->start + list[i + j]);
             }
             if (one[3] != TBX_OFF) {
                 tbx_block_add(b, q, list[i + j], one);
@@ -12167,23 +12369,21 @@ TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribo
                                  const tbx_quick *q, const tbx_source *source, size_t first, int count,
                                  int *on_planes)
 {
+    const int is_near = tbx_block_load(corners, q, source, first, count);
     int on_lattice = 0;
-    int i;
-    b->first = first;
-    if (tbx_block_load(corners, q, source, first, count) & !*on_planes) {
-        tbx_block_boxes(b, q, corners, count);
-    } else {
-        for (i = 0; i < TBX_CLASSES; i++) {
-            b->count[i] = 0;
-        }
-        b->count[TBX_CLASS_OTHER] = count;
-        for (i = 0; i < count; i++) {
-            b->list[TBX_CLASS_OTHER][i] = (unsigned char)i;
-        }
+    int c;
+    for (c = 0; c < TBX_CLASSES; c++) {
+        b->of[c] = 0;
     }
-    if (b->count[TBX_CLASS_OTHER] > 0) {
+    b->start = first;
+    b->same = 0;
+    b->of[TBX_CLASS_OTHER] = ~(uint64_t)0 >> (64 - count);
+    if (is_near & !*on_planes) {
+        tbx_block_boxes(b, q, corners, count);
+    }
+    if (b->of[TBX_CLASS_OTHER] != 0) {
         if (!*on_planes) {
-            tbx_block_careful(b, q, corners);
+            tbx_block_careful(b, q, corners, count);
         }
         on_lattice = tbx_block_special(b, grid, q, source, corners);
     }
@@ -12324,40 +12524,6 @@ typedef struct tbx_some {
     int count; /* 1 to WIDE */
 } tbx_some;
 
-/* Places one triangle. */
-TBX_FORCED void tbx_place_corners(tbx_placed *out, int lane, const tbx_quick *q, const tbx_corners *corners,
-                                  size_t i, uint64_t key)
-{
-    const tbx_f4 inverse = tbx_load4(q->inverse);
-    tbx_f4 at;
-    tbx_f4 low;
-    tbx_f4 high;
-    int c;
-#if defined(__SSE2__)
-    const tbx_l2 words = { (int64_t)key, 0 };
-    const tbx_s8 none = { 0, 0, 0, 0, 0, 0, 0, 0 };
-#if defined(__clang__)
-    const tbx_i4 first = (tbx_i4)__builtin_shufflevector((tbx_s8)words, none, 0, 8, 1, 9, 2, 10, 3, 11);
-#else
-    const tbx_i4 first = (tbx_i4)__builtin_ia32_punpcklwd128((tbx_s8)words, none);
-#endif
-#else
-    const tbx_i4 first = { 0, (int32_t)tbx_key_axis(key, 0), (int32_t)tbx_key_axis(key, 1),
-                           (int32_t)tbx_key_axis(key, 2) };
-#endif
-    at = __builtin_convertvector(first, tbx_f4);
-    low = tbx_load4(q->base_low) + at * tbx_load4(q->size_low);
-    high = tbx_load4(q->base_high) + at * tbx_load4(q->size_high);
-    TBX_KEEP_VECTOR(high);
-    for (c = 0; c < 3; c++) {
-        tbx_f4 x = corners->row[c][i] - high;
-        TBX_KEEP_VECTOR(x);
-        x = (x - low) * inverse;
-        TBX_KEEP_VECTOR(x);
-        out->row[c][lane] = x;
-    }
-}
-
 /* Notes that E = e at a point, and whether it is outside, as `bit`. */
 TBX_FORCED void tbx_note_point(tbx_uw *outside, tbx_fw *least, tbx_fw e, int bit)
 {
@@ -12391,6 +12557,16 @@ TBX_FORCED tbx_uw tbx_note_edge(tbx_fw *least, tbx_fw e, tbx_fw d_b, tbx_fw d_c,
     const tbx_iw up_b = ~tbx_wide_sign(from_b);
     const tbx_iw up_c = tbx_wide_sign(to_c);
     tbx_uw m = (tbx_uw)tbx_wide_int(0);
+    if (n == 2) { /* one point has four cells */
+        const int32_t b0 = 1 | 1 << stride_c;
+        const int32_t c0 = 1 | 1 << stride_b;
+        const tbx_iw sign = tbx_wide_int(31);
+        const tbx_iw at_b =
+            (((tbx_iw)from_b >> sign) & tbx_wide_int(b0 ^ b0 << stride_b)) ^ tbx_wide_int(b0 << stride_b);
+        const tbx_iw at_c = (((tbx_iw)to_c >> sign) & tbx_wide_int(c0 ^ c0 << stride_c)) ^ tbx_wide_int(c0);
+        *least = tbx_wide_min(*least, tbx_wide_abs(e00));
+        return (tbx_uw)(at_b & at_c & ((tbx_iw)e00 >> sign));
+    }
     tbx_note_point(&m, least, e00, 0);
     if (n > 2) {
         const tbx_fw e10 = e00 - from_b;
@@ -12409,7 +12585,7 @@ TBX_FORCED tbx_uw tbx_note_edge(tbx_fw *least, tbx_fw e, tbx_fw d_b, tbx_fw d_c,
             tbx_note_point(&m, least, e11 + to_c, stride_b + 2 * stride_c);
         }
     }
-    return tbx_note_move(tbx_note_move(m, stride_b == 1 ? up_b : up_c, 1), stride_b == 1 ? up_c : up_b, 4);
+    return tbx_note_move(tbx_note_move(m, up_b, stride_b), up_c, stride_c);
 }
 
 /* The three edges in the plane of axes b and c. Returns twice the area there. */
@@ -12541,14 +12717,13 @@ TBX_FORCED tbx_iw tbx_group_flat(tbx_fw b0, tbx_fw b1, tbx_fw b2, tbx_fw c0, tbx
     return ((area == tbx_wide_all(0.0f)) & on) | level;
 }
 
-TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_some *some, const uint64_t key[TBX_WIDE],
-                                       tbx_group_placed *p)
+TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_some *some, tbx_group_placed *p)
 {
     tbx_points *const a = &p->v[0];
     tbx_points *const b = &p->v[1];
     tbx_points *const c = &p->v[2];
     tbx_points v[3];
-    tbx_points first;
+    tbx_iw first[3];
     tbx_iw level_x;
     tbx_iw level_y;
     tbx_iw level_z;
@@ -12556,21 +12731,11 @@ TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_some *some,
     tbx_iw on_y;
     tbx_iw on_z;
     tbx_iw flat;
-    int32_t at[3][TBX_WIDE];
-    int i;
-    int k;
-    for (i = 0; i < TBX_WIDE; i++) {
-        for (k = 0; k < 3; k++) {
-            at[k][i] = (int32_t)tbx_key_axis(key[i], k);
-        }
-    }
-    tbx_points_listed(v, some->corners, some->list, some->count);
-    TBX_COPY(&first.x, at[0], sizeof first.x);
-    TBX_COPY(&first.y, at[1], sizeof first.y);
-    TBX_COPY(&first.z, at[2], sizeof first.z);
-    on_x = tbx_group_snap(q, 0, (tbx_iw)first.x, v[0].x, v[1].x, v[2].x, &a->x, &b->x, &c->x, &level_x);
-    on_y = tbx_group_snap(q, 1, (tbx_iw)first.y, v[0].y, v[1].y, v[2].y, &a->y, &b->y, &c->y, &level_y);
-    on_z = tbx_group_snap(q, 2, (tbx_iw)first.z, v[0].z, v[1].z, v[2].z, &a->z, &b->z, &c->z, &level_z);
+    tbx_points_listed(v, some->corners, some->list);
+    tbx_firsts_listed(first, some->block, some->list);
+    on_x = tbx_group_snap(q, 0, first[0], v[0].x, v[1].x, v[2].x, &a->x, &b->x, &c->x, &level_x);
+    on_y = tbx_group_snap(q, 1, first[1], v[0].y, v[1].y, v[2].y, &a->y, &b->y, &c->y, &level_y);
+    on_z = tbx_group_snap(q, 2, first[2], v[0].z, v[1].z, v[2].z, &a->z, &b->z, &c->z, &level_z);
     flat = tbx_group_flat(a->x, b->x, c->x, a->y, b->y, c->y, on_x & on_y, level_x | level_y, &p->touch[0]) |
            tbx_group_flat(a->y, b->y, c->y, a->z, b->z, c->z, on_y & on_z, level_y | level_z, &p->touch[1]) |
            tbx_group_flat(a->z, b->z, c->z, a->x, b->x, c->x, on_z & on_x, level_z | level_x, &p->touch[2]);
@@ -12620,16 +12785,27 @@ TBX_FORCED tbx_uw tbx_cells_join(tbx_uw xy, tbx_uw yz, tbx_uw zx, int layer)
     return xy | tbx_wide_shift(xy, 16) | x | y;
 }
 
-/* Places them all; lanes beyond the count as the first. */
-TBX_FORCED void tbx_place_all(tbx_placed *out, const tbx_quick *q, const tbx_some *some,
-                              uint64_t key[TBX_WIDE])
+/* Corners from the first inner grid planes. */
+TBX_FORCED void tbx_some_place(tbx_points v[3], const tbx_quick *q, const tbx_some *some)
 {
-    int lane;
-    for (lane = 0; lane < TBX_WIDE; lane++) {
-        const size_t i = some->list[lane < some->count ? lane : 0];
-        key[lane] = some->block->box[i][0];
-        tbx_place_corners(out, lane, q, some->corners, i, key[lane]);
-    }
+    tbx_iw first[3];
+    tbx_points_listed(v, some->corners, some->list);
+    tbx_firsts_listed(first, some->block, some->list);
+    tbx_group_place(q, 0, first[0], &v[0].x, &v[1].x, &v[2].x);
+    tbx_group_place(q, 1, first[1], &v[0].y, &v[1].y, &v[2].y);
+    tbx_group_place(q, 2, first[2], &v[0].z, &v[1].z, &v[2].z);
+}
+
+/* The cell that the plane misses at the one inner point of 2^3 voxels. */
+TBX_FORCED tbx_uw tbx_plane_cell(tbx_fw d, const tbx_points *normal)
+{
+    const tbx_iw sign = tbx_wide_int(31);
+    const tbx_iw x = ((tbx_iw)d ^ (tbx_iw)normal->x) >> sign;
+    const tbx_iw y = ((tbx_iw)d ^ (tbx_iw)normal->y) >> sign;
+    const tbx_iw z = ((tbx_iw)d ^ (tbx_iw)normal->z) >> sign;
+    return (tbx_uw)(((x & tbx_wide_int(0x330033)) ^ tbx_wide_int(0x110011)) &
+                    ((y & tbx_wide_int(0x330033)) ^ tbx_wide_int(0x030003)) &
+                    ((z & tbx_wide_int(0x330033)) ^ tbx_wide_int(0x000033)));
 }
 
 /* The voxels of boxes of up to n^3, as bits x + 4 y + 16 z. Returns a bit for each lane that is unsure. */
@@ -12637,30 +12813,28 @@ TBX_FORCED unsigned tbx_decide(uint64_t out[TBX_WIDE], const tbx_quick *q, const
                                int lattice)
 {
     const float delta = 4.1f * TBX_U32 * (float)n + q->delta_low;
+    const tbx_fw plane_error = tbx_wide_all(32.0f * (float)(n * n) * delta);
     const tbx_uw none = (tbx_uw)tbx_wide_int(0);
-    uint64_t key[TBX_WIDE];
     uint64_t missed[TBX_WIDE];
     uint64_t below[TBX_WIDE];
     uint64_t above[TBX_WIDE];
     uint32_t octant[TBX_WIDE];
-    tbx_placed placed;
     tbx_group_placed p;
     tbx_points normal;
     tbx_sides side;
     tbx_uw plane[3];
+    tbx_uw cells[2];
     tbx_fw least = tbx_wide_all(1.0f);
+    tbx_fw d;
     tbx_iw unsure;
     tbx_uw octants;
     int i;
-    tbx_place_all(&placed, q, some, key);
-    tbx_points_of(&p.v[0], placed.row[0]);
-    tbx_points_of(&p.v[1], placed.row[1]);
-    tbx_points_of(&p.v[2], placed.row[2]);
+    tbx_some_place(p.v, q, some);
     p.touch[0] = p.touch[1] = p.touch[2] = p.touch_plane = tbx_wide_all(0.0f);
     p.plane_sure = (tbx_iw)none;
     if (lattice) {
         tbx_group_placed on_lattice = p;
-        tbx_group_on_lattice(q, some, key, &on_lattice);
+        tbx_group_on_lattice(q, some, &on_lattice);
         p = on_lattice;
     }
     side.touch = p.touch_plane;
@@ -12670,16 +12844,21 @@ TBX_FORCED unsigned tbx_decide(uint64_t out[TBX_WIDE], const tbx_quick *q, const
                               p.touch[1], n, 1, 4);
     normal.y = tbx_note_edges(&plane[2], &least, p.v[0].z, p.v[1].z, p.v[2].z, p.v[0].x, p.v[1].x, p.v[2].x,
                               p.touch[2], n, 4, 1);
-    tbx_note_plane(&side, (normal.x * p.v[0].x + normal.y * p.v[0].y) + normal.z * p.v[0].z, &normal, lattice,
-                   n);
-    unsure = (least <= tbx_wide_all(12.0f * (float)n * delta)) |
-             ((side.least <= tbx_wide_all(32.0f * (float)(n * n) * delta)) & ~p.plane_sure);
+    d = (normal.x * p.v[0].x + normal.y * p.v[0].y) + normal.z * p.v[0].z;
+    cells[0] = tbx_cells_join(plane[0], plane[1], plane[2], 0);
+    cells[1] = n > 2 ? tbx_cells_join(plane[0], plane[1], plane[2], 2) : none;
+    unsure = least <= tbx_wide_all(12.0f * (float)n * delta);
+    if (n == 2 && !lattice) {
+        tbx_halves_to(out, ~(cells[0] | tbx_plane_cell(d, &normal)) & (tbx_uw)tbx_wide_int(0x330033), none);
+        return tbx_wide_signs(unsure | (tbx_wide_abs(d) <= plane_error));
+    }
+    tbx_note_plane(&side, d, &normal, lattice, n);
+    unsure |= (side.least <= plane_error) & ~p.plane_sure;
     octants =
         (tbx_uw)((tbx_wide_sign(normal.x) & tbx_wide_int(1)) | (tbx_wide_sign(normal.y) & tbx_wide_int(4)) |
                  (tbx_wide_sign(normal.z) & tbx_wide_int(16)));
     TBX_COPY(octant, &octants, sizeof octant);
-    tbx_halves_to(missed, tbx_cells_join(plane[0], plane[1], plane[2], 0),
-                  n > 2 ? tbx_cells_join(plane[0], plane[1], plane[2], 2) : none);
+    tbx_halves_to(missed, cells[0], cells[1]);
     tbx_halves_to(below, side.below[0], side.below[1]);
     if (lattice) {
         tbx_halves_to(above, side.above[0], side.above[1]);
@@ -12688,61 +12867,29 @@ TBX_FORCED unsigned tbx_decide(uint64_t out[TBX_WIDE], const tbx_quick *q, const
         const uint64_t points = n == 2 ? 1 : n == 3 ? 0x330033u : (uint64_t)0x777 << 32 | 0x07770777u;
         const uint64_t over = lattice ? above[i] : below[i] ^ points;
         const uint64_t plane_missed = over << octant[i] | below[i] << (21u ^ octant[i]);
-        out[i] = ~(missed[i] | plane_missed) & tbx_key_voxels(key[i]);
+        out[i] = ~(missed[i] | plane_missed) & tbx_key_voxels(tbx_block_key(some->block, some->list[i]));
     }
     return tbx_wide_signs(unsure);
 }
 
-/* The same for boxes of 2x2x1 voxels, one thick on axis k: the edges of one plane, of axes b = k + 1 and c =
- * k + 2, are all that can miss any. */
-TBX_FORCED unsigned tbx_decide_flat(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
+/* The same for boxes of 2x2x1 voxels, one thick on an axis: the edges in the plane of the others are all that
+ * can miss any. */
+TBX_FORCED unsigned tbx_decide_flat(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some,
+                                    int thin)
 {
     const float delta = 4.1f * TBX_U32 * 2.0f + q->delta_low;
-    const uint64_t b_of =
-        (uint64_t)2 << 30 | 1; /* lane of b, by a key's extents less 5: 0 z is thin, 12 y, 15 x */
-    uint64_t key[TBX_WIDE];
-    uint32_t missed[TBX_WIDE];
-    tbx_placed placed;
-    tbx_fw b[3];
-    tbx_fw c[3];
+    const int b = thin == 0 ? 4 : 1; /* strides of the two axes */
+    const int c = thin == 2 ? 4 : 16;
+    const uint32_t all = 1u | 1u << b | 1u << c | 1u << (b + c);
+    tbx_points v[3];
     tbx_fw least = tbx_wide_all(1.0f);
-    tbx_uw cells;
-    int i;
-    int j;
-    tbx_place_all(&placed, q, some, key);
-    for (i = 0; i < 3; i++) {
-        tbx_f4 first[TBX_WIDE / 4];
-        tbx_f4 second[TBX_WIDE / 4];
-        for (j = 0; j < TBX_WIDE; j++) {
-            const tbx_f4 r = placed.row[i][j];
-            placed.row[i][j] = TBX_LANES(r, r, 3, 1, 2, 3);
-        }
-        for (j = 0; j < TBX_WIDE; j += 4) {
-            const char *at[4];
-            tbx_f4 ab;
-            tbx_f4 cd;
-            int k;
-            for (k = 0; k < 4; k++) {
-                at[k] = (const char *)&placed.row[i][j + k] +
-                        sizeof(float) * (b_of >> 2 * ((key[j + k] & 63) - 5) & 3);
-            }
-            ab = tbx_load_xy(at[0], at[1]);
-            cd = tbx_load_xy(at[2], at[3]);
-            first[j / 4] = TBX_LANES(ab, cd, 0, 2, 4, 6);
-            second[j / 4] = TBX_LANES(ab, cd, 1, 3, 5, 7);
-        }
-        b[i] = tbx_wide_of(first);
-        c[i] = tbx_wide_of(second);
-    }
-    (void)tbx_note_edges(&cells, &least, b[0], b[1], b[2], c[0], c[1], c[2], tbx_wide_all(0.0f), 2, 1, 4);
-    TBX_COPY(missed, &cells, sizeof missed);
-    for (i = 0; i < TBX_WIDE; i++) {
-        const uint64_t few = key[i] & 63;
-        const uint64_t m = missed[i]; /* bits 0, 1, 4, 5: cells b + 4 c */
-        const uint64_t x_thin = (m & 1) | (m & 2) << 3 | (m & 16) << 12 | (m & 32) << 15;
-        const uint64_t y_thin = (m & 1) | (m & 2) << 15 | (m & 16) >> 3 | (m & 32) << 12;
-        out[i] = ~(few == 5 ? m : few == 20 ? x_thin : y_thin) & tbx_key_voxels(few);
-    }
+    tbx_uw missed;
+    tbx_some_place(v, q, some);
+    (void)tbx_note_edges(&missed, &least, thin == 0 ? v[0].y : v[0].x, thin == 0 ? v[1].y : v[1].x,
+                         thin == 0 ? v[2].y : v[2].x, thin == 2 ? v[0].y : v[0].z,
+                         thin == 2 ? v[1].y : v[1].z, thin == 2 ? v[2].y : v[2].z, tbx_wide_all(0.0f), 2, b,
+                         c);
+    tbx_halves_to(out, ~missed & (tbx_uw)tbx_wide_int((int32_t)all), (tbx_uw)tbx_wide_int(0));
     return tbx_wide_signs(least <= tbx_wide_all(12.0f * 2.0f * delta));
 }
 
@@ -12761,9 +12908,19 @@ TBX_FORCED unsigned tbx_group_voxels(uint64_t out[TBX_WIDE], const tbx_missed *m
     return tbx_wide_signs(unsure);
 }
 
-TBX_NOINLINE unsigned tbx_decide_flats(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
+TBX_NOINLINE unsigned tbx_decide_flat_x(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
 {
-    return tbx_decide_flat(out, q, some);
+    return tbx_decide_flat(out, q, some, 0);
+}
+
+TBX_NOINLINE unsigned tbx_decide_flat_y(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
+{
+    return tbx_decide_flat(out, q, some, 1);
+}
+
+TBX_NOINLINE unsigned tbx_decide_flat_z(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
+{
+    return tbx_decide_flat(out, q, some, 2);
 }
 
 TBX_NOINLINE unsigned tbx_decide2(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
@@ -12796,11 +12953,13 @@ TBX_NOINLINE unsigned tbx_decide_on_4(uint64_t out[TBX_WIDE], const tbx_quick *q
     return tbx_decide(out, q, some, 4, 1);
 }
 
-/* Decides by class, FLAT to ON_4. */
+/* Decides by class, FLAT_X to ON_4. */
 TBX_FN unsigned tbx_decide_class(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some, unsigned c)
 {
     switch (c) {
-    case TBX_CLASS_FLAT: return tbx_decide_flats(out, q, some);
+    case TBX_CLASS_FLAT_X: return tbx_decide_flat_x(out, q, some);
+    case TBX_CLASS_FLAT_Y: return tbx_decide_flat_y(out, q, some);
+    case TBX_CLASS_FLAT_Z: return tbx_decide_flat_z(out, q, some);
     case TBX_CLASS_2: return tbx_decide2(out, q, some);
     case TBX_CLASS_3: return tbx_decide3(out, q, some);
     case TBX_CLASS_4: return tbx_decide4(out, q, some);
@@ -12839,7 +12998,7 @@ typedef struct tbx_precise_axis {
     tbx_iw whole;  /* and all rests are 0 */
     double origin; /* of the grid */
     double size;
-    int points; /* inner grid planes that some box has */
+    int points;               /* inner grid planes that some box has */
     double fine[3][TBX_WIDE]; /* the rests, right to 2^-43 */
 } TBX_ALIGNED tbx_precise_axis;
 
@@ -13253,12 +13412,11 @@ TBX_NOINLINE void tbx_voxels_set_two(const tbx_bits *to, uint64_t *row, uint64_t
 
 /* Sets voxels, bits x + 4 y + 16 z, of a box of up to n^3; rows and layers not in the box have no bits, and
  * go where others are. */
-TBX_FORCED void tbx_voxels_set(const tbx_bits *to, uint64_t key, uint64_t voxels, int n)
+TBX_FORCED void tbx_voxels_set(const tbx_bits *to, uint64_t *row, uint64_t key, uint64_t voxels, int n)
 {
     const size_t row_words = to->row_words;
     const size_t layer_words = to->layer_words;
     const unsigned x = (unsigned)(key >> 16) & 63u;
-    uint64_t *row = to->bits + tbx_key_word(to, key);
     if (TBX_RARELY(x > 64u - (unsigned)n)) {
         tbx_voxels_set_two(to, row, key, voxels);
     } else {
@@ -14054,103 +14212,107 @@ TBX_NOINLINE void tbx_fill_again(tbx_fill *fill, tbx_group *g)
         if ((unsure & 1u) != 0) {
             tbx_fill_later(fill, g->triangle[i]);
         } else {
-            tbx_voxels_set(&to, tbx_key_set(g->box[i]), voxels[i], 4);
+            const uint64_t key = tbx_key_set(g->box[i]);
+            tbx_voxels_set(&to, to.bits + tbx_key_word(&to, key), key, voxels[i], 4);
         }
     }
     g->n = 0;
 }
 
-/* Sets the voxels of a group of n^3; triangles that are unsure go the precise way. */
+/* Sets the voxels of a group of n^3; 2: each box has two rows in two layers, or 1: two rows. Triangles that are
+ * unsure go the precise way. */
 TBX_FORCED void tbx_some_set(tbx_fill *fill, const tbx_some *some, int n, unsigned unsure,
-                             const uint64_t voxels[TBX_WIDE])
+                             const uint64_t voxels[TBX_WIDE], int by_layers)
 {
     const tbx_bits to = tbx_bits_of(fill);
+    const size_t step = by_layers ? to.layer_words : to.row_words;
+    const int shift = by_layers ? 16 : 4;
     int j;
     if (TBX_RARELY((unsure & ((1u << some->count) - 1)) != 0)) {
         for (j = 0; j < some->count; j++) {
             const size_t i = some->list[j];
-            const uint64_t key = some->block->box[i][0];
+            const uint64_t key = tbx_block_key(some->block, (int)i);
             if ((unsure >> j & 1u) == 0) {
-                tbx_voxels_set(&to, key, voxels[j], 4);
+                tbx_voxels_set(&to, to.bits + some->block->word[i], key, voxels[j], 4);
             } else if (!fill->quick.precise) {
-                tbx_fill_later(fill, some->block->first + i);
+                tbx_fill_later(fill, some->block->start + i);
             } else if (tbx_group_add(&fill->again, tbx_key_box(key, tbx_key_more(key)),
-                                     some->block->first + i)) {
+                                     some->block->start + i)) {
                 tbx_fill_again(fill, &fill->again);
             }
         }
         return;
     }
     for (j = 0; j < some->count; j++) {
-        tbx_voxels_set(&to, some->block->box[some->list[j]][0], voxels[j], n);
+        const int i = some->list[j];
+        const uint64_t first = some->block->first[i];
+        const unsigned x = (unsigned)(first >> 16) & 63u;
+        uint64_t *row = to.bits + some->block->word[i];
+        const uint64_t v = voxels[j];
+        if (n > 2) {
+            tbx_voxels_set(&to, row, tbx_block_key(some->block, i), v, n);
+        } else if (TBX_RARELY(x > 62)) {
+            tbx_voxels_set_two(&to, row, tbx_block_key(some->block, i), v);
+        } else if (n == 1) {
+            row[0] |= (v & 3) << x;
+            row[step] |= (v >> shift & 3) << x;
+        } else {
+            row[0] |= (v & 3) << x;
+            row[to.row_words] |= (v >> 4 & 3) << x;
+            row[to.layer_words] |= (v >> 16 & 3) << x;
+            row[to.row_words + to.layer_words] |= (v >> 20 & 3) << x;
+        }
     }
 }
 
 /* Decides a list of a class, and sets its voxels. */
 TBX_FN void tbx_block_decide(tbx_fill *fill, const tbx_block *b, const tbx_corners *corners, unsigned c,
-                             int count)
+                             const unsigned char *list, int count)
 {
     tbx_some some;
     some.block = b;
     some.corners = corners;
     some.source = fill->source;
-    some.list = b->list[c];
+    some.list = list;
     for (; count > 0; count -= TBX_WIDE, some.list += TBX_WIDE) {
         uint64_t voxels[TBX_WIDE];
         unsigned unsure;
         some.count = count < TBX_WIDE ? count : TBX_WIDE;
         unsure = tbx_decide_class(voxels, &fill->quick, &some, c);
-        if (c <= TBX_CLASS_2 || c == TBX_CLASS_ON_2) {
-            tbx_some_set(fill, &some, 2, unsure, voxels);
-        } else if (c == TBX_CLASS_3 || c == TBX_CLASS_ON_3) {
-            tbx_some_set(fill, &some, 3, unsure, voxels);
+        if (c == TBX_CLASS_FLAT_Y || c == TBX_CLASS_FLAT_Z) {
+            tbx_some_set(fill, &some, 1, unsure, voxels, c == TBX_CLASS_FLAT_Y);
+        } else if (c <= TBX_CLASS_2) {
+            tbx_some_set(fill, &some, 2, unsure, voxels, 0);
+        } else if (c == TBX_CLASS_3 || c == TBX_CLASS_ON_2 || c == TBX_CLASS_ON_3) {
+            tbx_some_set(fill, &some, 3, unsure, voxels, 0);
         } else {
-            tbx_some_set(fill, &some, 4, unsure, voxels);
+            tbx_some_set(fill, &some, 4, unsure, voxels, 0);
         }
     }
 }
 
-/* Sets boxes of one voxel or two. */
+/* Sets boxes of one voxel or two; that of the predecessor is set. */
 TBX_FN void tbx_block_short(const tbx_block *b, const tbx_fill *fill)
 {
     const tbx_bits to = tbx_bits_of(fill);
-    const unsigned char *list = b->list[TBX_CLASS_SHORT];
-    const int count = b->count[TBX_CLASS_SHORT];
-    int j;
-    for (j = 0; j < count; j++) {
-        const uint64_t key = b->box[list[j]][0];
+    uint64_t rest = b->of[TBX_CLASS_SHORT] & ~b->same;
+    size_t up[17];
+    up[0] = up[1] = 0;
+    up[4] = to.row_words;
+    up[16] = to.layer_words;
+    for (; rest != 0; rest &= rest - 1) {
+        const int i = __builtin_ctzll(rest);
+        const uint64_t key = tbx_block_key(b, i);
         const unsigned x = (unsigned)(key >> 16) & 63u;
-        const uint64_t run = (1 + 2 * (key & 1)) << x;
-        const size_t up = (to.row_words & ((size_t)0 - (size_t)(key >> 2 & 1))) |
-                          (to.layer_words & ((size_t)0 - (size_t)(key >> 4 & 1)));
-        uint64_t *row = to.bits + tbx_key_word(&to, key);
+        const unsigned more_x = (unsigned)key & 1u;
+        const uint64_t run = (uint64_t)(1 + 2 * more_x) << x;
+        uint64_t *row = to.bits + b->word[i];
         row[0] |= run;
-        row[up] |= run;
-        if (TBX_RARELY(x + (key & 1) > 63)) {
+        row[up[key & 63]] |= run;
+        if (TBX_RARELY(x + more_x > 63)) {
             row[1] |= 1;
         }
     }
-}
-
-/* Drops boxes of up to 2^3 voxels that are all set from a list. */
-TBX_FN int tbx_block_open(const tbx_block *b, const tbx_fill *fill, unsigned char *list, int count)
-{
-    const tbx_bits to = tbx_bits_of(fill);
-    int left = 0;
-    int j;
-    for (j = 0; j < count; j++) {
-        const unsigned char i = list[j];
-        const uint64_t key = b->box[i][0];
-        const unsigned x = (unsigned)(key >> 16) & 63u;
-        const uint64_t run = (1 + 2 * (key & 1)) << x;
-        const size_t y1 = to.row_words & ((size_t)0 - (size_t)(key >> 2 & 1));
-        const size_t z1 = to.layer_words & ((size_t)0 - (size_t)(key >> 4 & 1));
-        const uint64_t *row = to.bits + tbx_key_word(&to, key);
-        const uint64_t set = row[0] & row[y1] & row[z1] & row[y1 + z1];
-        list[left] = i;
-        left += ((~set & run) != 0) | (x + (key & 1) > 63);
-    }
-    return left;
 }
 
 /* So many triangles from t, BLOCK at most: boxes, and the voxels of those of up to 4^3. */
@@ -14160,12 +14322,12 @@ TBX_NOINLINE void tbx_fill_small(tbx_fill *fill, tbx_block *b, size_t t, int cou
     unsigned c;
     tbx_block_find(b, &corners, fill->frame->grid, &fill->quick, fill->source, t, count, &fill->on_planes);
     tbx_block_short(b, fill);
-    for (c = TBX_CLASS_FLAT; c < TBX_CLASS_LARGE; c++) {
-        int left = b->count[c];
-        if (c <= TBX_CLASS_2 || c == TBX_CLASS_ON_2) {
-            left = tbx_block_open(b, fill, b->list[c], left);
+    for (c = TBX_CLASS_FLAT_X; c < TBX_CLASS_LARGE; c++) {
+        if (b->of[c] != 0) {
+            unsigned char list[TBX_LIST];
+            const int count_of = tbx_list_of(list, b->of[c]);
+            tbx_block_decide(fill, b, &corners, c, list, count_of);
         }
-        tbx_block_decide(fill, b, &corners, c, left);
     }
 }
 
@@ -14173,11 +14335,11 @@ TBX_NOINLINE void tbx_fill_small(tbx_fill *fill, tbx_block *b, size_t t, int cou
 TBX_NOINLINE void tbx_fill_block(tbx_fill *fill, size_t t, int count)
 {
     tbx_block b;
-    int j;
+    uint64_t rest;
     tbx_fill_small(fill, &b, t, count);
-    for (j = 0; j < b.count[TBX_CLASS_LARGE]; j++) {
-        const int i = b.list[TBX_CLASS_LARGE][j];
-        tbx_fill_any(fill, tbx_key_box(b.box[i][0], tbx_block_more(&b, i)), t + (size_t)i);
+    for (rest = b.of[TBX_CLASS_LARGE]; rest != 0; rest &= rest - 1) {
+        const int i = __builtin_ctzll(rest);
+        tbx_fill_any(fill, tbx_key_box(b.first[i], tbx_block_more(&b, i)), t + (size_t)i);
     }
 }
 
@@ -14210,7 +14372,7 @@ TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, c
     fill.rows[0].n = fill.rows[1].n = fill.again.n = 0;
     fill.again.lattice = 0;
     fill.rows[0].lattice = fill.rows[1].lattice = 0;
-    tbx_quick_init(&fill.quick, frame->grid, target, source->is_double, 1);
+    tbx_quick_init(&fill.quick, frame->grid, target, source->is_double);
     fill.on_planes = 0;
     if (!fill.quick.on) {
         return 0;
@@ -14249,9 +14411,10 @@ TBX_NOINLINE void tbx_decide_block(tbx_decided *d, const tbx_quick *q, const tri
     some.block = &d->block;
     some.corners = &corners;
     some.source = source;
-    for (c = TBX_CLASS_FLAT; c < TBX_CLASS_LARGE; c++) {
-        int left = d->block.count[c];
-        some.list = d->block.list[c];
+    for (c = TBX_CLASS_FLAT_X; c < TBX_CLASS_LARGE; c++) {
+        unsigned char list[TBX_LIST];
+        int left = tbx_list_of(list, d->block.of[c]);
+        some.list = list;
         for (; left > 0; left -= TBX_WIDE, some.list += TBX_WIDE) {
             uint64_t voxels[TBX_WIDE];
             unsigned unsure;
@@ -14268,7 +14431,7 @@ TBX_NOINLINE void tbx_decide_block(tbx_decided *d, const tbx_quick *q, const tri
 /* The spans of a decided box, 16 at most. */
 TBX_NOINLINE int tbx_decided_spans(const tbx_decided *d, int at, const int lo[3], tbx_span *out)
 {
-    const uint64_t key = d->block.box[at][0];
+    const uint64_t key = tbx_block_key(&d->block, at);
     const int x0 = lo[0] + (int)tbx_key_axis(key, 0);
     const int y0 = lo[1] + (int)tbx_key_axis(key, 1);
     const int more_y = (int)(key >> 2 & 3);
@@ -14310,19 +14473,20 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
     target.bits = NULL;
     target.row_words = (size_t)(f->last_x + 64) / 64;
     target.ny = (size_t)((int64_t)f->grid->hi[1] - lo[1]);
-    tbx_quick_init(&q, f->grid, &target, source->is_double, 0);
+    tbx_quick_init(&q, f->grid, &target, source->is_double);
     while (q.on && t < source->triangles) {
         const size_t rest = source->triangles - t;
         const int in_block = rest < TBX_BLOCK ? (int)rest : TBX_BLOCK;
         unsigned char later[TBX_BLOCK];
         tbx_span span[16];
+        uint64_t rest_of;
         int left = 0;
         unsigned c;
         int j;
         tbx_decide_block(&u.decided, &q, f->grid, source, t, in_block, &on_planes);
-        for (j = 0; j < u.decided.block.count[TBX_CLASS_SHORT]; j++) {
-            const int i = u.decided.block.list[TBX_CLASS_SHORT][j];
-            const uint64_t key = u.decided.block.box[i][0];
+        for (rest_of = u.decided.block.of[TBX_CLASS_SHORT]; rest_of != 0; rest_of &= rest_of - 1) {
+            const int i = __builtin_ctzll(rest_of);
+            const uint64_t key = tbx_block_key(&u.decided.block, i);
             span[0].x0 = span[1].x0 = span[1].x1 = lo[0] + (int)tbx_key_axis(key, 0);
             span[0].x1 = span[0].x0 + (int)(key & 1);
             span[0].y = lo[1] + (int)tbx_key_axis(key, 1);
@@ -14331,9 +14495,9 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
             span[1].z = span[0].z + (int)(key >> 4 & 1);
             tbx_tell(span, 1 + (int)((key >> 2 | key >> 4) & 1), t + (size_t)i, on_span, user, count);
         }
-        for (c = TBX_CLASS_FLAT; c <= TBX_CLASS_LARGE; c++) {
-            for (j = 0; j < u.decided.block.count[c]; j++) {
-                const int i = u.decided.block.list[c][j];
+        for (c = TBX_CLASS_FLAT_X; c <= TBX_CLASS_LARGE; c++) {
+            for (rest_of = u.decided.block.of[c]; rest_of != 0; rest_of &= rest_of - 1) {
+                const int i = __builtin_ctzll(rest_of);
                 if (c == TBX_CLASS_LARGE || u.decided.voxels[i] == 0) {
                     later[left++] = (unsigned char)i;
                 } else {
@@ -14394,8 +14558,8 @@ TBX_COLD int64_t tbx_ray_end_again(const float origin[3], const float dir[3], co
 }
 
 /* Where the ray enters (e = 0) or leaves (1) the slab of axis k, rounded outward. The difference of floats
- * errs by 2^-52 of itself, and by 2^-125 for what was read as zero, which is less than 2^-51 of it above
- * 1e-22; the quotient is checked to 2^-48 and 2^-51: less than 2^-47. */
+ * errs by 2^-52 of itself, the quotient is checked to 2^-48 and 2^-51: less than 2^-47. What was read as zero
+ * moves an end by 2^-85 (2^-125 * 2^40), so ends below 1e-6 are left to the integers. */
 TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const float box_min[3],
                            const float box_max[3], int k, int e)
 {
@@ -14409,7 +14573,7 @@ TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const floa
     TBX_KEEP_SCALAR(t);
     key = tbx_round_outward(t, TBX_SLAB_ERROR * tbx_abs(t), e);
     if (TBX_RARELY(!TBX_DOUBLE_IS_53_BITS || key == 0 ||
-                   !(tbx_abs(t * d - a) < tbx_abs(a) * TBX_SLAB_INVERSE_ERROR && tbx_abs(a) > 1e-22))) {
+                   !(tbx_abs(t * d - a) < tbx_abs(a) * TBX_SLAB_INVERSE_ERROR && tbx_abs(t) > 1e-6))) {
         return tbx_ray_end_again(origin, dir, box_min, box_max, k, e);
     }
     return key;
@@ -14417,37 +14581,52 @@ TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const floa
 
 /* Bounds of the filter in float. */
 #define TBX_RAY_ERROR 1.9073486328125e-06f     /* 2^-19 */
-#define TBX_RAY_NOTHING 8.673617379884035e-19f /* 2^-60 */
+#define TBX_RAY_NOTHING 8.271806125530277e-25f /* 2^-80 */
+
+/* The t of these bits, not NaN, moved into [-2^100, 2^100], past every time in a box. */
+TBX_FN float tbx_ray_limit(uint32_t bits)
+{
+    const float most = 1.2676506002282294e+30f;
+    float t = tbx_from_bits32(bits);
+    TBX_KEEP_SCALAR(t);
+    t = t < most ? t : most;
+    return t > -most ? t : -most;
+}
+
+TBX_FN int64_t tbx_float_key(uint32_t bits)
+{
+    const int64_t magnitude = (int64_t)(bits & 0x7fffffffu);
+    return (bits >> 31) != 0 ? -magnitude : magnitude;
+}
 
 /* Writes an end of the interval inside: that of the axis (1, 2, 4: 0, 1, 2), or the ray's own (8). */
 TBX_FN void tbx_ray_write(float *out, const float origin[3], const float dir[3], const float box_min[3],
-                          const float box_max[3], int reached, int e, const float *own)
+                          const float box_max[3], int reached, int e, uint32_t t_bits)
 {
     if (out != NULL) {
         tbx_write(out, 0, TBX_FLOAT,
                   reached < 8 ? tbx_ray_end(origin, dir, box_min, box_max, reached >> 1, e)
-                              : (int64_t)tbx_key32(own));
+                              : tbx_float_key(t_bits));
     }
 }
 
-/* Slabs in float, x, y, z in three lanes. Coordinates are below 2^40, so differences are at most 2^41, and
- * components of dir within [2^-64, 2^64), so every t in a box is at most 2^105; t_min and t_max are moved into
- * [-2^110, 2^110]. A difference errs by 2^-23 of itself, a reciprocal is checked to 2^-20, a product errs by
- * 2^-23: 2^-19 in all, and 2^-60 for what was flushed or read as zero (2^-125 * 2^64). The largest lower and
- * the least upper end are no farther from the exact ones than that. */
+/* Slabs in float, x, y, z in three lanes, t_min and t_max in the fourth. Coordinates are at most 2^40, so
+ * differences are at most 2^41, and components of dir within [2^-40, 2^40], so every t in a box is at most
+ * 2^81. A difference errs by 2^-23 of itself, a reciprocal is checked to 2^-20, a product errs by 2^-23:
+ * 2^-19 in all, and 2^-80 for what was flushed or read as zero (2^-125 * 2^40). The largest lower and the
+ * least upper end are no farther from the exact ones than that. */
 TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float t[2], const float box_min[3],
                           const float box_max[3], float *out_t0, float *out_t1)
 {
     const tbx_i4 last_one = { 0, 0, 0, 0x3f800000 };
-    const tbx_i4 least_exponent = tbx_splat_int(63 << 24);
+    const tbx_i4 most = tbx_splat_int(0x53800000);  /* 2^40 */
+    const tbx_i4 least = tbx_splat_int(0x2b800000); /* 2^-40 */
     const tbx_f4 one = tbx_splat(1.0f);
-    const tbx_f4 most = tbx_splat(1.2980742146337069e+33f); /* 2^110 */
+    uint32_t t_bits[2];
     tbx_f4 o = tbx_load3(origin);
-    tbx_f4 d = (tbx_f4)(tbx_load3i(dir) | last_one);
+    tbx_f4 d = (tbx_f4)((tbx_i4)tbx_load3(dir) | last_one);
     tbx_f4 lo = tbx_load3(box_min);
-    tbx_f4 hi = tbx_load3(box_max);
-    tbx_f4 own = tbx_load_pair(t);
-    const tbx_i4 greatest = tbx_greatest3((tbx_i4)o, (tbx_i4)lo, (tbx_i4)hi);
+    const tbx_f4 hi = tbx_load3(box_max);
     tbx_f4 inverse;
     tbx_f4 a;
     tbx_f4 b;
@@ -14459,17 +14638,20 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     float error;
     int reached0;
     int reached1;
-    /* by sign bits: out of range, also NaN and infinities; twice the bits of d have no sign */
-    if (TBX_RARELY(tbx_any((tbx_splat_int(0x537fffff) - greatest) |
-                           (tbx_i4)((tbx_u4)d + (tbx_u4)d - (tbx_u4)least_exponent) |
-                           tbx_above(tbx_abs4(own), 0x7f800000)))) {
+    TBX_COPY(t_bits, t, sizeof t_bits);
+    t_bits[0] = tbx_opaque32(t_bits[0]);
+    t_bits[1] = tbx_opaque32(t_bits[1]);
+    /* by sign bits: out of range, also NaN and infinities */
+    if (TBX_RARELY(tbx_any((most - tbx_magnitude(o)) | (most - tbx_magnitude(lo)) |
+                           (most - tbx_magnitude(hi)) | (most - tbx_magnitude(d)) |
+                           (tbx_magnitude(d) - least)) |
+                   ((0x7f800000u - (t_bits[0] & 0x7fffffffu)) >> 31 != 0) |
+                   ((0x7f800000u - (t_bits[1] & 0x7fffffffu)) >> 31 != 0))) {
         return TBX_UNSURE;
     }
     TBX_KEEP_VECTOR(o);
     TBX_KEEP_VECTOR(d);
     TBX_KEEP_VECTOR(lo);
-    TBX_KEEP_VECTOR(hi);
-    TBX_KEEP_VECTOR(own);
     inverse = one / d;
     a = lo - o;
     b = hi - o;
@@ -14485,10 +14667,10 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     b = b * inverse;
     lower = tbx_min4(a, b);
     upper = tbx_max4(a, b);
-    own = tbx_max4(tbx_min4(own, most), -most);
-    ends = tbx_min4(TBX_LANES(-lower, upper, 0, 1, 4, 5), TBX_LANES(-lower, upper, 2, 2, 6, 6));
+    lower[3] = tbx_ray_limit(t_bits[0]);
+    upper[3] = tbx_ray_limit(t_bits[1]);
+    ends = tbx_min4(TBX_LANES(-lower, upper, 0, 1, 4, 5), TBX_LANES(-lower, upper, 2, 3, 6, 7));
     ends = tbx_min4(ends, TBX_LANES(ends, ends, 1, 0, 3, 2));
-    ends = tbx_min4(ends, TBX_LANES(-own, own, 0, 0, 5, 5));
     first = -ends[0];
     last = ends[2];
     error = TBX_RAY_ERROR * (tbx_absf(first) + tbx_absf(last)) + TBX_RAY_NOTHING;
@@ -14498,47 +14680,67 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     if (!(last - first > error)) {
         return TBX_UNSURE;
     }
-    error = first - (2.0f * TBX_RAY_ERROR * tbx_absf(first) + 2.0f * TBX_RAY_NOTHING);
-    reached0 = (tbx_signs(lower >= tbx_splat(error)) & 7) | (own[0] >= error) << 3;
-    error = last + (2.0f * TBX_RAY_ERROR * tbx_absf(last) + 2.0f * TBX_RAY_NOTHING);
-    reached1 = (tbx_signs(upper <= tbx_splat(error)) & 7) | (own[1] <= error) << 3;
+    error = 2.0f * TBX_RAY_ERROR * tbx_absf(first) + 2.0f * TBX_RAY_NOTHING;
+    reached0 = tbx_signs(lower >= tbx_splat(first - error));
+    error = 2.0f * TBX_RAY_ERROR * tbx_absf(last) + 2.0f * TBX_RAY_NOTHING;
+    reached1 = tbx_signs(upper <= tbx_splat(last + error));
     if (TBX_RARELY(((reached0 & (reached0 - 1)) | (reached1 & (reached1 - 1))) != 0)) {
         return TBX_UNSURE; /* more than one axis may be the first or last */
     }
-    tbx_ray_write(out_t0, origin, dir, box_min, box_max, reached0, 0, &t[0]);
-    tbx_ray_write(out_t1, origin, dir, box_min, box_max, reached1, 1, &t[1]);
+    tbx_ray_write(out_t0, origin, dir, box_min, box_max, reached0, 0, t_bits[0]);
+    tbx_ray_write(out_t1, origin, dir, box_min, box_max, reached1, 1, t_bits[1]);
     return TBX_HIT;
 }
 
-/* The segment's conditions in float ("segment and box"). */
+/* The segment's conditions in float ("segment and box"), x, y, z in three lanes. */
 TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float box_min[3],
                               const float box_max[3])
 {
+    const tbx_f4 half = tbx_splat(0.5f);
+    const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f }; /* 2^-149 */
+    const tbx_i4 most = tbx_splat_int(0x53800000);                    /* 2^40 */
     tbx_f4 p0 = tbx_load3(p);
     tbx_f4 p1 = tbx_load3(q);
     tbx_f4 lo = tbx_load3(box_min);
     tbx_f4 hi = tbx_load3(box_max);
-    const tbx_i4 greatest =
-        tbx_greater_high(tbx_greatest3((tbx_i4)p0, (tbx_i4)p1, (tbx_i4)lo), tbx_magnitude(hi));
-    int hit;
-    int open;
-    int tiny;
-    if (TBX_RARELY(tbx_any(tbx_splat_int(0x52ffffff) - greatest))) {
+    if (TBX_RARELY(tbx_any((most - tbx_magnitude(p0)) | (most - tbx_magnitude(p1)) |
+                           (most - tbx_magnitude(lo)) | (most - tbx_magnitude(hi))))) {
         return TBX_UNSURE;
     }
     TBX_KEEP_VECTOR(p0);
     TBX_KEEP_VECTOR(p1);
     TBX_KEEP_VECTOR(lo);
     TBX_KEEP_VECTOR(hi);
-    hit = tbx_segment4(p0, p1, tbx_max4(lo, tbx_min4(p0, p1)), tbx_min4(hi, tbx_max4(p0, p1)), &open, &tiny);
-    if (TBX_RARELY(open | tiny)) { /* one branch, hardly ever taken */
-        if (open || tbx_may_flush(p) || tbx_may_flush(q) || tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
-            return TBX_UNSURE;
+    {
+        const tbx_f4 lower = tbx_max4(lo, tbx_min4(p0, p1));
+        const tbx_f4 upper = tbx_min4(hi, tbx_max4(p0, p1));
+        const tbx_i4 faces = lower > upper; /* a face parts them, or min > max */
+        tbx_f4 a = p1 - p0;
+        tbx_f4 l = lower - p0;
+        tbx_f4 u = upper - p0;
+        TBX_KEEP_VECTOR(a);
+        TBX_KEEP_VECTOR(l);
+        TBX_KEEP_VECTOR(u);
+        {
+            const tbx_f4 x = tbx_abs4(a);
+            const tbx_f4 m = (l + u) * half;
+            const tbx_f4 h = (u - l) * half;
+            const tbx_f4 c = m * tbx_yzx(a) - tbx_yzx(m) * a;
+            const tbx_f4 value = tbx_radius4(x, h, tbx_yzx(h)) - tbx_abs4(c);
+            const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * x * tbx_yzx(x);
+            const int refused = tbx_signs(tbx_below(x + tiny, 0x30800000));
+            const int miss = tbx_signs(faces | (value < -bound)) != 0;
+            const int open = (tbx_signs(value < bound) != 0) & !miss;
+            if (TBX_RARELY((refused != 8) | open)) {
+                if (open || (refused & 7) != 0 || tbx_may_flush(p) || tbx_may_flush(q) ||
+                    tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
+                    return TBX_UNSURE;
+                }
+            }
+            return !miss;
         }
     }
-    return hit;
 }
-
 /* ---- Spheres */
 
 /* Is one of twelve floats subnormal, infinite or NaN? */
@@ -14584,9 +14786,8 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
     tbx_f4 q = tbx_load3(b);
     float of_a = *a_radius;
     float of_b = *b_radius;
-    const tbx_i4 greatest = tbx_greater_high(tbx_magnitude(p), tbx_magnitude(q));
-    if (TBX_RARELY(tbx_any(tbx_splat_int(0x5d7fffff) - greatest) ||
-                   !tbx_within(a_radius, 0x2b800000u, 0x5d800000u) ||
+    const tbx_i4 outside = tbx_above(tbx_abs4(p), 0x5d800000) | tbx_above(tbx_abs4(q), 0x5d800000);
+    if (TBX_RARELY(tbx_any(outside) || !tbx_within(a_radius, 0x2b800000u, 0x5d800000u) ||
                    !tbx_within(b_radius, 0x2b800000u, 0x5d800000u))) {
         return TBX_UNSURE;
     }
@@ -14597,8 +14798,7 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
     return tbx_ball4(p - q, of_a + of_b);
 }
 
-/* Faces that seem equal but differ in their bits may be subnormals read as zero, of which the lower may be the
- * greater; to a distance they add nothing. */
+/* No coordinate of the box is subnormal, so lo > hi is what it says. */
 TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3],
                            const float box_max[3])
 {
@@ -14607,17 +14807,20 @@ TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float bo
     tbx_f4 lo = tbx_load3(box_min);
     tbx_f4 hi = tbx_load3(box_max);
     float r = *radius;
-    const tbx_i4 greatest = tbx_greatest3((tbx_i4)p, (tbx_i4)lo, (tbx_i4)hi);
-    if (TBX_RARELY(tbx_any(tbx_splat_int(0x5d7fffff) - greatest) ||
-                   !tbx_within(radius, 0x2b800000u, 0x5d800000u))) {
+    const tbx_f4 size_lo = tbx_abs4(lo);
+    const tbx_f4 size_hi = tbx_abs4(hi);
+    const tbx_i4 outside = tbx_above(tbx_abs4(p), 0x5d800000) | tbx_above(size_lo, 0x5d800000) |
+                           tbx_above(size_hi, 0x5d800000) | tbx_below(size_lo, 0x00800000) |
+                           tbx_below(size_hi, 0x00800000);
+    if (TBX_RARELY(tbx_any(outside) || !tbx_within(radius, 0x2b800000u, 0x5d800000u))) {
         return TBX_UNSURE;
     }
     TBX_KEEP_VECTOR(p);
     TBX_KEEP_VECTOR(lo);
     TBX_KEEP_VECTOR(hi);
     TBX_KEEP_SCALAR(r);
-    if (TBX_RARELY(tbx_any((lo > hi) | ((lo == hi) & ~((tbx_i4)lo == (tbx_i4)hi))))) {
-        return TBX_UNSURE;
+    if (TBX_RARELY(tbx_any(lo > hi))) {
+        return TBX_MISS;
     }
     {
         tbx_f4 below = lo - p;
@@ -14628,82 +14831,62 @@ TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float bo
     }
 }
 
-/* v errs by 4 u of the magnitudes of its terms, and their sum m by as much of itself, so v is within 8 u m of
- * exact; v^2 errs by 2 u, r^2 |n|^2 by 6 u of itself. So v^2 - r^2 |n|^2 is sure beyond (2 |v| + error) error
- * with an error of 8 + 5 of m, as |v| is at most m. |n|^2 is at least 2^-40 and r at least 2^-30, so what is
- * flushed or read as 0, 2^-94 of v, is nothing to that. Returns what tribox_plane_sphere does, or UNSURE. */
-#define TBX_PLANE_SPHERE_ERROR4 (16.0f * TBX_U32)
+/* x.y, x.x, and the sum of the magnitudes of x.y's terms. */
+typedef struct tbx_dots {
+    float xy;
+    float xx;
+    float size;
+} tbx_dots;
+
+TBX_FN tbx_dots tbx_dots4(tbx_f4 x, tbx_f4 y)
+{
+    const tbx_f4 xy = x * y;
+    const tbx_f4 xx = x * x;
+    const tbx_f4 low = TBX_LANES(xy, xx, 0, 4, 1, 5);
+    const tbx_f4 high = TBX_LANES(xy, xx, 2, 6, 3, 7);
+    const tbx_f4 sums = low + TBX_LANES(low, low, 2, 3, 2, 3) + high;
+    const tbx_f4 sizes = tbx_abs4(low) + tbx_abs4(TBX_LANES(low, low, 2, 3, 2, 3)) + tbx_abs4(high);
+    tbx_dots r;
+    r.xy = sums[0];
+    r.xx = sums[1];
+    r.size = sizes[0];
+    return r;
+}
+
+/* v errs by 4 u of the magnitudes of its terms, and their sum by as much of itself: error is 8 u. Sure
+ * beyond (|v| + error)^2 - v^2, with 2^-19 = 16 u of |v| more in each factor for the roundings of v^2, 2
+ * u, and of r^2 |n|^2, 6 u of itself: where that is above 3 v^2, and its error more than what the factor
+ * adds, it is far from |v| + error / 2, which v is not beyond. |n|^2 is at least 2^-40 and r at least
+ * 2^-30, so what is flushed or read as 0, 2^-94 of v, is nothing to that. Returns what tribox_plane_sphere
+ * does, or UNSURE. */
+#define TBX_PLANE_SPHERE_ERROR4 (8.0f * TBX_U32)
 
 TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius)
 {
     tbx_f4 x = tbx_load3(n);
     tbx_f4 y = tbx_load3(c);
-    tbx_f4 of_d = { *d, 0.0f, 0.0f, 0.0f };
+    float of_d = *d;
     float r = *radius;
-    tbx_i4 greatest;
-    TBX_KEEP_VECTOR(of_d);
-    greatest = tbx_greatest3((tbx_i4)x, (tbx_i4)y, (tbx_i4)of_d);
-    if (TBX_RARELY(tbx_any(tbx_splat_int(0x4e7fffff) - greatest) ||
-                   !tbx_within(radius, 0x30800000u, 0x4e800000u))) { /* 2^30, 2^-30..2^30 */
+    const tbx_i4 outside = tbx_above(tbx_abs4(x), 0x4e800000) | tbx_above(tbx_abs4(y), 0x4e800000);
+    if (TBX_RARELY(tbx_any(outside) || !tbx_within(radius, 0x30800000u, 0x4e800000u) ||
+                   (tbx_bits32(d) & 0x7fffffffu) > 0x5d800000u)) { /* 2^30, 2^-30..2^30, 2^60 */
         return TBX_UNSURE;
     }
     TBX_KEEP_VECTOR(x);
     TBX_KEEP_VECTOR(y);
-    TBX_KEEP_VECTOR(of_d);
+    TBX_KEEP_SCALAR(of_d);
     TBX_KEEP_SCALAR(r);
     {
-        const tbx_f4 xy = x * y;
-        const tbx_f4 xx = x * x;
-        const tbx_f4 sums = tbx_three_sums3(xy, xx, tbx_abs4(xy));
-        const float v = sums[0] + of_d[0];
+        const tbx_dots dots = tbx_dots4(x, y);
+        const float v = dots.xy + of_d;
         const float size = tbx_absf(v);
-        const float error = (sums[2] + tbx_absf(of_d[0])) * TBX_PLANE_SPHERE_ERROR4;
-        const float apart = v * v - r * r * sums[1];
-        const float band = (size + size + error) * error;
-        if (TBX_RARELY(!(tbx_absf(apart) > band)) || TBX_RARELY(!(sums[1] > 9.094947017729282e-13f))) {
+        const float error = (dots.size + tbx_absf(of_d)) * TBX_PLANE_SPHERE_ERROR4;
+        const float apart = v * v - r * r * dots.xx;
+        const float band = (size + size + error) * (error + size * TBX_BALL_ERROR4);
+        if (TBX_RARELY(!(tbx_absf(apart) > band)) || TBX_RARELY(!(dots.xx > 9.094947017729282e-13f))) {
             return TBX_UNSURE; /* 2^-40 */
         }
-        return (-(int)(tbx_bits32(&v) >> 31) | 1) & ((int)(tbx_bits32(&apart) >> 31) - 1);
-    }
-}
-
-/* Ray and sphere, with A, B, C and D as in section 10. MISS if it is certain that D < 0, or, from t >= 0 on,
- * that B > 0 and C > 0: most rays. HIT: numbers are in range, also for the run in double. Or UNSURE.
- *
- * In units of u: A errs by 3 of itself, B by 4 of the magnitudes b of its terms, b^2 <= A m.m, C by 6 of c =
- * m.m + r^2. So D < 0 where B^2 < A (C - K c) with K = 32: B^2 and A C err by 21 of A c. Where C > K c, and B
- * is not above 0, but seems so, B^2 is below 2^-40 A c, and D < 0.
- *
- * Numbers are below 2^28, r at least 2^-30. What is flushed or read as 0, 2^-125 of m and of dir, is 2^-94 of
- * c, and moves B by at most 2^-94 and A by 2^-124 or 2^-125 of its root: so A counts as 2^-60 less, B as 2^-90
- * less, which is nothing to A c u where A is above 2^-60. */
-#define TBX_PIERCE_ERROR4 (32.0f * TBX_U32)
-
-TBX_FN int tbx_pierce4(const float origin[3], const float dir[3], const float *from, const float center[3],
-                       const float *radius)
-{
-    const tbx_f4 flushed = { 8.673617379884035e-19f, 8.077935669463161e-28f, 0.0f, 0.0f };
-    tbx_f4 m = tbx_load3(origin);
-    tbx_f4 w = tbx_load3(dir);
-    tbx_f4 x = tbx_load3(center);
-    float r = *radius;
-    const tbx_i4 greatest = tbx_greatest3((tbx_i4)m, (tbx_i4)x, (tbx_i4)w);
-    if (TBX_RARELY(tbx_any(tbx_splat_int(0x4d7fffff) - greatest) ||
-                   !tbx_within(radius, 0x30800000u, 0x4d800000u))) { /* 2^28, 2^-30..2^28 */
-        return TBX_UNSURE;
-    }
-    TBX_KEEP_VECTOR(m);
-    TBX_KEEP_VECTOR(w);
-    TBX_KEEP_VECTOR(x);
-    TBX_KEEP_SCALAR(r);
-    m = m - x;
-    TBX_KEEP_VECTOR(m);
-    {
-        const tbx_f4 sums = tbx_three_sums3(w * w, w * m, m * m) - flushed;
-        const float least = (sums[2] - r * r) - (sums[2] + r * r) * TBX_PIERCE_ERROR4;
-        const int behind = (tbx_bits32(from) >> 31 == 0) & (sums[1] > 0.0f);
-        const int beside = sums[0] * least > sums[1] * sums[1];
-        return !((beside | behind) & (least > 0.0f));
+        return (1 - (int)(tbx_bits32(&v) >> 31 << 1)) & ((int)(tbx_bits32(&apart) >> 31) - 1);
     }
 }
 
@@ -15158,13 +15341,12 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
  *
  * Boxes. Row centres are whole numbers Y = (v - origin) inverse + rest, origin being the first centre as a
  * float, rest what that leaves; of doubles, v - origin is a float computed in double, and rest a MARGIN. Y is
- * off by u |Y| for each of the difference, inverse, product and sum, by u |rest|, and by u more for what rest
- * is widened by: 7 u (n + |rest| + 2) between the region's ends; beyond them it does not come back, since
- * each operation is monotone: the least corner has the least Y. Triangles with a corner beyond 2^22 voxels go
- * the scalar way. The first centre itself is off by 2 * 2^-52 M (section 8): MIDDLE_ERROR allows for twice
- * that.
+ * off by u |Y| for each of the difference, inverse, product and sum, by u |rest|, and by u more for what the
+ * bounds are widened by: 7 u (n + |rest| + 2) between the region's ends; beyond them it does not come back,
+ * since each operation is monotone. Corners beyond 2^22 voxels go the scalar way. The first centre itself is
+ * off by 2 * 2^-52 M (section 8): MIDDLE_ERROR allows for twice that.
  *
- * A box of one row is looked at again, before it waits, Y about that row: from its centre corners lie at most
+ * A box of one row is looked at again, before it waits: from that row's centre corners lie at most
  * R = 1.1 voxels, and are off by e = slack + 2 u R, so E_i is off by less than error = 4 R e + 5 u R^2. Where
  * one, times the sign of their sum, is below -2.1 error, another is above error: the centre is not within.
  *
@@ -15175,7 +15357,7 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
  * once to float. In boxes of c rows all corners and centres are within R = 2 c + 0.1 of the first centre.
  * With e = delta(R),
  *   E_i = v_i x v_{i+1}, about the first centre      off by 4 R e + 4 u R^2,
- *   E_i there + j step_y A + k step_z B, in steps    R (2 e + 4 u R) more for each of j and k, and 36 u R^2,
+ *   E_i there + j step_y A + k step_z B              R (2 e + 4 u R) more for each of j and k, and 16 u R^2,
  *   n_x = E_0 + E_1 + E_2, at the first centre       off by 3 of the first line and 16 u R^2:
  * all less than error = 16 R e + 64 u R^2. Where all s E_i are above it, s n_x > 0, and the centre is within;
  * where one is below -2 error, s cannot be wrong: the others would have to add up to less than -error.
@@ -15192,6 +15374,7 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
 #define TBX_SOLID_MARGIN 16
 #define TBX_SOLID_BLOCK 32
 #define TBX_SOLID_CROSSINGS 32
+#define TBX_SOLID_ANYWAY 0x40000000 /* an extent: goes the scalar way */
 #define TBX_SOLID_MIDDLE_ERROR (4.0 * TBX_U64)
 #define TBX_SOLID_BOX_ERROR (7.0f * TBX_U32)
 #define TBX_SOLID_PLACE_ERROR (5.0f * TBX_U32)
@@ -15202,21 +15385,10 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
 typedef struct tbx_solid_axis {
     tbx_fw origin;
     tbx_fw inverse;
-    tbx_fw rest;      /* MARGIN added */
-    tbx_fw rest_low;  /* less the slack */
-    tbx_fw rest_high; /* and the slack */
-    tbx_fw outside;   /* less than it, and more than minus it, lies the region */
-    tbx_iw last;      /* behind it the region ends */
+    tbx_fw rest; /* MARGIN added */
+    tbx_fw slack;
+    tbx_iw last; /* behind it the region ends */
 } TBX_ALIGNED tbx_solid_axis;
-
-/* Centres of an axis, for rows. */
-typedef struct tbx_solid_centres {
-    tbx_fw scale;
-    tbx_fw base_high;
-    tbx_fw base_low;
-    tbx_fw size_high;
-    tbx_fw size_low;
-} TBX_ALIGNED tbx_solid_centres;
 
 typedef struct tbx_solid_quick {
     tbx_solid_axis axis[2];
@@ -15228,9 +15400,12 @@ typedef struct tbx_solid_quick {
     float inverse[3];
     int32_t most[3]; /* magnitudes above it, as integers, go the scalar way */
     float scale[3];
-    float step[3];   /* size * scale */
-    float over_step; /* 1 / step[0] */
-    tbx_solid_centres centres[3];
+    float step[3]; /* size * scale */
+    float over_step[3];
+    float base_high[3];
+    float base_low[3];
+    float size_high[3];
+    float size_low[3];
     float rho; /* scaled, the largest */
     int lattice;
     int on; /* 0: this grid's numbers are out of range */
@@ -15243,16 +15418,13 @@ TBX_FN double tbx_solid_axis_init(tbx_solid_quick *q, int k)
     const double size = s->grid->size[k];
     const double n = (double)s->n[k];
     const double left = q->source->is_double ? 0.0 : ((double)q->origin[k] - s->middle[k]) / size;
-    const double source_middle = q->source->is_double ? 0.0 : tbx_abs(s->middle[k]);
     const double slack = 1.01 * ((double)TBX_SOLID_BOX_ERROR * (n + 2.0 * TBX_SOLID_MARGIN + tbx_abs(left)) +
                                  TBX_SOLID_MIDDLE_ERROR * s->reach[k] / size);
     tbx_solid_axis *axis = &q->axis[k - 1];
     axis->origin = tbx_wide_all(q->source->is_double ? 0.0f : q->origin[k]);
     axis->inverse = tbx_wide_all(q->inverse[k]);
     axis->rest = tbx_wide_all((float)(left + (double)TBX_SOLID_MARGIN));
-    axis->rest_low = tbx_wide_all((float)(left + (double)TBX_SOLID_MARGIN - slack));
-    axis->rest_high = tbx_wide_all((float)(left + (double)TBX_SOLID_MARGIN + slack));
-    axis->outside = tbx_wide_all((float)((source_middle + 4194304.0 * size)));
+    axis->slack = tbx_wide_all((float)slack);
     axis->last = tbx_wide_int(TBX_SOLID_MARGIN + (int32_t)s->n[k] - 2);
     return slack;
 }
@@ -15298,14 +15470,13 @@ TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const t
             source->is_double ? (int32_t)(tbx_bits64(&most) >> 32) : (int32_t)tbx_bits32(&most_float);
         q->scale[k] = (float)scale;
         q->step[k] = (float)(size * scale);
-        q->over_step = k == 0 ? (float)(1.0 / (size * scale)) : q->over_step;
-        q->centres[k].scale = tbx_wide_all((float)scale);
-        q->centres[k].base_high = tbx_wide_all((float)base_high);
-        q->centres[k].base_low = tbx_wide_all((float)(middle - base_high));
-        q->centres[k].size_high = tbx_wide_all((float)size_high);
-        q->centres[k].size_low = tbx_wide_all((float)(size - size_high));
+        q->over_step[k] = (float)(1.0 / (size * scale));
+        q->base_high[k] = (float)base_high;
+        q->base_low[k] = (float)(middle - base_high);
+        q->size_high[k] = (float)size_high;
+        q->size_low[k] = (float)(size - size_high);
         q->rho = (float)rho > q->rho ? (float)rho : q->rho;
-        q->lattice &= middle == base_high && size == size_high &&
+        q->lattice &= q->base_low[k] + q->size_low[k] == 0.0f &&
                       tbx_on_lattice(s->grid->origin[k], scale * parts) &&
                       tbx_on_lattice(middle, scale * parts) && tbx_on_lattice(size, scale * parts) &&
                       s->reach[k] * scale * parts < 8388608.0;
@@ -15339,11 +15510,13 @@ typedef struct tbx_solid_fill {
     tbx_solid_list list[TBX_SOLID_ROWS];      /* of up to 1, 2, ... rows on each axis */
     size_t large[TBX_SOLID_BLOCK + TBX_WIDE]; /* that go one by one */
     int larges;
-    tbx_solid_crossing crossing[TBX_SOLID_CROSSINGS + TBX_SOLID_ROWS * TBX_WIDE + 1];
+    tbx_solid_crossing crossing[TBX_SOLID_CROSSINGS + TBX_SOLID_ROWS * TBX_SOLID_ROWS];
     int crossings;              /* that wait: their rows are on the way to the cache */
     int32_t y[TBX_SOLID_BLOCK]; /* of a block of triangles */
     int32_t z[TBX_SOLID_BLOCK];
     int32_t extent[TBX_SOLID_BLOCK];
+    int32_t live[TBX_SOLID_BLOCK]; /* those that have rows */
+    int lives;
 } TBX_ALIGNED tbx_solid_fill;
 
 /* Differences of the corners of WIDE triangles to the first centre, y and z. */
@@ -15352,37 +15525,54 @@ TBX_FORCED tbx_iw tbx_solid_wild(tbx_fw x, int32_t most)
     return ((tbx_iw)x & tbx_wide_int(0x7fffffff)) > tbx_wide_int(most);
 }
 
-/* In rows, counted from MARGIN before the first. */
-TBX_FORCED tbx_fw tbx_solid_in_rows(const tbx_solid_axis *axis, tbx_fw x, tbx_fw rest)
+/* What is too large to compute with becomes 0; its lanes of `out` are set. */
+TBX_FORCED tbx_fw tbx_solid_tame(tbx_fw x, int32_t most, tbx_iw *out)
 {
-    x -= axis->origin;
-    TBX_KEEP_VECTOR(x);
-    return x * axis->inverse + rest;
+    const tbx_iw wild = tbx_solid_wild(x, most);
+    *out |= wild;
+    return (tbx_fw)((tbx_iw)x & ~wild);
 }
 
-/* Rows whose centres lie between the corners of WIDE triangles, or are within the bounds of it: those behind
- * `before`, to `end`. Rounded toward 0; where that is up, both lie before the region, or 16 rows apart. */
-TBX_FORCED void tbx_solid_rows_between(const tbx_solid_axis *axis, tbx_fw x0, tbx_fw x1, tbx_fw x2,
-                                       tbx_iw *out_before, tbx_iw *out_end)
+/* In rows, counted from MARGIN before the first. */
+TBX_FORCED void tbx_solid_in_rows(const tbx_solid_axis *axis, tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
 {
-    const tbx_fw low = tbx_wide_min(tbx_wide_min(x0, x1), x2);
-    const tbx_fw high = tbx_wide_max(tbx_wide_max(x0, x1), x2);
-    *out_before = __builtin_convertvector(tbx_solid_in_rows(axis, low, axis->rest_low), tbx_iw);
-    *out_end = __builtin_convertvector(tbx_solid_in_rows(axis, high, axis->rest_high), tbx_iw);
+    *x0 -= axis->origin;
+    *x1 -= axis->origin;
+    *x2 -= axis->origin;
+    TBX_KEEP_VECTOR(*x0);
+    TBX_KEEP_VECTOR(*x1);
+    TBX_KEEP_VECTOR(*x2);
+    *x0 = *x0 * axis->inverse + axis->rest;
+    *x1 = *x1 * axis->inverse + axis->rest;
+    *x2 = *x2 * axis->inverse + axis->rest;
+}
+
+/* Rows whose centres lie between the corners of WIDE triangles, or are within the bounds of it: how many, and
+ * the row before. */
+TBX_FORCED tbx_iw tbx_solid_extent(const tbx_solid_axis *axis, tbx_fw x0, tbx_fw x1, tbx_fw x2,
+                                   tbx_iw *out_before)
+{
+    const tbx_fw low = tbx_wide_min(tbx_wide_min(x0, x1), x2) - axis->slack;
+    const tbx_fw high = tbx_wide_max(tbx_wide_max(x0, x1), x2) + axis->slack;
+    const tbx_iw before = __builtin_convertvector(low, tbx_iw); /* toward 0: below 1 it may be too large */
+    const tbx_iw end = __builtin_convertvector(high, tbx_iw);
+    const tbx_iw off = (end < tbx_wide_int(TBX_SOLID_MARGIN)) | (before > axis->last);
+    *out_before = before;
+    return ~off & ((end - before) | ((before < tbx_wide_int(1)) & tbx_wide_int(TBX_SOLID_ANYWAY)));
 }
 
 /* Lanes whose triangle does not hold the centre of the row behind `before`. */
 TBX_FORCED tbx_iw tbx_solid_missed(const tbx_solid_quick *q, const tbx_points v[3], tbx_iw y, tbx_iw z)
 {
     const tbx_fw one = tbx_wide_all(1.0f);
-    const tbx_fw to_y = q->axis[0].rest - (__builtin_convertvector(y, tbx_fw) + one);
-    const tbx_fw to_z = q->axis[1].rest - (__builtin_convertvector(z, tbx_fw) + one);
-    const tbx_fw y0 = tbx_solid_in_rows(&q->axis[0], v[0].y, to_y);
-    const tbx_fw y1 = tbx_solid_in_rows(&q->axis[0], v[1].y, to_y);
-    const tbx_fw y2 = tbx_solid_in_rows(&q->axis[0], v[2].y, to_y);
-    const tbx_fw z0 = tbx_solid_in_rows(&q->axis[1], v[0].z, to_z);
-    const tbx_fw z1 = tbx_solid_in_rows(&q->axis[1], v[1].z, to_z);
-    const tbx_fw z2 = tbx_solid_in_rows(&q->axis[1], v[2].z, to_z);
+    const tbx_fw at_y = __builtin_convertvector(y, tbx_fw) + one;
+    const tbx_fw at_z = __builtin_convertvector(z, tbx_fw) + one;
+    const tbx_fw y0 = v[0].y - at_y;
+    const tbx_fw y1 = v[1].y - at_y;
+    const tbx_fw y2 = v[2].y - at_y;
+    const tbx_fw z0 = v[0].z - at_z;
+    const tbx_fw z1 = v[1].z - at_z;
+    const tbx_fw z2 = v[2].z - at_z;
     const tbx_fw e0 = y0 * z1 - z0 * y1;
     const tbx_fw e1 = y1 * z2 - z1 * y2;
     const tbx_fw e2 = y2 * z0 - z2 * y0;
@@ -15400,22 +15590,22 @@ typedef struct tbx_solid_placed {
     tbx_iw on_lattice;
 } TBX_ALIGNED tbx_solid_placed;
 
-/* The corners on an axis, from the centre i. */
-TBX_FORCED void tbx_solid_place(const tbx_solid_centres *centres, tbx_iw i, tbx_fw *x0, tbx_fw *x1,
-                                tbx_fw *x2)
+/* The corners on axis k, from the centre i. */
+TBX_FORCED void tbx_solid_place(const tbx_solid_quick *q, int k, tbx_iw i, tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
 {
+    const tbx_fw scale = tbx_wide_all(q->scale[k]);
     const tbx_fw at = __builtin_convertvector(i, tbx_fw);
-    const tbx_fw high = centres->base_high + at * centres->size_high;
-    const tbx_fw low = centres->base_low + at * centres->size_low;
+    const tbx_fw high = tbx_wide_all(q->base_high[k]) + at * tbx_wide_all(q->size_high[k]);
+    const tbx_fw low = tbx_wide_all(q->base_low[k]) + at * tbx_wide_all(q->size_low[k]);
     *x0 -= high;
     *x1 -= high;
     *x2 -= high;
     TBX_KEEP_VECTOR(*x0);
     TBX_KEEP_VECTOR(*x1);
     TBX_KEEP_VECTOR(*x2);
-    *x0 = (*x0 - low) * centres->scale;
-    *x1 = (*x1 - low) * centres->scale;
-    *x2 = (*x2 - low) * centres->scale;
+    *x0 = (*x0 - low) * scale;
+    *x1 = (*x1 - low) * scale;
+    *x2 = (*x2 - low) * scale;
 }
 
 /* Lanes whose x is a multiple of a PART. What flushing made 0 is not. */
@@ -15430,54 +15620,22 @@ TBX_FORCED tbx_iw tbx_solid_whole(const tbx_solid_quick *q, int k, tbx_fw x)
     return (parts == whole) & (was | ~zero);
 }
 
-/* The corners of WIDE triangles listed, as tbx_load_corners. */
-TBX_FORCED void tbx_solid_gather(tbx_points v[3], const tribox_mesh *mesh, size_t stride, int indexed,
-                                 const size_t *list)
-{
-    const char *positions = (const char *)mesh->positions;
-    const uint32_t *indices = mesh->indices;
-    int c;
-    int i;
-    for (c = 0; c < 3; c++) {
-        tbx_f4 x[TBX_WIDE / 4];
-        tbx_f4 y[TBX_WIDE / 4];
-        tbx_f4 z[TBX_WIDE / 4];
-#define TBX_AT(i) (3 * list[i] + (size_t)c)
-#define TBX_POINT(i) (positions + stride * (indexed ? (size_t)indices[TBX_AT(i)] : TBX_AT(i)))
-        for (i = 0; i < TBX_WIDE / 4; i++) {
-            tbx_load_points(&x[i], &y[i], &z[i], TBX_POINT(4 * i), TBX_POINT(4 * i + 1), TBX_POINT(4 * i + 2),
-                            TBX_POINT(4 * i + 3));
-        }
-#undef TBX_POINT
-#undef TBX_AT
-        v[c].x = tbx_wide_of(x);
-        v[c].y = tbx_wide_of(y);
-        v[c].z = tbx_wide_of(z);
-    }
-}
-
 /* The triangles listed from i on. */
 TBX_FORCED void tbx_solid_place_floats(tbx_solid_placed *p, const tbx_solid_quick *q,
                                        const tbx_solid_list *list, int i)
 {
     const int32_t end = (int32_t)q->solid->n[0] + 16;
+    tbx_source source;
     tbx_iw y;
     tbx_iw z;
     tbx_fw x;
     int c;
     TBX_COPY(&y, list->y + i, sizeof y);
     TBX_COPY(&z, list->z + i, sizeof z);
-    if (q->mesh.indices != NULL) {
-        tbx_solid_gather(p->v, &q->mesh, q->source->stride, 1, list->triangle + i);
-    } else {
-        tbx_solid_gather(p->v, &q->mesh, q->source->stride, 0, list->triangle + i);
-    }
-    p->unsure = tbx_solid_wild(p->v[0].x, q->most[0]) | tbx_solid_wild(p->v[1].x, q->most[0]) |
-                tbx_solid_wild(p->v[2].x, q->most[0]);
-    if (TBX_RARELY(tbx_wide_any(p->unsure))) { /* too large to compute with */
-        for (c = 0; c < 3; c++) {
-            p->v[c].x = tbx_wide_where(~p->unsure, p->v[c].x);
-        }
+    tbx_source_float(&source, &q->mesh);
+    tbx_load_corners(p->v, &source, list->triangle + i);
+    for (c = 0; c < 3; c++) {
+        p->v[c].x = tbx_solid_tame(p->v[c].x, q->most[0], &p->unsure);
     }
     if (q->lattice) {
         p->on_lattice = ~p->unsure;
@@ -15491,9 +15649,9 @@ TBX_FORCED void tbx_solid_place_floats(tbx_solid_placed *p, const tbx_solid_quic
     x = x * tbx_wide_all(q->inverse[0]);
     x = tbx_wide_min(tbx_wide_max(x, tbx_wide_all(-16.0f)), tbx_wide_all((float)end));
     p->x_first = __builtin_convertvector(x, tbx_iw);
-    tbx_solid_place(&q->centres[0], p->x_first, &p->v[0].x, &p->v[1].x, &p->v[2].x);
-    tbx_solid_place(&q->centres[1], y, &p->v[0].y, &p->v[1].y, &p->v[2].y);
-    tbx_solid_place(&q->centres[2], z, &p->v[0].z, &p->v[1].z, &p->v[2].z);
+    tbx_solid_place(q, 0, p->x_first, &p->v[0].x, &p->v[1].x, &p->v[2].x);
+    tbx_solid_place(q, 1, y, &p->v[0].y, &p->v[1].y, &p->v[2].y);
+    tbx_solid_place(q, 2, z, &p->v[0].z, &p->v[1].z, &p->v[2].z);
 }
 
 /* Corners of one triangle, as doubles: are they on the lattice? */
@@ -15580,13 +15738,12 @@ TBX_FORCED tbx_fw tbx_solid_tie(tbx_fw a, tbx_fw b, tbx_iw on_lattice)
     return tbx_wide_where(on_lattice, tbx_wide_choose(counts, half, -half));
 }
 
-/* What the rows of WIDE boxes of n rows on each axis have: which are crossed, bit lane + WIDE * j of layer k,
- * and the first voxels behind. */
+/* What the rows of WIDE boxes have: bit j + n*k of within, the first voxels behind the crossings. */
 typedef struct tbx_solid_rows_of {
-    uint32_t within[TBX_SOLID_ROWS];
-    unsigned unsure;
-    int32_t voxel[TBX_SOLID_ROWS * TBX_SOLID_ROWS * TBX_WIDE];
-} tbx_solid_rows_of;
+    tbx_uw within;
+    tbx_iw unsure;
+    tbx_iw voxel[TBX_SOLID_ROWS * TBX_SOLID_ROWS];
+} TBX_ALIGNED tbx_solid_rows_of;
 
 TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *q, const tbx_solid_placed *p,
                                  int n)
@@ -15595,14 +15752,14 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     const float reach = 2.0f * (float)n + 0.1f;
     const float e = TBX_SOLID_PLACE_ERROR * (reach + q->rho);
     const float error_all = TBX_SOLID_ROW_ERROR * reach * e + TBX_SOLID_ROW_ULPS * reach * reach;
-    const tbx_fw one = tbx_wide_all(1.0f);
+    const tbx_fw zero = tbx_wide_all(0.0f);
     tbx_fw error = tbx_wide_all(error_all);
     tbx_fw e0 = p->v[0].y * p->v[1].z - p->v[0].z * p->v[1].y;
     tbx_fw e1 = p->v[1].y * p->v[2].z - p->v[1].z * p->v[2].y;
     tbx_fw e2 = p->v[2].y * p->v[0].z - p->v[2].z * p->v[0].y;
     tbx_fw area = e0 + e1 + e2;
     const tbx_iw sign = (tbx_iw)area & tbx_wide_int(TBX_SIGN_BIT);
-    const tbx_fw over_step = tbx_wide_all(q->over_step);
+    const tbx_fw over_step = tbx_wide_all(q->over_step[0]);
     const tbx_fw step_y = tbx_wide_all(q->step[1]);
     const tbx_fw step_z = tbx_wide_all(q->step[2]);
     const tbx_fw a0 = tbx_wide_flip(p->v[0].z - p->v[1].z, sign);
@@ -15615,9 +15772,6 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     const tbx_fw dx2 = p->v[2].x - p->v[0].x;
     const tbx_fw spread = tbx_wide_abs(dx1) + tbx_wide_abs(dx2);
     const tbx_fw m = tbx_wide_abs(p->v[0].x) + spread;
-    const tbx_fw x0 = p->v[0].x * over_step;
-    const tbx_iw end = tbx_wide_int((int32_t)q->solid->n[0]);
-    tbx_iw unsure = p->unsure;
     tbx_fw over_area;
     tbx_fw x_error;
     tbx_fw below;
@@ -15633,44 +15787,42 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     x_error = spread * (tbx_wide_all(2.0f * error_all) * over_area + tbx_wide_all(24.0f * u)) +
               tbx_wide_all(20.0f * u) * (m + tbx_wide_all(q->rho));
     x_error = x_error * over_step;
-    over_area = over_area * over_step;
+    out->unsure = p->unsure;
+    out->within = (tbx_uw)tbx_wide_int(0);
     if (q->lattice && tbx_wide_any(p->on_lattice)) {
         e0 += tbx_solid_tie(a0, b0, p->on_lattice);
         e1 += tbx_solid_tie(a1, b1, p->on_lattice);
         e2 += tbx_solid_tie(a2, b2, p->on_lattice);
         error = tbx_wide_where(~p->on_lattice, error);
-        x_error = tbx_wide_choose(p->on_lattice, -one, x_error); /* never unsure */
+        x_error = tbx_wide_where(~p->on_lattice, x_error);
         tiny = area <= error;
     }
     below = error * tbx_wide_all(-2.0f);
     for (k = 0; k < n; k++) {
-        tbx_fw r0 = e0;
-        tbx_fw r1 = e1;
-        tbx_fw r2 = e2;
-        uint32_t layer = 0;
         for (j = 0; j < n; j++) {
+            const tbx_fw to_y = tbx_wide_all((float)j) * step_y;
+            const tbx_fw to_z = tbx_wide_all((float)k) * step_z;
+            const tbx_fw r0 = j + k == 0 ? e0 : e0 + to_y * a0 + to_z * b0;
+            const tbx_fw r1 = j + k == 0 ? e1 : e1 + to_y * a1 + to_z * b1;
+            const tbx_fw r2 = j + k == 0 ? e2 : e2 + to_y * a2 + to_z * b2;
             const tbx_fw least = tbx_wide_min(tbx_wide_min(r0, r1), r2);
-            const tbx_iw within =
-                (least > error) & ~tiny; /* on the lattice: a segment, whatever the ties say */
-            const tbx_fw x = tbx_wide_where(within, x0 + (dx1 * over_area * r2 + dx2 * over_area * r0));
-            tbx_iw voxel = __builtin_convertvector(x, tbx_iw);
-            const tbx_fw past = x - __builtin_convertvector(voxel, tbx_fw);
-            const tbx_fw off = tbx_wide_abs(past);
-            unsure |= (least >= below) & (~within | (off <= x_error) | (off >= one - x_error));
-            voxel = p->x_first + voxel - (past > tbx_wide_all(0.0f));
-            layer |= (uint32_t)tbx_wide_signs(within & ((voxel < end) | p->on_lattice)) << (TBX_WIDE * j);
-            voxel &= voxel > tbx_wide_int(0);
-            TBX_COPY(out->voxel + TBX_WIDE * (j + n * k), &voxel, sizeof voxel);
-            r0 += step_y * a0;
-            r1 += step_y * a1;
-            r2 += step_y * a2;
+            const tbx_iw within = least > error;
+            const tbx_iw row = within & tbx_wide_int(1 << (j + n * k));
+            tbx_fw x = (p->v[0].x + (dx1 * r2 + dx2 * r0) * over_area) * over_step;
+            tbx_fw past;
+            tbx_iw voxel;
+            x = tbx_wide_min(tbx_wide_max(x, tbx_wide_all(-8388608.0f)), tbx_wide_all(8388608.0f));
+            voxel = __builtin_convertvector(x, tbx_iw);
+            voxel += __builtin_convertvector(voxel, tbx_fw) > x; /* the voxel below: -1 if the lane is set */
+            past = x - __builtin_convertvector(voxel, tbx_fw);
+            out->within |= (tbx_uw)row;
+            out->unsure |=
+                (within & ((past <= x_error) | (past >= tbx_wide_all(1.0f) - x_error)) & ~p->on_lattice) |
+                (~within & (least >= below) & (error > zero));
+            out->voxel[j + n * k] = p->x_first + voxel + tbx_wide_int(1);
         }
-        out->within[k] = layer;
-        e0 += step_z * b0;
-        e1 += step_z * b1;
-        e2 += step_z * b2;
     }
-    out->unsure = tbx_wide_signs(unsure);
+    out->within &= (tbx_uw)~tiny; /* on the lattice: a segment, whatever the ties say */
 }
 
 /* The first voxel behind a crossing on the lattice: N / D rounded up, both of them multiples of 1 /
@@ -15843,8 +15995,8 @@ TBX_FORCED void tbx_solid_lines_rows(const tbx_solid_lines *l, double z, double 
     rows[1] = tbx_solid_up(c < d ? c : d, l->error, last, sure);
 }
 
-/* In steps of 2^-32, which it may be off by. Where corners are within 2^27 voxels, a line in x has values
- * beyond 2^28 only where they do not count: outside the triangle. */
+/* In steps of 2^-32, which it may be off by. A line in x has values beyond 2^28 only where they do not count:
+ * outside the triangle. */
 TBX_FORCED uint64_t tbx_solid_fixed(double x)
 {
     x = x > -268435456.0 ? x : -268435456.0;
@@ -15888,7 +16040,6 @@ TBX_NOINLINE int tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
     const tbx_solid *s = q->solid;
     const uint64_t n_x = (uint64_t)s->n[0];
     const double last_y = (double)s->n[1] - 0.5;
-    const double most_x = s->grid->size[0] * 134217728.0; /* 2^27 voxels: see tbx_solid_fixed */
     uint64_t slope;
     uint32_t unsure;
     tbx_solid_tri t;
@@ -15906,8 +16057,7 @@ TBX_NOINLINE int tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
     if (t.fits) {
         tbx_solid_lines_set(&l, &t);
     }
-    if (!t.fits || !tbx_solid_layers(&l, &t) || !(l.plane_error < 0.1) || tbx_abs(t.at[0][0]) > most_x ||
-        tbx_abs(t.at[1][0]) > most_x || tbx_abs(t.at[2][0]) > most_x) {
+    if (!t.fits || !tbx_solid_layers(&l, &t) || !(l.plane_error < 0.1)) {
         return 0;
     }
     slope = tbx_solid_fixed(l.plane.slope);
@@ -15959,62 +16109,23 @@ TBX_NOINLINE void tbx_solid_flip_all(tbx_solid_fill *fill)
     fill->crossings = 0;
 }
 
-/* Rows of lanes whose box is partly out of the region. */
-TBX_NOINLINE void tbx_solid_cut(tbx_solid_rows_of *rows, const tbx_solid *s, const int32_t *y,
-                                const int32_t *z, int n)
-{
-    int lane;
-    int j;
-    int k;
-    for (k = 0; k < n; k++) {
-        for (j = 0; j < n; j++) {
-            for (lane = 0; lane < TBX_WIDE; lane++) {
-                if ((uint32_t)(y[lane] + j) >= (uint32_t)s->n[1] ||
-                    (uint32_t)(z[lane] + k) >= (uint32_t)s->n[2]) {
-                    rows->within[k] &= ~((uint32_t)1 << (lane + TBX_WIDE * j));
-                }
-            }
-        }
-    }
-}
-
-/* The voxels of lanes on the lattice. */
-TBX_NOINLINE void tbx_solid_lattice(tbx_solid_rows_of *rows, const tbx_solid_quick *q,
-                                    const tbx_solid_placed *p, int n)
-{
-    const int32_t n_x = (int32_t)q->solid->n[0];
-    int k;
-    for (k = 0; k < n; k++) {
-        uint32_t left = rows->within[k];
-        for (; left != 0; left &= left - 1) {
-            const int bit = __builtin_ctz(left);
-            const int lane = bit % TBX_WIDE;
-            if (p->on_lattice[lane] != 0) {
-                const int64_t x =
-                    p->x_first[lane] + tbx_solid_lattice_voxel(q, p->v, lane, bit / TBX_WIDE, k);
-                rows->voxel[TBX_WIDE * n * k + bit] = x > 0 ? (int32_t)x : 0;
-                if (x >= n_x) {
-                    rows->within[k] &= ~((uint32_t)1 << bit);
-                }
-            }
-        }
-    }
-}
-
 /* `count` triangles of a list, WIDE at most, from i on. */
 TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count, int n)
 {
     const tbx_solid_quick *q = &fill->quick;
     const tbx_solid *s = q->solid;
+    const uint32_t rows_y = (uint32_t)s->n[1];
+    const uint32_t rows_z = (uint32_t)s->n[2];
     const size_t row_words = s->row_words;
-    const size_t layer_words = row_words * (size_t)s->n[1];
+    const int32_t n_x = (int32_t)s->n[0];
+    uint64_t *bits = s->bits;
     tbx_solid_placed p;
     tbx_solid_rows_of rows;
-    size_t first[TBX_WIDE];
-    unsigned unsure;
-    uint32_t sure;
+    uint32_t within[TBX_WIDE];
+    int32_t unsure[TBX_WIDE];
+    int32_t on_lattice[TBX_WIDE];
+    int crossings = fill->crossings;
     int lane;
-    int k;
     p.unsure = tbx_wide_int(0);
     p.on_lattice = tbx_wide_int(0);
     if (q->source->is_double) {
@@ -16023,50 +16134,40 @@ TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list
         tbx_solid_place_floats(&p, q, list, i);
     }
     tbx_solid_decide(&rows, q, &p, n);
-    if (q->lattice) {
-        tbx_solid_lattice(&rows, q, &p, n);
-    }
-    if (n > 1) {
-        tbx_iw y;
-        tbx_iw z;
-        TBX_COPY(&y, list->y + i, sizeof y);
-        TBX_COPY(&z, list->z + i, sizeof z);
-        if (TBX_RARELY(tbx_wide_any(y | z | (tbx_wide_int((int32_t)s->n[1] - n) - y) |
-                                    (tbx_wide_int((int32_t)s->n[2] - n) - z)))) {
-            tbx_solid_cut(&rows, s, list->y + i, list->z + i, n);
+    TBX_COPY(within, &rows.within, sizeof within);
+    TBX_COPY(unsure, &rows.unsure, sizeof unsure);
+    TBX_COPY(on_lattice, &p.on_lattice, sizeof on_lattice);
+    for (lane = 0; lane < count; lane++) {
+        uint32_t left = within[lane];
+        if (TBX_RARELY(unsure[lane] != 0)) {
+            fill->large[fill->larges++] = list->triangle[i + lane];
+            continue;
         }
-    }
-    unsure = rows.unsure & ((1u << count) - 1u);
-    for (; unsure != 0; unsure &= unsure - 1) {
-        fill->large[fill->larges++] = list->triangle[i + __builtin_ctz(unsure)];
-    }
-    sure = (uint32_t)(~rows.unsure & ((1u << count) - 1u));
-    if (n > 1) {
-        sure |= sure << TBX_WIDE;
-    }
-    if (n > 2) {
-        sure |= sure << 2 * TBX_WIDE;
-    }
-    for (lane = 0; lane < TBX_WIDE; lane++) {
-        first[lane] = (size_t)((int64_t)list->z[i + lane] * s->n[1] + list->y[i + lane]) * row_words;
-    }
-    for (k = 0; k < n; k++) {
-        uint32_t left = rows.within[k] & sure;
-        uint64_t *layer = s->bits + layer_words * (size_t)k;
-        int crossings = fill->crossings;
-        for (; left != 0; left &= left - 1) {
-            const int bit = __builtin_ctz(left);
-            const size_t row = first[bit % TBX_WIDE] + row_words * (size_t)(n > 1 ? bit / TBX_WIDE : 0);
-            tbx_solid_crossing *c = &fill->crossing[crossings++];
-            c->x = (size_t)rows.voxel[TBX_WIDE * n * k + bit];
-            c->row = layer + row;
-            TBX_PREFETCH(c->row + (c->x >> 6));
-        }
-        fill->crossings = crossings;
         if (crossings > TBX_SOLID_CROSSINGS) {
+            fill->crossings = crossings;
             tbx_solid_flip_all(fill);
+            crossings = 0;
+        }
+        for (; left != 0; left &= left - 1) {
+            const int row = __builtin_ctz(left);
+            const int32_t y = list->y[i + lane] + row % n;
+            const int32_t z = list->z[i + lane] + row / n;
+            int32_t x = rows.voxel[row][lane];
+            if ((uint32_t)y >= rows_y || (uint32_t)z >= rows_z) {
+                continue;
+            }
+            if (on_lattice[lane] != 0) {
+                x = p.x_first[lane] + (int32_t)tbx_solid_lattice_voxel(q, p.v, lane, row % n, row / n);
+            }
+            if (x < n_x) {
+                tbx_solid_crossing *c = &fill->crossing[crossings++];
+                c->x = x > 0 ? (size_t)x : 0;
+                c->row = bits + ((size_t)z * rows_y + (size_t)y) * row_words;
+                TBX_PREFETCH(c->row + (c->x >> 6));
+            }
         }
     }
+    fill->crossings = crossings;
 }
 
 TBX_NOINLINE void tbx_solid_flush1(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
@@ -16126,10 +16227,11 @@ TBX_FORCED void tbx_solid_work(tbx_solid_fill *fill, int extent, int all)
 }
 
 /* Triangles of a block that have rows go to their lists, and full lists are worked off. */
-TBX_NOINLINE void tbx_solid_sort(tbx_solid_fill *fill, size_t first, uint32_t live, int all)
+TBX_NOINLINE void tbx_solid_sort(tbx_solid_fill *fill, size_t first, int all)
 {
-    for (; live != 0; live &= live - 1) {
-        const int of = __builtin_ctz(live);
+    int i;
+    for (i = 0; i < fill->lives; i++) {
+        const int of = fill->live[i];
         const size_t triangle = first + (size_t)of;
         const int extent = fill->extent[of];
         if (TBX_RARELY(extent > TBX_SOLID_ROWS)) {
@@ -16143,6 +16245,7 @@ TBX_NOINLINE void tbx_solid_sort(tbx_solid_fill *fill, size_t first, uint32_t li
             list->n = n + 1;
         }
     }
+    fill->lives = 0;
     tbx_solid_work_large(fill);
     tbx_solid_work(fill, 1, all);
     tbx_solid_work(fill, 2, all);
@@ -16243,10 +16346,9 @@ TBX_FORCED void tbx_solid_load_f64(tbx_points *out, const tbx_solid_quick *q, in
     *wild |= (tbx_iw)tbx_wide_of(odd);
 }
 
-/* y and z of WIDE triangles from the first on; those of triangles that have one too large reach over the
- * region. */
-TBX_FORCED void tbx_solid_corners(tbx_points v[3], const tbx_solid_quick *q, int indexed, size_t stride,
-                                  size_t first, int is_double)
+/* y and z of WIDE triangles from the first on, in rows. Returns the lanes that have one too large. */
+TBX_FORCED tbx_iw tbx_solid_corners(tbx_points v[3], const tbx_solid_quick *q, int indexed, size_t stride,
+                                    size_t first, int is_double)
 {
     const int32_t y = q->most[1];
     const int32_t z = q->most[2];
@@ -16261,73 +16363,78 @@ TBX_FORCED void tbx_solid_corners(tbx_points v[3], const tbx_solid_quick *q, int
         tbx_solid_load(&v[2], &q->mesh, indexed, stride, first, 2);
         wild = tbx_solid_wild(v[0].y, y) | tbx_solid_wild(v[1].y, y) | tbx_solid_wild(v[2].y, y) |
                tbx_solid_wild(v[0].z, z) | tbx_solid_wild(v[1].z, z) | tbx_solid_wild(v[2].z, z);
+        if (TBX_RARELY(tbx_wide_any(wild))) {
+            int c;
+            for (c = 0; c < 3; c++) {
+                v[c].y = tbx_wide_where(~wild, v[c].y);
+                v[c].z = tbx_wide_where(~wild, v[c].z);
+            }
+        }
     }
-    if (TBX_RARELY(tbx_wide_any(wild))) {
-        v[0].y = tbx_wide_choose(wild, q->axis[0].outside, v[0].y);
-        v[0].z = tbx_wide_choose(wild, q->axis[1].outside, v[0].z);
-        v[1].y = tbx_wide_choose(wild, -q->axis[0].outside, v[1].y);
-        v[1].z = tbx_wide_choose(wild, -q->axis[1].outside, v[1].z);
-        v[2].y = tbx_wide_where(~wild, v[2].y);
-        v[2].z = tbx_wide_where(~wild, v[2].z);
-    }
+    tbx_solid_in_rows(&q->axis[0], &v[0].y, &v[1].y, &v[2].y);
+    tbx_solid_in_rows(&q->axis[1], &v[0].z, &v[1].z, &v[2].z);
+    return wild;
 }
 
-/* A block of `count` triangles, a multiple of WIDE. Returns a bit for each that has rows. */
-TBX_FORCED uint32_t tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t stride, size_t first, int count,
-                                    int is_double)
+/* A block of `count` triangles, a multiple of WIDE. */
+TBX_FORCED void tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t stride, size_t first, int count,
+                                int is_double)
 {
     const tbx_solid_quick *q = &fill->quick;
     const tbx_iw before_first = tbx_wide_int(TBX_SOLID_MARGIN - 1);
-    uint32_t live = 0;
+    int lives = 0;
     int i;
     for (i = 0; i < count; i += TBX_WIDE) {
         tbx_points v[3];
         tbx_iw y;
         tbx_iw z;
-        tbx_iw end_y;
-        tbx_iw end_z;
-        tbx_iw some;
-        tbx_solid_corners(v, q, indexed, stride, first + (size_t)i, is_double);
-        tbx_solid_rows_between(&q->axis[0], v[0].y, v[1].y, v[2].y, &y, &end_y);
-        tbx_solid_rows_between(&q->axis[1], v[0].z, v[1].z, v[2].z, &z, &end_z);
-        some = (end_y > y) & (end_z > z);
+        const tbx_iw wild = tbx_solid_corners(v, q, indexed, stride, first + (size_t)i, is_double);
+        const tbx_iw n_y = tbx_solid_extent(&q->axis[0], v[0].y, v[1].y, v[2].y, &y);
+        const tbx_iw n_z = tbx_solid_extent(&q->axis[1], v[0].z, v[1].z, v[2].z, &z);
+        tbx_iw some = ((n_y > tbx_wide_int(0)) & (n_z > tbx_wide_int(0))) | wild;
         if (tbx_wide_any(some)) {
-            const tbx_iw n_y = end_y - y;
-            const tbx_iw n_z = end_z - z;
-            const tbx_iw extent = tbx_wide_select(n_y > n_z, n_y, n_z);
-            tbx_iw one;
-            some &= (end_y > before_first) & (end_z > before_first);
-            some &= ~((y > q->axis[0].last) | (z > q->axis[1].last));
-            one = some & (extent == tbx_wide_int(1));
+            tbx_iw extent = tbx_wide_select(n_y > n_z, n_y, n_z);
+            const tbx_iw one = some & (extent == tbx_wide_int(1)) & ~wild;
+            unsigned left;
+            int lane;
             if (tbx_wide_any(one)) {
                 some &= ~(one & tbx_solid_missed(q, v, y, z));
             }
-            live |= (uint32_t)tbx_wide_signs(some) << i;
+            left = tbx_wide_signs(some);
+            extent |= wild & tbx_wide_int(TBX_SOLID_ANYWAY);
             y -= before_first;
             z -= before_first;
             TBX_COPY(fill->y + i, &y, sizeof y);
             TBX_COPY(fill->z + i, &z, sizeof z);
             TBX_COPY(fill->extent + i, &extent, sizeof extent);
+            for (lane = 0; lane < TBX_WIDE; lane++) {
+                fill->live[lives] = i + lane;
+                lives += (int)(left >> lane & 1u);
+            }
         }
     }
-    return live;
+    fill->lives = lives;
 }
 
 /* The same, by what kind of mesh it is. */
-TBX_NOINLINE uint32_t tbx_solid_block(tbx_solid_fill *fill, size_t first, int count)
+TBX_NOINLINE void tbx_solid_block(tbx_solid_fill *fill, size_t first, int count)
 {
     const size_t packed = 3 * sizeof(float);
     const tbx_source *source = fill->quick.source;
     const int indexed = source->indices != NULL;
     if (source->is_double) {
-        return indexed ? tbx_solid_boxes(fill, 1, source->stride, first, count, 1)
-                       : tbx_solid_boxes(fill, 0, source->stride, first, count, 1);
+        if (indexed) {
+            tbx_solid_boxes(fill, 1, source->stride, first, count, 1);
+        } else {
+            tbx_solid_boxes(fill, 0, source->stride, first, count, 1);
+        }
+    } else if (!indexed) {
+        tbx_solid_boxes(fill, 0, source->stride, first, count, 0);
+    } else if (source->stride == packed) {
+        tbx_solid_boxes(fill, 1, packed, first, count, 0);
+    } else {
+        tbx_solid_boxes(fill, 1, source->stride, first, count, 0);
     }
-    if (!indexed) {
-        return tbx_solid_boxes(fill, 0, source->stride, first, count, 0);
-    }
-    return source->stride == packed ? tbx_solid_boxes(fill, 1, packed, first, count, 0)
-                                    : tbx_solid_boxes(fill, 1, source->stride, first, count, 0);
 }
 
 /* All triangles but the last few. Returns how many are done: 0 if the grid's numbers are out of range. */
@@ -16344,11 +16451,11 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
     for (i = 0; i < TBX_SOLID_ROWS; i++) {
         fill.list[i].n = 0;
     }
-    fill.larges = fill.crossings = 0;
+    fill.larges = fill.lives = fill.crossings = 0;
     for (t = 0; t < triangles; t += TBX_SOLID_BLOCK) {
         const size_t left = triangles - t;
-        const uint32_t live = tbx_solid_block(&fill, t, left < TBX_SOLID_BLOCK ? (int)left : TBX_SOLID_BLOCK);
-        tbx_solid_sort(&fill, t, live, left <= TBX_SOLID_BLOCK);
+        tbx_solid_block(&fill, t, left < TBX_SOLID_BLOCK ? (int)left : TBX_SOLID_BLOCK);
+        tbx_solid_sort(&fill, t, left <= TBX_SOLID_BLOCK);
     }
     tbx_solid_flip_all(&fill);
     return triangles;
@@ -16369,7 +16476,6 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_KEEP_SCALAR
 #undef TBX_KEEP_VECTOR
 #undef TBX_KEEP_POINTER
-#undef TBX_NO_SKIP
 #undef TBX_PRECISE_FINE
 #undef TBX_VECTOR_PLACE
 #undef TBX_HAS_ASM
@@ -16388,13 +16494,17 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_VALUE
 #undef TBX_EDGES
 #undef TBX_NO_EXPONENT
-#undef TBX_NO_SKIP
 #undef TBX_ALL_AXES
 #undef TBX_ULPS
 #undef TBX_U32
 #undef TBX_U64
 #undef TBX_LANES
 #undef TBX_HIGH_WORDS
+#undef TBX_LOW_WORDS
+#undef TBX_LIST
+#undef TBX_MORE_NOT_KNOWN
+#undef TBX_MORE_CUT
+#undef TBX_MORE_LATTICE
 #undef TBX_JOIN
 #undef TBX_PAIR
 #undef TBX_KEY32_MAX

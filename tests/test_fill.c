@@ -511,6 +511,39 @@ static void empty_mesh_sets_nothing(void)
     CHECK(all == 0);
 }
 
+/* A triangle just beyond a plane is, but for its last digits, in the voxel before it: what follows there is set. */
+static void a_box_beside_a_plane_sets_no_other(void)
+{
+    static const float first[9] = {3.000004f, 2.2f, 2.2f, 3.000005f, 2.7f, 2.3f, 3.000006f, 2.4f, 2.8f};
+    static const float second[9] = {2.2f, 2.2f, 2.2f, 2.8f, 2.7f, 2.3f, 2.4f, 2.4f, 2.8f};
+    tribox_grid        grid = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {8, 8, 8}, 0};
+    float              p[4 * 18];
+    tribox_mesh        mesh;
+    uint64_t           bits[64];
+    int                i;
+
+    memset(bits, 0, sizeof bits);
+    for (i = 0; i < 4; i++) {
+        memcpy(p + 18 * i, first, sizeof first);
+        memcpy(p + 18 * i + 9, second, sizeof second);
+    }
+    memcpy(p, p + 9, sizeof second); /* a sure one comes first, elsewhere */
+    p[0] = p[3] = p[6] = 5.5f;
+    mesh.positions = p;
+    mesh.stride = 0;
+    mesh.indices = 0;
+    mesh.triangles = 8;
+    for (grid.flags = 0; grid.flags <= TRIBOX_OPEN; grid.flags++) {
+        for (i = 0; i < 2; i++) { /* then without the first pair: what follows a box that is not sure */
+            memset(bits, 0, sizeof bits);
+            mesh.positions = p + 18 * i;
+            mesh.triangles = (size_t)(8 - 2 * i);
+            tribox_grid_fill(&grid, &mesh, bits);
+            CHECK(bits[2 * 8 + 2] == (uint64_t)(i == 0 ? 0x2c : 0x0c));
+        }
+    }
+}
+
 int main(void)
 {
     RUN(fill_is_the_union_of_spans);
@@ -526,5 +559,6 @@ int main(void)
     RUN(rows_of_many_words_are_filled);
     RUN(hairs_of_doubles_in_long_rows);
     RUN(empty_mesh_sets_nothing);
+    RUN(a_box_beside_a_plane_sets_no_other);
     return test_report("test_fill");
 }
