@@ -2034,12 +2034,12 @@ TBX_FN int tbx_is_line(const double v0[3], const double v1[3], const double v2[3
 /* Of usual numbers. */
 TBX_FN int tbx_same_point(const double a[3], const double b[3])
 {
-    return !(a[0] < b[0]) & !(a[0] > b[0]) & !(a[1] < b[1]) & !(a[1] > b[1]) & !(a[2] < b[2]) &
+    return !(a[0] < b[0]) && !(a[0] > b[0]) && !(a[1] < b[1]) && !(a[1] > b[1]) && !(a[2] < b[2]) &&
            !(a[2] > b[2]);
 }
 
 /* The values of a segment, whose edges are one, and which has no plane. */
-TBX_FN void tbx_filter_segment(tbx_values *out, const double p[3], const double q[3], const tbx_clip *clip)
+TBX_NOINLINE void tbx_filter_segment(tbx_values *out, const double p[3], const double q[3], const tbx_clip *clip)
 {
     tbx_axis x[3];
     int k;
@@ -2072,30 +2072,17 @@ TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const dou
     return tbx_exact_axes(&f, unsure, clip->open_lo, clip->open_hi);
 }
 
-/* The filter leaves conditions open. Corners that repeat make a segment, which has a filter of its own;
- * values of whole numbers are exact, and 0 where the bound leaves no other (an edge's is a multiple of the
- * unit squared, its bound below 2^-15 of it); a triangle without area has no plane. The rest is said by exact
- * signs. */
+/* The filter leaves conditions open. Values of whole numbers are exact, and 0 where the bound leaves no other
+ * (an edge's is a multiple of the unit squared, its bound below 2^-15 of it); a triangle without area has no
+ * plane. The rest is said by exact signs. */
 TBX_COLD int tbx_clipped_unsure(const double v0[3], const double v1[3], const double v2[3],
                                 const tbx_clip *clip, const tbx_values *filter)
 {
-    const int is_first = tbx_same_point(v0, v1);
     const unsigned open = clip->open_lo | clip->open_hi;
-    tbx_values segment;
     unsigned unsure = 0;
     int k;
-    if (is_first || tbx_same_point(v0, v2) || tbx_same_point(v1, v2)) {
-        tbx_filter_segment(&segment, v0, is_first ? v2 : v1, clip);
-        filter = &segment;
-    }
     for (k = 0; k < 4; k++) {
-        if (filter->value[k] < -filter->bound[k]) {
-            return 0;
-        }
         unsure |= (unsigned)!(filter->value[k] >= filter->bound[k]) << k;
-    }
-    if (unsure == 0) {
-        return 1;
     }
     if (tbx_clip_on_lattice(v0, v1, v2, clip)) {
         if (filter->value[3] < 0.0) {
@@ -2111,7 +2098,8 @@ TBX_COLD int tbx_clipped_unsure(const double v0[3], const double v1[3], const do
 }
 
 /* The verdict for usual numbers: emptiness and the faces first, then the nine edges and the plane by the
- * filter, and what that leaves open by exact signs. */
+ * filter, which is another for a segment, as corners that repeat are, and what that leaves open by exact
+ * signs. */
 TBX_NOINLINE int tbx_overlap_usual(const double v0[3], const double v1[3], const double v2[3],
                                    const double box_min[3], const double box_max[3], unsigned flags)
 {
@@ -2122,6 +2110,7 @@ TBX_NOINLINE int tbx_overlap_usual(const double v0[3], const double v1[3], const
     tbx_values filter;
     double least;
     double most;
+    int is_first;
     clip.open_lo = 0;
     clip.open_hi = 0;
     if (tbx_clip_axis(&clip, 0, x, box_min[0], box_max[0], flags) |
@@ -2129,7 +2118,12 @@ TBX_NOINLINE int tbx_overlap_usual(const double v0[3], const double v1[3], const
         tbx_clip_axis(&clip, 2, z, box_min[2], box_max[2], flags)) {
         return 0;
     }
-    tbx_filter(&filter, v0, v1, v2, &clip);
+    is_first = tbx_same_point(v0, v1);
+    if (is_first || tbx_same_point(v0, v2) || tbx_same_point(v1, v2)) {
+        tbx_filter_segment(&filter, v0, is_first ? v2 : v1, &clip);
+    } else {
+        tbx_filter(&filter, v0, v1, v2, &clip);
+    }
     least = tbx_lesser(tbx_lesser(filter.value[0] - filter.bound[0], filter.value[1] - filter.bound[1]),
                        tbx_lesser(filter.value[2] - filter.bound[2], filter.value[3] - filter.bound[3]));
     most = tbx_lesser(tbx_lesser(filter.value[0] + filter.bound[0], filter.value[1] + filter.bound[1]),
