@@ -16546,7 +16546,6 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_SOLID_PARTS
 #undef TBX_SOLID_MARGIN
 #undef TBX_SOLID_LINE_ERROR
-#undef TBX_SOLID_ANYWAY
 #undef TBX_SOLID_BLOCK
 #undef TBX_SOLID_BOX_ERROR
 #undef TBX_SOLID_PLACE_ERROR
@@ -16566,6 +16565,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_PLANE_SPHERE_ERROR
 #undef TBX_TOUCH_ERROR
 #undef TBX_PIERCE_ERROR
+#undef TBX_PIERCE_ERROR4
 #undef TBX_SHOT_ERROR
 #undef TBX_BALL_ERROR4
 #undef TBX_PLANE_SPHERE_ERROR4
