@@ -11299,7 +11299,7 @@ typedef struct tbx_fill {
     const tbx_target *target;
     tbx_quick quick;
     size_t next;     /* the first triangle of the next block */
-    int on_planes;   /* the last block's boxes were mostly beside grid planes */
+    int habit;       /* of the last block */
     int later_count; /* a block's, and of what waited in groups, at most */
     tbx_later later[TBX_BLOCK + 3 * TBX_WIDE];
 } TBX_ALIGNED tbx_fill;
@@ -11595,10 +11595,12 @@ TBX_FORCED int tbx_block_has_first(const tbx_source *source, size_t first, int c
         return first == 0;
     }
     index += 3 * first;
-    for (i = 0; i + TBX_WIDE <= 3 * count; i += TBX_WIDE) {
-        tbx_iw some;
-        TBX_COPY(&some, index + i, sizeof some);
-        zero |= some == tbx_wide_int(0);
+    for (i = 0; i + 3 * TBX_WIDE <= 3 * count; i += 3 * TBX_WIDE) {
+        tbx_iw some[3];
+        TBX_COPY(&some[0], index + i, sizeof some[0]);
+        TBX_COPY(&some[1], index + i + TBX_WIDE, sizeof some[1]);
+        TBX_COPY(&some[2], index + i + 2 * TBX_WIDE, sizeof some[2]);
+        zero |= (some[0] == tbx_wide_int(0)) | (some[1] == tbx_wide_int(0)) | (some[2] == tbx_wide_int(0));
     }
     for (; i < 3 * count; i++) {
         zero |= tbx_wide_int(-(index[i] == 0));
@@ -11994,7 +11996,8 @@ TBX_FORCED void tbx_block_add(tbx_block *b, const tbx_quick *q, int i, tbx_i4 bo
 }
 
 /* OTHER boxes with care: those that are sure to their classes, those that are off the region to none. */
-TBX_NOINLINE void tbx_block_careful(tbx_block *b, const tbx_quick *q, const tbx_corners *corners, int count)
+TBX_NOINLINE void tbx_block_careful(tbx_block *b, const tbx_quick *q, const tbx_corners *corners, int count,
+                                    int is_near)
 {
     const tbx_i4 magnitude = tbx_splat_int(0x7fffffff);
     const tbx_i4 far_bits = tbx_load4i(q->far_bits);
@@ -12009,7 +12012,8 @@ TBX_NOINLINE void tbx_block_careful(tbx_block *b, const tbx_quick *q, const tbx_
         tbx_i4 beyond = tbx_splat_int(0);
         tbx_four four;
         unsigned sure;
-        for (c = 0; c < 3; c++) {
+        unsigned off;
+        for (c = 0; c < 3 && !is_near; c++) {
             for (j = i; j < i + 4; j++) {
                 beyond |= ((tbx_i4)corners->row[c][j] & magnitude) > far_bits;
             }
@@ -12018,9 +12022,14 @@ TBX_NOINLINE void tbx_block_careful(tbx_block *b, const tbx_quick *q, const tbx_
             continue;
         }
         tbx_four_find(&four, q, &f, corners, i, 1);
+        off = (unsigned)tbx_signs(four.off) & some;
+        if (off == some) {
+            *other ^= (uint64_t)some << i;
+            continue;
+        }
         tbx_four_store(b, i, q, &f, &four);
         sure = (unsigned)tbx_signs(four.sure) & some;
-        *other ^= (uint64_t)((sure | (unsigned)tbx_signs(four.off)) & some) << i;
+        *other ^= (uint64_t)(sure | off) << i;
         for (j = 0; j < 4; j++) {
             if ((sure >> j & 1u) != 0) {
                 c = q->thin ? TBX_CLASS_LARGE : (int)tbx_class_of((unsigned)four.code[j], b->more[i + j]);
@@ -12357,13 +12366,17 @@ TBX_NOINLINE int tbx_block_special(tbx_block *b, const tribox_grid *grid, const 
     return on_lattice;
 }
 
-/* Boxes and lists of so many triangles from the first, BLOCK at most. Where the last block was mostly beside
- * grid planes, *on_planes, all boxes are found with care at once. */
+/* What a block tells the next one about: boxes that were mostly beside grid planes, or all off the region. */
+enum { TBX_HABIT_NONE, TBX_HABIT_PLANES, TBX_HABIT_OFF };
+
+/* Boxes of so many triangles from the first, BLOCK at most, by class. By *habit all are found with care at
+ * once. */
 TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribox_grid *grid,
                                  const tbx_quick *q, const tbx_source *source, size_t first, int count,
-                                 int *on_planes)
+                                 int *habit)
 {
     const int is_near = tbx_block_load(corners, q, source, first, count);
+    uint64_t found = 0;
     int on_lattice = 0;
     int c;
     for (c = 0; c < TBX_CLASSES; c++) {
@@ -12372,16 +12385,19 @@ TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribo
     b->start = first;
     b->same = 0;
     b->of[TBX_CLASS_OTHER] = ~(uint64_t)0 >> (64 - count);
-    if (is_near & !*on_planes) {
+    if (is_near && *habit == TBX_HABIT_NONE) {
         tbx_block_boxes(b, q, corners, count);
     }
     if (b->of[TBX_CLASS_OTHER] != 0) {
-        if (!*on_planes) {
-            tbx_block_careful(b, q, corners, count);
+        if (*habit != TBX_HABIT_PLANES) {
+            tbx_block_careful(b, q, corners, count, is_near);
         }
         on_lattice = tbx_block_special(b, grid, q, source, corners);
     }
-    *on_planes = 2 * on_lattice > count;
+    for (c = 0; c < TBX_CLASSES; c++) {
+        found |= b->of[c];
+    }
+    *habit = 2 * on_lattice > count ? TBX_HABIT_PLANES : found == 0 ? TBX_HABIT_OFF : TBX_HABIT_NONE;
 }
 
 /* ---- Groups: boxes of up to n^3 voxels, n = 2, 3 or 4
@@ -14314,7 +14330,7 @@ TBX_NOINLINE void tbx_fill_small(tbx_fill *fill, tbx_block *b, size_t t, int cou
 {
     tbx_corners corners;
     unsigned c;
-    tbx_block_find(b, &corners, fill->frame->grid, &fill->quick, fill->source, t, count, &fill->on_planes);
+    tbx_block_find(b, &corners, fill->frame->grid, &fill->quick, fill->source, t, count, &fill->habit);
     tbx_block_short(b, fill);
     for (c = TBX_CLASS_FLAT_X; c < TBX_CLASS_LARGE; c++) {
         if (b->of[c] != 0) {
@@ -14367,7 +14383,7 @@ TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, c
     fill.again.lattice = 0;
     fill.rows[0].lattice = fill.rows[1].lattice = 0;
     tbx_quick_init(&fill.quick, frame->grid, target, source->is_double);
-    fill.on_planes = 0;
+    fill.habit = TBX_HABIT_NONE;
     if (!fill.quick.on) {
         return 0;
     }
@@ -14396,12 +14412,12 @@ typedef struct tbx_decided {
 } TBX_ALIGNED tbx_decided;
 
 TBX_NOINLINE void tbx_decide_block(tbx_decided *d, const tbx_quick *q, const tribox_grid *grid,
-                                   const tbx_source *source, size_t first, int count, int *on_planes)
+                                   const tbx_source *source, size_t first, int count, int *habit)
 {
     tbx_corners corners;
     tbx_some some;
     unsigned c;
-    tbx_block_find(&d->block, &corners, grid, q, source, first, count, on_planes);
+    tbx_block_find(&d->block, &corners, grid, q, source, first, count, habit);
     some.block = &d->block;
     some.corners = &corners;
     some.source = source;
@@ -14463,7 +14479,7 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
     tbx_quick q;
     tbx_target target;
     size_t t = 0;
-    int on_planes = 0;
+    int habit = TBX_HABIT_NONE;
     target.bits = NULL;
     target.row_words = (size_t)(f->last_x + 64) / 64;
     target.ny = (size_t)((int64_t)f->grid->hi[1] - lo[1]);
@@ -14477,7 +14493,7 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
         int left = 0;
         unsigned c;
         int j;
-        tbx_decide_block(&u.decided, &q, f->grid, source, t, in_block, &on_planes);
+        tbx_decide_block(&u.decided, &q, f->grid, source, t, in_block, &habit);
         for (rest_of = u.decided.block.of[TBX_CLASS_SHORT]; rest_of != 0; rest_of &= rest_of - 1) {
             const int i = __builtin_ctzll(rest_of);
             const uint64_t key = tbx_block_key(&u.decided.block, i);
