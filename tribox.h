@@ -685,6 +685,13 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 
 /* ---- 3. Platform --------------------------------------------------------------------------------------- */
 
+/* Where to find what, from here on.
+ *   The conditions of [SS10] and [AM01]: exact, 5b, tbx_exact_axes; of one box, 6, tbx_filter; of a prepared
+ *   triangle, 7, tbx_store_edges and tbx_store_plane; of a grid's rows, 8, tbx_walk_groups.
+ *   The touching rule: 5b, tbx_lo_is_open and tbx_hi_is_open, and who asks them.
+ *   A bound of rounding: derived in the comment before the macro TBX_..._ULPS or TBX_..._ERROR that names it.
+ *   The same in vectors: section 11, under the same name with _simd, _lanes or a digit for the lanes. */
+
 #if defined(__CUDACC__) || defined(__HIPCC__)
 #define TBX_HD __host__ __device__
 #else
@@ -1000,14 +1007,21 @@ TBX_COLD void tbx_widen_unusual(double *out, uint32_t bits)
     TBX_COPY(out, &wide, sizeof wide);
 }
 
+/* A float's bits: is it neither 0 nor normal? */
+TBX_FN int tbx_is_unusual(uint32_t bits)
+{
+    const uint32_t magnitude = bits & 0x7fffffffu;
+    return (magnitude - 1u < 0x007fffffu) | (magnitude >= 0x7f800000u);
+}
+
 /* The float's value as a double, also where the processor would read a subnormal as zero. */
 TBX_FN void tbx_widen(double *out, const float *x)
 {
     const uint32_t bits = tbx_bits32(x);
-    const uint32_t magnitude = bits & 0x7fffffffu;
-    if (TBX_RARELY((magnitude - 1u < 0x007fffffu) | (magnitude >= 0x7f800000u))) {
+    if (TBX_RARELY(tbx_is_unusual(bits))) {
         tbx_widen_unusual(out, bits);
     } else {
+        TBX_KEEP_POINTER(x); /* not converted before it is known to be usual */
         *out = (double)*x;
     }
 }
@@ -1027,6 +1041,55 @@ TBX_FN int tbx_is_nan(const double *x)
 TBX_FN int tbx_is_finite(const double *x)
 {
     return (tbx_bits64(x) & 0x7fffffffffffffffu) < 0x7ff0000000000000u;
+}
+
+TBX_FN int tbx_finite3(const double x[3])
+{
+    return tbx_is_finite(&x[0]) & tbx_is_finite(&x[1]) & tbx_is_finite(&x[2]);
+}
+
+TBX_COLD int tbx_read_unusual(double out[3], const void *from)
+{
+    float x[3];
+    TBX_COPY(x, from, sizeof x);
+    tbx_widen3(out, x);
+    return tbx_finite3(out);
+}
+
+/* Two floats' bits in one word: is one of them neither 0 nor normal? Bits 31 and 63 say so, without a carry
+ * from one to the other: the first sum of infinity and NaN has them, the second of all but 0, the third of
+ * normal numbers. */
+TBX_FN int tbx_is_unusual_pair(uint64_t pair)
+{
+    const uint64_t magnitudes = pair & 0x7fffffff7fffffffu;
+    return (((magnitudes + 0x0080000000800000u) |
+             ((magnitudes + 0x7fffffff7fffffffu) & ~(magnitudes + 0x7f8000007f800000u))) &
+            0x8000000080000000u) != 0;
+}
+
+/* Three floats as doubles. Returns 0 where one is NaN or infinite. */
+TBX_FN int tbx_read_floats(double out[3], const void *from)
+{
+    float x[3];
+    uint64_t xy;
+    TBX_COPY(x, from, sizeof x);
+    TBX_COPY(&xy, x, sizeof xy);
+    if (TBX_RARELY(tbx_is_unusual_pair(tbx_opaque64(xy)) | tbx_is_unusual(tbx_bits32(&x[2])))) {
+        return tbx_read_unusual(out, from);
+    }
+    TBX_KEEP_POINTER(from); /* not converted before they are known to be usual */
+    TBX_COPY(x, from, sizeof x);
+    out[0] = (double)x[0];
+    out[1] = (double)x[1];
+    out[2] = (double)x[2];
+    return 1;
+}
+
+/* Is x zero, or is its magnitude at least 2^least and less than 2^most? */
+TBX_FN int tbx_in_range(const double *x, int least, int most)
+{
+    const uint64_t magnitude = tbx_bits64(x) & 0x7fffffffffffffffu;
+    return magnitude == 0 || (unsigned)(magnitude >> 52) - (unsigned)(1023 + least) < (unsigned)(most - least);
 }
 
 /* An integer that orders as the number does (NaN aside); both zeros give 0. */
@@ -1524,6 +1587,26 @@ TBX_FN int tbx_orient3(const tbx_exact *f, const int q[3])
 
 /* ---- 5b. The exact test -------------------------------------------------------------------------------- */
 
+/* The touching rule: which faces of a box are open, all lower ones, all upper ones. THIN means closed. A rule
+ * moves exact zeros only, so no bound of floating-point arithmetic sees it. Who asks these two: of one box
+ * tbx_exact_overlap, tbx_clip_box and tbx_clip_axis; of prepared boxes tbx_tri_start, tbx_tri_test,
+ * tbx_octant_faces and, in lanes, tbx_tri_init_simd; of a grid tbx_frame_init and, in lanes, tbx_quick_init. */
+TBX_FN int tbx_lo_is_open(unsigned flags)
+{
+    return (flags & (TRIBOX_THIN | TRIBOX_OPEN)) == TRIBOX_OPEN;
+}
+
+TBX_FN int tbx_hi_is_open(unsigned flags)
+{
+    return (flags & TRIBOX_THIN) == 0 && (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+}
+
+/* The flags that a one-box question has. */
+TBX_FN unsigned tbx_rule(unsigned flags)
+{
+    return (flags & TRIBOX_THIN) != 0 ? 0u : flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN);
+}
+
 /* The sign of component k of edge v[i+1] - v[i]. */
 TBX_FN int tbx_edge_sign(const tbx_exact *f, int i, int k)
 {
@@ -1666,8 +1749,8 @@ TBX_FN tbx_coord tbx_exact_extreme(const tbx_exact *f, int k, int side)
  * where it lies strictly outside. */
 TBX_COLD int tbx_exact_overlap(tbx_exact *f, unsigned flags)
 {
-    const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const int lo_is_open = tbx_lo_is_open(flags);
+    const int hi_is_open = tbx_hi_is_open(flags);
     unsigned open_lo = 0;
     unsigned open_hi = 0;
     int k;
@@ -1690,12 +1773,13 @@ TBX_COLD int tbx_exact_overlap(tbx_exact *f, unsigned flags)
         } else if (hi_is_open) {
             open_hi |= 1u << k;
         }
-        f->x[TBX_MID][k] = *lo; /* unused */
+        f->x[TBX_MID][k] = f->x[0][k]; /* unused: what it was may span more bits */
     }
     tbx_exact_finish(f);
     return tbx_exact_axes(f, TBX_ALL_AXES, open_lo, open_hi);
 }
 
+/* The corners; the box's rows are v0 until they are set. */
 TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[3], const double v2[3])
 {
     int k;
@@ -1703,6 +1787,7 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
         f->x[0][k] = tbx_at(&v0[k], NULL, 0);
         f->x[1][k] = tbx_at(&v1[k], NULL, 0);
         f->x[2][k] = tbx_at(&v2[k], NULL, 0);
+        f->x[TBX_LO][k] = f->x[TBX_MID][k] = f->x[TBX_HI][k] = f->x[0][k];
     }
 }
 
@@ -1749,23 +1834,6 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
 
 enum { TBX_MISS = 0, TBX_HIT = 1, TBX_UNSURE = 2 };
 
-/* The touching rule of a one-box question; THIN means closed there.
- *
- * A rule says which faces of a box are open. It moves exact zeros only, so floating-point bounds never see
- * it. What a rule means stands in: tbx_exact_overlap (which zeros hold), tbx_clip_box and tbx_clip_axis
- * (faces of one box), tbx_tri_start, tbx_tri_test and tbx_octant_faces (of prepared boxes), tbx_frame_init
- * (of a grid, whose lo_is_open and hi_is_open the walk reads); and again, in section 11, tbx_tri_init_simd
- * and tbx_quick_init. */
-TBX_FN unsigned tbx_rule(unsigned flags)
-{
-    return (flags & TRIBOX_THIN) != 0 ? 0u : flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN);
-}
-
-TBX_FN int tbx_finite3(const double x[3])
-{
-    return tbx_is_finite(&x[0]) & tbx_is_finite(&x[1]) & tbx_is_finite(&x[2]);
-}
-
 /* The triangle is a set of points: no corner has a NaN or an infinity. */
 TBX_FN int tbx_corners_finite(const double v0[3], const double v1[3], const double v2[3])
 {
@@ -1798,23 +1866,22 @@ TBX_FN double tbx_greater(double a, double b)
 
 /* Is the magnitude 0 or in [2^-200, 2^300)? Such doubles are multiples of 2^-252, and so are their
  * differences: nothing is flushed to zero, and nothing that the filter computes overflows. */
-TBX_FN unsigned tbx_is_usual(const double *x)
+TBX_FN int tbx_is_usual(const double *x)
 {
     const uint64_t magnitude = tbx_bits64(x) & 0x7fffffffffffffffu;
-    return (unsigned)(magnitude == 0) |
-           (unsigned)(magnitude - ((uint64_t)(1023 - 200) << 52) < (uint64_t)500 << 52);
+    return (magnitude == 0) | (magnitude - ((uint64_t)(1023 - 200) << 52) < (uint64_t)500 << 52);
 }
 
-TBX_FN unsigned tbx_is_usual3(const double x[3])
+TBX_FN int tbx_is_usual3(const double x[3])
 {
     return tbx_is_usual(&x[0]) & tbx_is_usual(&x[1]) & tbx_is_usual(&x[2]);
 }
 
-TBX_COLD int tbx_all_usual(const double v0[3], const double v1[3], const double v2[3],
-                           const double box_min[3], const double box_max[3])
+TBX_NOINLINE int tbx_all_usual(const double v0[3], const double v1[3], const double v2[3],
+                               const double box_min[3], const double box_max[3])
 {
-    return (int)(tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2) & tbx_is_usual3(box_min) &
-                 tbx_is_usual3(box_max));
+    return tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2) & tbx_is_usual3(box_min) &
+           tbx_is_usual3(box_max);
 }
 
 /* The box, clipped to the triangle's bounding box. Bit k of open_lo, open_hi: that face is not in the box. */
@@ -1831,8 +1898,8 @@ typedef struct tbx_clip {
 TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3], const double v2[3],
                         const double box_min[3], const double box_max[3], unsigned flags)
 {
-    const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const int lo_is_open = tbx_lo_is_open(flags);
+    const int hi_is_open = tbx_hi_is_open(flags);
     int k;
     clip->open_lo = 0;
     clip->open_hi = 0;
@@ -1865,8 +1932,8 @@ TBX_FN int tbx_clip_axis(tbx_clip *clip, int k, const double v[3], double lo, do
     int parted = lower > upper; /* also where lo > hi */
     clip->lo[k] = lower;
     clip->hi[k] = upper;
-    if (flags != 0) {
-        const int lo_is_open = (flags & TRIBOX_OPEN) != 0;
+    if (tbx_hi_is_open(flags)) {
+        const int lo_is_open = tbx_lo_is_open(flags);
         parted |= (lo >= hi) | (hi <= t_min) | (lo_is_open & (lo >= t_max));
         clip->open_lo |= (unsigned)(lo_is_open & (lo >= t_min)) << k;
         clip->open_hi |= (unsigned)(hi <= t_max) << k;
@@ -2065,7 +2132,6 @@ TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const dou
     tbx_exact_corners(&f, v0, v1, v2);
     for (k = 0; k < 3; k++) {
         f.x[TBX_LO][k] = tbx_at(&clip->lo[k], NULL, 0);
-        f.x[TBX_MID][k] = f.x[TBX_LO][k]; /* unused */
         f.x[TBX_HI][k] = tbx_at(&clip->hi[k], NULL, 0);
     }
     tbx_exact_finish(&f);
@@ -2158,8 +2224,7 @@ TBX_COLD int tbx_overlap_unusual(const double v0[3], const double v1[3], const d
 TBX_NOINLINE int tbx_overlap(const double v0[3], const double v1[3], const double v2[3],
                              const double box_min[3], const double box_max[3], unsigned flags)
 {
-    if (tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2) & tbx_is_usual3(box_min) &
-        tbx_is_usual3(box_max)) {
+    if (tbx_all_usual(v0, v1, v2, box_min, box_max)) {
         return tbx_overlap_usual(v0, v1, v2, box_min, box_max, flags);
     }
     return tbx_overlap_unusual(v0, v1, v2, box_min, box_max, flags);
@@ -2192,10 +2257,9 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
                        const float box_max[3], int rule);
 #endif
 
-TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
-                                      const double box_min[3], const double box_max[3], unsigned flags)
+TBX_FN int tbx_overlap_double(const double v0[3], const double v1[3], const double v2[3],
+                              const double box_min[3], const double box_max[3], unsigned rule)
 {
-    const unsigned rule = tbx_rule(flags);
 #if TRIBOX_SIMD
     const int verdict = tbx_filter2(v0, v1, v2, box_min, box_max, rule != 0);
     if (verdict != TBX_UNSURE) {
@@ -2205,94 +2269,33 @@ TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], co
     return tbx_overlap(v0, v1, v2, box_min, box_max, rule);
 }
 
+TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], const double v2[3],
+                                      const double box_min[3], const double box_max[3], unsigned flags)
+{
+    return tbx_overlap_double(v0, v1, v2, box_min, box_max, tbx_rule(flags));
+}
+
 TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const double v2[3],
                                  const double box_min[3], const double box_max[3])
 {
-#if TRIBOX_SIMD
-    const int verdict = tbx_filter2(v0, v1, v2, box_min, box_max, 0);
-    if (verdict != TBX_UNSURE) {
-        return verdict;
-    }
-#endif
-    return tbx_overlap(v0, v1, v2, box_min, box_max, 0);
+    return tbx_overlap_double(v0, v1, v2, box_min, box_max, 0);
 }
 
-/* Two floats' bits in one word: is one of them neither 0 nor normal? Bits 31 and 63 say so, without a carry
- * from one to the other: the first sum of infinity and NaN has them, the second of all but 0, the third of
- * normal numbers. */
-TBX_FN uint64_t tbx_unusual_pair(uint64_t pair)
-{
-    const uint64_t magnitudes = pair & 0x7fffffff7fffffffu;
-    return (magnitudes + 0x0080000000800000u) |
-           ((magnitudes + 0x7fffffff7fffffffu) & ~(magnitudes + 0x7f8000007f800000u));
-}
-
-TBX_FN uint64_t tbx_unusual3(const float x[3])
-{
-    uint64_t xy;
-    TBX_COPY(&xy, x, sizeof xy);
-    return tbx_unusual_pair(tbx_opaque64(xy)) | tbx_unusual_pair(tbx_bits32(x + 2));
-}
-
-TBX_FN void tbx_widen_normal3(double out[3], const float x[3])
-{
-    out[0] = (double)x[0];
-    out[1] = (double)x[1];
-    out[2] = (double)x[2];
-}
-
-/* The float entry for numbers that are not usual. */
-TBX_COLD int tbx_overlap_widened_unusual(const float v0[3], const float v1[3], const float v2[3],
-                                         const float box_min[3], const float box_max[3], unsigned flags)
-{
-    double wide[5][3];
-    const float *from[5];
-    int i;
-    from[0] = v0;
-    from[1] = v1;
-    from[2] = v2;
-    from[3] = box_min;
-    from[4] = box_max;
-    for (i = 0; i < 5; i++) {
-        tbx_widen3(wide[i], from[i]);
-    }
-    return tbx_overlap_unusual(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
-}
-
-/* The float entry of the scalar body. As doubles, zeros and normal floats are usual. */
+/* The float entry of the scalar body. As doubles, all finite floats are usual. */
 TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
-                                     const float box_min[3], const float box_max[3], unsigned flags)
+                                     const float box_min[3], const float box_max[3], unsigned rule)
 {
     double wide[5][3];
-    const uint64_t unusual = tbx_unusual3(v0) | tbx_unusual3(v1) | tbx_unusual3(v2) | tbx_unusual3(box_min) |
-                             tbx_unusual3(box_max);
-    if (!TBX_RARELY((unusual & 0x8000000080000000u) != 0)) {
-        tbx_widen_normal3(wide[0], v0);
-        tbx_widen_normal3(wide[1], v1);
-        tbx_widen_normal3(wide[2], v2);
-        tbx_widen_normal3(wide[3], box_min);
-        tbx_widen_normal3(wide[4], box_max);
-        return tbx_overlap_usual(wide[0], wide[1], wide[2], wide[3], wide[4], flags);
+    if (tbx_read_floats(wide[0], v0) & tbx_read_floats(wide[1], v1) & tbx_read_floats(wide[2], v2) &
+        tbx_read_floats(wide[3], box_min) & tbx_read_floats(wide[4], box_max)) {
+        return tbx_overlap_usual(wide[0], wide[1], wide[2], wide[3], wide[4], rule);
     }
-    return tbx_overlap_widened_unusual(v0, v1, v2, box_min, box_max, flags);
+    return tbx_overlap_unusual(wide[0], wide[1], wide[2], wide[3], wide[4], rule);
 }
 
-TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                             const float box_max[3])
+TBX_FN int tbx_overlap_float(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                             const float box_max[3], unsigned rule)
 {
-#if TRIBOX_SIMD
-    const int verdict = tbx_filter4(v0, v1, v2, box_min, box_max, 0);
-    if (verdict != TBX_UNSURE) {
-        return verdict;
-    }
-#endif
-    return tbx_overlap_widened(v0, v1, v2, box_min, box_max, 0);
-}
-
-TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const float v2[3],
-                                  const float box_min[3], const float box_max[3], unsigned flags)
-{
-    const unsigned rule = tbx_rule(flags);
 #if TRIBOX_SIMD
     const int verdict = tbx_filter4(v0, v1, v2, box_min, box_max, rule != 0);
     if (verdict != TBX_UNSURE) {
@@ -2300,6 +2303,18 @@ TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const fl
     }
 #endif
     return tbx_overlap_widened(v0, v1, v2, box_min, box_max, rule);
+}
+
+TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                             const float box_max[3])
+{
+    return tbx_overlap_float(v0, v1, v2, box_min, box_max, 0);
+}
+
+TRIBOX_FN int tribox_overlap_rule(const float v0[3], const float v1[3], const float v2[3],
+                                  const float box_min[3], const float box_max[3], unsigned flags)
+{
+    return tbx_overlap_float(v0, v1, v2, box_min, box_max, tbx_rule(flags));
 }
 
 /* [AM01] in plain float: box at the origin, nine cross-product axes, three faces, the plane. */
@@ -2399,7 +2414,7 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
  * every R at most 2^40: where X_b, X_c > 0, G >= 2^-30 R_b and 2^-30 R_c, so the bound, at least 2^-18 G,
  * exceeds 2^-126 R by 2^78; V >= 2^-60 R_a likewise. Where X_b or X_c is 0, all edges across a are along an
  * axis. Nothing overflows: w is at most 2^30 G, and n_a at most 2^30 V, so scaled they are below 2^48, V is
- * below 2^122, and q below 2^41, even where it is that of another p. */
+ * below 2^122, and q below 2^43, even where faces do not hold. */
 #if TBX_GNU
 #define TBX_PURE __attribute__((pure))
 #else
@@ -2436,13 +2451,6 @@ TBX_FN double tbx_key32_value(int32_t key)
     double value;
     tbx_widen(&value, &x);
     return value;
-}
-
-/* Is x zero, or is its magnitude at least 2^least and less than 2^most? */
-TBX_FN int tbx_in_range(const double *x, int least, int most)
-{
-    const uint64_t bits = tbx_bits64(x) & 0x7fffffffffffffffu;
-    return bits == 0 || bits - ((uint64_t)(1023 + least) << 52) < ((uint64_t)(most - least) << 52);
 }
 
 /* Is s, a rounded a + b, their exact sum? It less the larger one is a double, in every rounding mode: it is
@@ -2527,13 +2535,7 @@ TBX_FN int32_t tbx_least_key(const double *t, const double *size, int strict)
 TBX_COLD int tbx_normal_sign_exact(const double v0[3], const double v1[3], const double v2[3], int b, int c)
 {
     tbx_exact f;
-    int row;
     tbx_exact_corners(&f, v0, v1, v2);
-    for (row = TBX_LO; row < TBX_ROWS; row++) { /* unused */
-        f.x[row][0] = f.x[0][0];
-        f.x[row][1] = f.x[0][1];
-        f.x[row][2] = f.x[0][2];
-    }
     tbx_exact_finish(&f);
     return tbx_orient2(&f, b, c, 0, 1, 2, 2);
 }
@@ -2730,8 +2732,8 @@ TBX_FN int tbx_tri_start(tribox_tri *tri, const double v[3][3], const double siz
     const double zero = 0.0;
     const int finite = tbx_finite3(size);
     const unsigned rule = finite && (flags & TRIBOX_THIN) != 0 ? (unsigned)TRIBOX_THIN : tbx_rule(flags);
-    const int lo_is_open = (rule & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const int lo_is_open = tbx_lo_is_open(rule);
+    const int hi_is_open = tbx_hi_is_open(rule);
     int empty = !tbx_corners_finite(v[0], v[1], v[2]);
     int k;
     for (k = 0; k < 4; k++) {
@@ -2895,6 +2897,7 @@ TBX_COLD int tbx_tri_exact(const tribox_tri *tri, const double p[3], unsigned oc
     int k;
     TBX_COPY(v, tri->v, sizeof v);
     TBX_COPY(size, tri->size, sizeof size);
+    tbx_exact_corners(&f, v[0], v[1], v[2]);
     for (k = 0; k < 3; k++) {
         const int upper = (int)(octant >> k & 1u);
         f.x[TBX_LO][k] = tbx_at(&p[k], &size[k], 2 * upper);
@@ -2902,7 +2905,6 @@ TBX_COLD int tbx_tri_exact(const tribox_tri *tri, const double p[3], unsigned oc
         /* an infinite step is read as 2^1024; four of them from any p lie beyond every corner */
         f.x[TBX_HI][k] = tbx_at(&p[k], &size[k], tbx_is_finite(&size[k]) ? 2 * upper + 2 : 8);
     }
-    tbx_exact_corners(&f, v[0], v[1], v[2]);
     return tbx_exact_overlap(&f, tri->flags);
 }
 
@@ -2931,8 +2933,8 @@ TBX_COLD int tbx_tri_decide(const tribox_tri *tri, const double p[3], unsigned o
 /* The specification of the test: faces, the conditions in float, what they leave open. */
 TBX_NOINLINE int tbx_tri_test(const tribox_tri *tri, const double p[3])
 {
-    const int lo_is_open = (tri->flags & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const int lo_is_open = tbx_lo_is_open(tri->flags);
+    const int hi_is_open = tbx_hi_is_open(tri->flags);
     int verdict = TBX_UNSURE;
     int k;
     if (tri->empty || !tbx_finite3(p)) {
@@ -3031,8 +3033,8 @@ TRIBOX_FN void tribox_tri_resize(tribox_tri *tri, const float size[3])
  * size, only the first is a box. */
 TBX_FN unsigned tbx_octant_faces(const tribox_tri *tri, int k, const double *p)
 {
-    const int lo_is_open = (tri->flags & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (tri->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    const int lo_is_open = tbx_lo_is_open(tri->flags);
+    const int hi_is_open = tbx_hi_is_open(tri->flags);
     const double t_min = tri->t_min[k];
     const double t_max = tri->t_max[k];
     const double size = tri->size[k];
@@ -3165,10 +3167,9 @@ TBX_FN size_t tbx_saturating_add(size_t a, size_t b)
 
 /* Is the number 0, or is its magnitude within 2^-e..2^e? Sums, products and quotients of a few such numbers
  * neither overflow nor come near to subnormals. */
-TBX_FN int tbx_is_ordinary(const double *x, unsigned e)
+TBX_FN int tbx_is_ordinary(const double *x, int e)
 {
-    const uint64_t magnitude = tbx_bits64(x) & 0x7fffffffffffffffu;
-    return magnitude == 0 || (unsigned)(magnitude >> 52) - (1023u - e) < 2u * e;
+    return tbx_in_range(x, -e, e);
 }
 
 /* Whatever is 2^-ORDINARY..2^ORDINARY, or 0: all floats are. Differences of two such doubles are 0 or at
@@ -3304,31 +3305,6 @@ TBX_FN int tbx_corners_kind(double v[3][3])
     return tbx_corners_finite(v[0], v[1], v[2]) ? TBX_ANY_FINITE : TBX_NO_POINTS;
 }
 
-/* Three floats as doubles. Returns 0 where one is NaN or infinite. Bit 31 of exponent + 2^23 says all ones,
- * and of exponent - 2^23 all zeros; what that borrows from a neighbour only sends it the careful way, too. */
-TBX_FN int tbx_read_floats(double out[3], const void *from)
-{
-    const uint64_t step = (uint64_t)0x00800000u << 32 | 0x00800000u;
-    const uint64_t exponents = (uint64_t)0x7f800000u << 32 | 0x7f800000u;
-    const uint64_t signs = (uint64_t)0x80000000u << 32 | 0x80000000u;
-    float x[3];
-    uint64_t xy;
-    uint64_t z;
-    TBX_COPY(x, from, sizeof x);
-    TBX_COPY(&xy, x, sizeof xy);
-    xy = tbx_opaque64(xy) & exponents;
-    z = tbx_bits32(&x[2]) & 0x7f800000u;
-    if (TBX_RARELY((((xy + step) | (xy - step)) & signs) != 0 ||
-                   z - 0x00800000u >= 0x7f000000u)) {
-        tbx_widen3(out, x);
-        return tbx_finite3(out);
-    }
-    out[0] = (double)x[0];
-    out[1] = (double)x[1];
-    out[2] = (double)x[2];
-    return 1;
-}
-
 TBX_FN const char *tbx_source_at(const tbx_source *s, size_t t, size_t c)
 {
     const size_t at = 3 * t + c;
@@ -3437,8 +3413,8 @@ TBX_FN int tbx_frame_init(tbx_frame *f, const tribox_grid *grid)
     f->grid = grid;
     f->on = 1;
     f->thin = (grid->flags & TRIBOX_THIN) != 0;
-    f->lo_is_open = !f->thin && (grid->flags & TRIBOX_OPEN) != 0;
-    f->hi_is_open = !f->thin && (grid->flags & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
+    f->lo_is_open = tbx_lo_is_open(grid->flags);
+    f->hi_is_open = tbx_hi_is_open(grid->flags);
     f->reach = 16.0;
     for (k = 0; k < 3; k++) {
         const int on =
@@ -3896,34 +3872,25 @@ TBX_FN void tbx_walk_narrow(tbx_walk *w, int group, int64_t r, int64_t y, int64_
     }
 }
 
-/* The triangle's index box on axis k where rounding leaves it open: exact. first, last: the greater voxel of
- * those in question; open_first, open_last: whether there is a question. */
-TBX_COLD void tbx_walk_box_exact(const tbx_walk *w, int k, int open_first, int open_last, int64_t *first,
-                                 int64_t *last)
+/* The triangle's least and greatest coordinate. */
+TBX_FN void tbx_walk_extremes(const tbx_walk *w, int k, double *out_least, double *out_most)
 {
-    const tbx_frame *f = w->frame;
-    const tribox_grid *grid = f->grid;
-    const double least = tbx_min(tbx_min(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
-    const double most = tbx_max(tbx_max(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
-    if (open_first && tbx_plane_compare(grid, k, grid->lo[k] + *first, least) >= f->hi_is_open) {
-        --*first;
-    }
-    if (open_last && tbx_plane_compare(grid, k, grid->lo[k] + *last, most) > -f->lo_is_open) {
-        --*last;
-    }
+    *out_least = tbx_min(tbx_min(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
+    *out_most = tbx_max(tbx_max(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
 }
 
-/* The same where numbers are out of range, within the region and the voxels round it. */
+/* The whole index box where numbers are out of range, within the region and the voxels round it. */
 TBX_COLD void tbx_walk_box_search(tbx_walk *w)
 {
     const tbx_frame *f = w->frame;
     int k;
     w->light = 0;
     for (k = 0; k < 3; k++) {
-        const double least = tbx_min(tbx_min(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
-        const double most = tbx_max(tbx_max(w->corner[0][k], w->corner[1][k]), w->corner[2][k]);
         const int64_t lo = f->grid->lo[k];
         const int64_t hi = f->grid->hi[k];
+        double least;
+        double most;
+        tbx_walk_extremes(w, k, &least, &most);
         w->whole[k] = tbx_plane_search(f->grid, k, lo + 1, hi + 1, least, f->hi_is_open) - 1 - lo;
         w->more[k] = tbx_plane_search(f->grid, k, lo, hi, most, !f->lo_is_open) - 1 - lo - w->whole[k];
     }
@@ -3947,17 +3914,24 @@ TBX_FN void tbx_fixed_extremes(const tbx_frame *f, int k, double v0, double v1, 
     *out_most = (int64_t)most;
 }
 
-/* Whole index boxes where a face may lie on a grid plane. */
-TBX_COLD void tbx_walk_box_unsure(tbx_walk *w, const int64_t least[3], const int64_t most[3])
+/* Whole index boxes where a face may lie on a grid plane: of two voxels in question the plane between them
+ * decides. */
+TBX_COLD void tbx_walk_box_unsure(tbx_walk *w, const int64_t fixed_least[3], const int64_t fixed_most[3])
 {
-    const int64_t slack = w->frame->slack;
+    const tbx_frame *f = w->frame;
     int k;
     w->box_is_strict = 0;
     for (k = 0; k < 3; k++) {
-        int64_t first = ((least[k] + slack) >> TBX_FIXED) - TBX_BEFORE;
-        int64_t last = ((most[k] + slack) >> TBX_FIXED) - TBX_BEFORE;
-        tbx_walk_box_exact(w, k, first != ((least[k] - slack) >> TBX_FIXED) - TBX_BEFORE,
-                           last != ((most[k] - slack) >> TBX_FIXED) - TBX_BEFORE, &first, &last);
+        const int64_t lo = f->grid->lo[k];
+        int64_t first = ((fixed_least[k] + f->slack) >> TBX_FIXED) - TBX_BEFORE;
+        int64_t last = ((fixed_most[k] + f->slack) >> TBX_FIXED) - TBX_BEFORE;
+        double least;
+        double most;
+        tbx_walk_extremes(w, k, &least, &most);
+        first -= first != ((fixed_least[k] - f->slack) >> TBX_FIXED) - TBX_BEFORE &&
+                 tbx_plane_compare(f->grid, k, lo + first, least) >= f->hi_is_open;
+        last -= last != ((fixed_most[k] - f->slack) >> TBX_FIXED) - TBX_BEFORE &&
+                tbx_plane_compare(f->grid, k, lo + last, most) > -f->lo_is_open;
         w->whole[k] = first;
         w->more[k] = last - first;
     }
@@ -4015,22 +3989,6 @@ TBX_FN int tbx_walk_box(tbx_walk *w, const tbx_frame *f, double v[3][3], int kin
     }
 }
 
-/* The sign of the normal's component a, where double leaves it open. */
-TBX_COLD int tbx_walk_normal_exact(const tbx_walk *w, int a)
-{
-    tbx_exact f;
-    int row;
-    int k;
-    tbx_exact_corners(&f, w->corner[0], w->corner[1], w->corner[2]);
-    for (row = TBX_LO; row < TBX_ROWS; row++) { /* unused */
-        for (k = 0; k < 3; k++) {
-            f.x[row][k] = f.x[0][k];
-        }
-    }
-    tbx_exact_finish(&f);
-    return tbx_orient2(&f, a < 2 ? a + 1 : 0, a > 0 ? a - 1 : 2, 0, 1, 2, 2);
-}
-
 TBX_FN void tbx_walk_normal(tbx_walk *w, int a, int b, int c)
 {
     if (w->light) {
@@ -4049,7 +4007,7 @@ TBX_FN void tbx_walk_normal(tbx_walk *w, int a, int b, int c)
             return;
         }
     }
-    w->n_sign[a] = tbx_walk_normal_exact(w, a);
+    w->n_sign[a] = tbx_normal_sign_exact(w->corner[0], w->corner[1], w->corner[2], b, c);
 }
 
 /* Corners and edges in voxels. */
@@ -4743,14 +4701,6 @@ TRIBOX_FN void tribox_grid_fill_f64(const tribox_grid *grid, const tribox_mesh_f
     tbx_source source;
     tbx_source_double(&source, mesh);
     tbx_fill_mesh(grid, &source, bits);
-}
-
-/* Corner c of the mesh's triangle t. */
-TBX_FN const void *tbx_corner(const tribox_mesh *mesh, size_t t, int c)
-{
-    const size_t stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
-    const size_t at = 3 * t + (size_t)c;
-    return (const char *)mesh->positions + (mesh->indices != NULL ? (size_t)mesh->indices[at] : at) * stride;
 }
 
 /* ---- Solid
@@ -6861,6 +6811,28 @@ TBX_FN int tbx_motion_corner(const tbx_motion *m, int axis, int want)
     return best;
 }
 
+/* r = l.x, where x is set only where l is not 0: two components of an edge's axis, one of a face's. */
+TBX_FN void tbx_motion_dot(tbx_calc *c, tbx_num *r, const tbx_num l[3], const int l_sign[3],
+                           const tbx_num x[3])
+{
+    const int mark = c->used;
+    tbx_num sum;
+    int terms = 0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        if (l_sign[k] != 0) {
+            tbx_num term;
+            tbx_num_mul(c, &term, &l[k], &x[k]);
+            if (terms++ != 0) {
+                tbx_num_add(c, &term, &term, &sum, 1);
+            }
+            tbx_num_keep(c, mark, &term, 1);
+            sum = term;
+        }
+    }
+    *r = sum;
+}
+
 /* The gap at t = 0 between T and the box's far face on a side of the axis: max over B of l'.b - min over T
  * of l'.v, l' = side * l. Returns 0 where the box has no end there. */
 TBX_FN int tbx_motion_gap(tbx_motion *m, int axis, int side, const tbx_num l[3], const int l_sign[3],
@@ -6871,17 +6843,25 @@ TBX_FN int tbx_motion_gap(tbx_motion *m, int axis, int side, const tbx_num l[3],
     const int mark = c->used;
     tbx_num gap[3];
     int k;
-    for (k = 0; k < 3; k++) {
-        const tbx_real *q = l_sign[k] * side > 0 ? &m->hi[k] : &m->lo[k];
-        if (l_sign[k] == 0) {
-            tbx_num_integer(c, &gap[k], 0, 0);
-        } else if (tbx_key_is_finite(q->key) & tbx_key_is_finite(v[k].key)) {
-            tbx_num_difference(c, &gap[k], q, &v[k]);
-        } else {
+    if (axis < TBX_AXIS_NORMAL) {
+        const tbx_real *q = side > 0 ? &m->hi[axis] : &m->lo[axis];
+        if (!(tbx_key_is_finite(q->key) & tbx_key_is_finite(v[axis].key))) {
             return 0;
         }
+        tbx_num_difference(c, out, q, &v[axis]);
+        tbx_num_flip(c, out, side);
+        return 1;
     }
-    tbx_num_dot(c, out, l, gap);
+    for (k = 0; k < 3; k++) {
+        const tbx_real *q = l_sign[k] * side > 0 ? &m->hi[k] : &m->lo[k];
+        if (l_sign[k] != 0) {
+            if (!(tbx_key_is_finite(q->key) & tbx_key_is_finite(v[k].key))) {
+                return 0;
+            }
+            tbx_num_difference(c, &gap[k], q, &v[k]);
+        }
+    }
+    tbx_motion_dot(c, out, l, l_sign, gap);
     tbx_num_flip(c, out, side);
     tbx_num_keep(c, mark, out, 1);
     return 1;
@@ -6894,7 +6874,7 @@ TBX_FN int tbx_motion_signs(tbx_motion *m, int axis, tbx_num l[3], int l_sign[3]
     int k;
     tbx_motion_axis(m, axis, l);
     for (k = 0; k < 3; k++) {
-        l_sign[k] = tbx_num_sign(&m->calc, &l[k]);
+        l_sign[k] = axis < TBX_AXIS_NORMAL ? k == axis : tbx_num_sign(&m->calc, &l[k]);
         if (axis == TBX_AXIS_NORMAL) {
             m->n_sign[k] = l_sign[k];
         }
@@ -6903,14 +6883,20 @@ TBX_FN int tbx_motion_signs(tbx_motion *m, int axis, tbx_num l[3], int l_sign[3]
 }
 
 /* How fast the box moves along the axis: r = l.u */
-TBX_FN void tbx_motion_speed(tbx_motion *m, const tbx_num l[3], tbx_num *r)
+TBX_FN void tbx_motion_speed(tbx_motion *m, int axis, const tbx_num l[3], const int l_sign[3], tbx_num *r)
 {
     tbx_num u[3];
     int k;
-    for (k = 0; k < 3; k++) {
-        tbx_num_of(&m->calc, &u[k], &m->velocity[k]);
+    if (axis < TBX_AXIS_NORMAL) {
+        tbx_num_of(&m->calc, r, &m->velocity[axis]);
+        return;
     }
-    tbx_num_dot(&m->calc, r, l, u);
+    for (k = 0; k < 3; k++) {
+        if (l_sign[k] != 0) {
+            tbx_num_of(&m->calc, &u[k], &m->velocity[k]);
+        }
+    }
+    tbx_motion_dot(&m->calc, r, l, l_sign, u);
 }
 
 /* Both conditions of one axis. */
@@ -6924,7 +6910,7 @@ TBX_FN void tbx_motion_clip(tbx_motion *m, int axis)
     int l_sign[3];
     int side;
     if (tbx_motion_signs(m, axis, l, l_sign)) {
-        tbx_motion_speed(m, l, &speed);
+        tbx_motion_speed(m, axis, l, l_sign, &speed);
         for (side = 1; side >= -1; side -= 2) {
             if (tbx_motion_gap(m, axis, side, l, l_sign, &gap)) {
                 tbx_num_flip(c, &speed, side);
@@ -6982,7 +6968,7 @@ TBX_NOINLINE int64_t tbx_motion_round_exact(const tbx_motion *found, int e, int 
     m.calc.used = 0;
     m.calc.store = store;
     (void)tbx_motion_signs(&m, m.end_axis[e], l, l_sign);
-    tbx_motion_speed(&m, l, &m.end[e].d);
+    tbx_motion_speed(&m, m.end_axis[e], l, l_sign, &m.end[e].d);
     (void)tbx_motion_gap(&m, m.end_axis[e], side, l, l_sign, &m.end[e].n);
     tbx_num_flip(&m.calc, &m.end[e].d, side);
     tbx_fraction_orient(&m.calc, &m.end[e], m.end[e].d.sign);
@@ -7061,6 +7047,19 @@ TBX_FN int tbx_shot_passes(tbx_calc *c, const tbx_shot *s)
  * share of the sums, errs by 7 u. */
 #define TBX_SHOT_ERROR (9.0 * TBX_U64)
 
+TBX_FN double tbx_shot_det(const double d[3], const double a[3], const double b[3], double *out_error)
+{
+    const double yz = d[0] * (a[1] * b[2]);
+    const double zy = d[0] * (a[2] * b[1]);
+    const double zx = d[1] * (a[2] * b[0]);
+    const double xz = d[1] * (a[0] * b[2]);
+    const double xy = d[2] * (a[0] * b[1]);
+    const double yx = d[2] * (a[1] * b[0]);
+    *out_error = (tbx_abs(yz) + tbx_abs(zy) + tbx_abs(zx) + tbx_abs(xz) + tbx_abs(xy) + tbx_abs(yx)) *
+                 TBX_SHOT_ERROR;
+    return (yz - zy) + (zx - xz) + (xy - yx);
+}
+
 TBX_FN int tbx_shot_misses(const float origin[3], const float dir[3], const float *const v[3])
 {
     double x[4][3];
@@ -7078,18 +7077,8 @@ TBX_FN int tbx_shot_misses(const float origin[3], const float dir[3], const floa
         tbx_minus3(x[i], x[i], x[3]);
     }
     for (i = 0; i < 3; i++) {
-        const double *a = x[i];
-        const double *b = x[i == 2 ? 0 : i + 1];
-        const double yz = d[0] * (a[1] * b[2]);
-        const double zy = d[0] * (a[2] * b[1]);
-        const double zx = d[1] * (a[2] * b[0]);
-        const double xz = d[1] * (a[0] * b[2]);
-        const double xy = d[2] * (a[0] * b[1]);
-        const double yx = d[2] * (a[1] * b[0]);
-        const double det = (yz - zy) + (zx - xz) + (xy - yx);
-        const double error =
-            (tbx_abs(yz) + tbx_abs(zy) + tbx_abs(zx) + tbx_abs(xz) + tbx_abs(xy) + tbx_abs(yx)) *
-            TBX_SHOT_ERROR;
+        double error;
+        const double det = tbx_shot_det(d, x[i], x[i == 2 ? 0 : i + 1], &error);
         above |= det > error;
         below |= det < -error;
     }
@@ -7373,7 +7362,7 @@ TBX_FN int tbx_sweep_box_valid(tbx_motion *m, const float box_min[3], const floa
 {
     int flat = 0;
     int k;
-    m->open = (flags & (TRIBOX_OPEN | TRIBOX_THIN)) == TRIBOX_OPEN;
+    m->open = tbx_lo_is_open(flags);
     tbx_read(m->lo, box_min, 3, TBX_FLOAT);
     tbx_read(m->hi, box_max, 3, TBX_FLOAT);
     tbx_read(m->velocity, velocity, 3, TBX_FLOAT);
@@ -8843,6 +8832,8 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
 TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius);
 TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3],
                            const float box_max[3]);
+TBX_FN int tbx_pierce4(const float origin[3], const float dir[3], const float *from, const float center[3],
+                       const float *radius);
 #endif
 
 /* As a radius: also what is below 0. */
@@ -9542,26 +9533,22 @@ TBX_FN int64_t tbx_pierce_end(double t, double error, int e, double own, const f
 {
     const double beyond = e == 0 ? own - t : t - own;
     const int64_t key = tbx_round_outward(t, error, e);
-    if (beyond > error) {
-        return (int64_t)tbx_key32(own_float);
-    }
-    *unsure |= (beyond > -error) | (key == 0);
-    return key;
+    const int64_t is_own = -(int64_t)(beyond > error); /* a coin toss: no branch */
+    *unsure |= (tbx_abs(beyond) <= error) | ((key | is_own) == 0);
+    return (key & ~is_own) | ((int64_t)tbx_key32(own_float) & is_own);
 }
 
 /* In double. In units of u: B errs by 4 of the magnitudes b of its terms, C by 6 of c = m.m + r^2, so D =
  * B^2 - A C by 10 b^2 + 11 A c, its root by half of that over the root and by 5 of itself, and a root of f
- * by what both add up to, over A, and 11 of itself (4 of them a division's). Most rays miss: where D < 0;
- * from t >= 0 on also where C > 0 and B > 0. Returns MISS, HIT with the ends as keys, or UNSURE. */
+ * by what both add up to, over A, and 11 of itself (4 of them a division's). Returns MISS, HIT with the ends
+ * as keys, or UNSURE. */
 #define TBX_PIERCE_ERROR (32.0 * TBX_U64)
 
 typedef struct tbx_parabola {
     double a;
     double b;
-    double c;
     double d;
     double b_size;
-    double c_error;
     double d_error;
 } tbx_parabola;
 
@@ -9579,11 +9566,9 @@ TBX_FN void tbx_parabola_set(tbx_parabola *f, const float origin[3], const float
     mm = tbx_dot3(m, m);
     f->a = tbx_dot3(w, w);
     f->b = tbx_dot3(w, m);
-    f->c = mm - r;
-    f->d = f->b * f->b - f->a * f->c;
+    f->d = f->b * f->b - f->a * (mm - r);
     f->b_size = tbx_abs(w[0] * m[0]) + tbx_abs(w[1] * m[1]) + tbx_abs(w[2] * m[2]);
-    f->c_error = (mm + r) * TBX_PIERCE_ERROR;
-    f->d_error = f->b_size * f->b_size * TBX_PIERCE_ERROR + f->a * f->c_error;
+    f->d_error = (f->b_size * f->b_size + f->a * (mm + r)) * TBX_PIERCE_ERROR;
 }
 
 /* The roots where A > 0 and D is well above its error. Returns their error. */
@@ -9613,9 +9598,8 @@ TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const fl
     double error;
     int unsure = 0;
     tbx_parabola_set(&f, origin, dir, center, r);
-    if ((f.d < -f.d_error) | ((tbx_bits32(t) >> 31 == 0) & (f.c > f.c_error) &
-                              (f.b > f.b_size * TBX_PIERCE_ERROR))) { /* NaN is no ray, too */
-        return TBX_MISS;
+    if (f.d < -f.d_error) {
+        return TBX_MISS; /* NaN is no ray, too */
     }
     if (!(f.d > 1024.0 * f.d_error && f.a > 0.0) || !tbx_pierce_ends(t, ends)) {
         return TBX_UNSURE;
@@ -9636,10 +9620,17 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
     float t[2];
     int64_t key[2];
     int hit = TBX_UNSURE;
+    int usual = TBX_UNSURE; /* MISS, or HIT: numbers are */
     TBX_COPY(&t[0], &t_min, sizeof t_min);
     TBX_COPY(&t[1], &t_max, sizeof t_max);
+#if TRIBOX_SIMD
+    usual = tbx_pierce4(origin, dir, t, c, &radius);
+    if (usual == TBX_MISS) { /* most rays */
+        return 0;
+    }
+#endif
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY(tbx_odd4(origin, dir, c, c) || tbx_odd_radius(&radius) != 0)) {
+    if (usual == TBX_HIT || !(tbx_odd4(origin, dir, c, c) || tbx_odd_radius(&radius) != 0)) {
         hit = tbx_pierce_filter(origin, dir, t, c, tbx_take(&radius), key);
     }
 #endif
@@ -9707,6 +9698,16 @@ TBX_FN tbx_i4 tbx_load3i(const void *v)
 TBX_FN tbx_f4 tbx_load3(const void *v)
 {
     return (tbx_f4)tbx_load3i(v);
+}
+
+/* Two floats, and zeros. */
+TBX_FN tbx_f4 tbx_load_pair(const float v[2])
+{
+    tbx_l2 xy = { 0, 0 };
+    int64_t pair;
+    TBX_COPY(&pair, v, sizeof pair);
+    xy[0] = pair;
+    return (tbx_f4)xy;
 }
 
 TBX_FN tbx_f4 tbx_load4(const float v[4])
@@ -9831,6 +9832,14 @@ TBX_FN tbx_f4 tbx_sums3(tbx_f4 a, tbx_f4 b)
     return low + TBX_LANES(low, low, 2, 3, 2, 3) + high;
 }
 
+/* The sums of three lanes of each, in order. */
+TBX_FN tbx_f4 tbx_three_sums3(tbx_f4 a, tbx_f4 b, tbx_f4 c)
+{
+    const tbx_f4 ab = TBX_LANES(a, b, 0, 4, 1, 5);
+    const tbx_f4 ab_high = TBX_LANES(a, b, 2, 6, 3, 7);
+    return (TBX_LANES(ab, c, 0, 1, 4, 4) + TBX_LANES(ab, c, 2, 3, 5, 5)) + TBX_LANES(ab_high, c, 0, 1, 6, 6);
+}
+
 /* Sign bits: lanes whose magnitude, given by its bits, exceeds the float with bits `most`;
  * NaN exceeds all. The difference wraps around where a number below zero is asked, whose sign decides
  * elsewhere. */
@@ -9876,17 +9885,25 @@ TBX_FN tbx_i4 tbx_greater_high(tbx_i4 a, tbx_i4 b)
 #endif
 }
 
-/* The greatest upper halves of five vectors of bits, without their signs. */
+/* The greatest upper halves of three vectors of bits, without their signs; of five. */
+TBX_FN tbx_i4 tbx_greatest3(tbx_i4 a, tbx_i4 b, tbx_i4 c)
+{
+    const tbx_i4 positive = tbx_splat_int(0x7fffffff);
+    return tbx_greater_high(tbx_greater_high(a & positive, b & positive), c & positive);
+}
+
 TBX_FN tbx_i4 tbx_greatest5(tbx_i4 a, tbx_i4 b, tbx_i4 c, tbx_i4 d, tbx_i4 e)
 {
     const tbx_i4 positive = tbx_splat_int(0x7fffffff);
-    return tbx_greater_high(tbx_greater_high(tbx_greater_high(a & positive, b & positive), c & positive),
-                            tbx_greater_high(d & positive, e & positive));
+    return tbx_greater_high(tbx_greatest3(a, b, c), tbx_greater_high(d & positive, e & positive));
 }
 
-/* A segment in float: the verdict for a clipped box, whose size is not negative; range is checked. */
-TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper)
+/* A segment in float: is the clipped box hit? Where lower > upper a face parts them, or min > max. Range is
+ * checked. out_open: that is unsure; out_small: a difference of the ends is so small that what was read as
+ * zero, or flushed, may count. */
+TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper, int *out_open, int *out_small)
 {
+    const tbx_i4 tiny_bits = { 0, 0, 0, 1 }; /* as in tbx_filter4 */
     tbx_f4 a = q - p;
     tbx_f4 l = lower - p;
     tbx_f4 h = upper - lower;
@@ -9894,16 +9911,15 @@ TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper)
     TBX_KEEP_VECTOR(l);
     TBX_KEEP_VECTOR(h);
     {
-        const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
         const tbx_f4 m = l + l + h;
         const tbx_f4 e = tbx_abs4(a);
         const tbx_f4 c = a * tbx_yzx(m) - tbx_yzx(a) * m;
-        const tbx_f4 value = tbx_edge4(e, tbx_yzx(e), h, tbx_yzx(h), c);
+        const tbx_f4 value = tbx_radius4(e, h, tbx_yzx(h)) - tbx_abs4(c);
         const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * e * tbx_yzx(e);
-        if (tbx_any(value + bound < zero)) {
-            return TBX_MISS;
-        }
-        return tbx_any((tbx_i4)(value - bound)) ? TBX_UNSURE : TBX_HIT;
+        const int miss = tbx_any((lower > upper) | (value < -bound));
+        *out_open = tbx_any(value < bound) & !miss;
+        *out_small = tbx_signs(tbx_below(e + (tbx_f4)tiny_bits, 0x30800000)) != 8;
+        return !miss;
     }
 }
 
@@ -9924,8 +9940,11 @@ TBX_COLD int tbx_filter4_rare(const float v0[3], const float v1[3], const float 
         !(apart01 && tbx_any((p0 < p2) | (p0 > p2)) && tbx_any((p1 < p2) | (p1 > p2)))) {
         /* corners that repeat: a segment */
         const tbx_f4 q = apart01 ? p1 : p2;
-        return tbx_segment4(p0, q, tbx_max4(tbx_load3(box_min), tbx_min4(p0, q)),
-                            tbx_min4(tbx_load3(box_max), tbx_max4(p0, q)));
+        int open;
+        int tiny;
+        const int hit = tbx_segment4(p0, q, tbx_max4(tbx_load3(box_min), tbx_min4(p0, q)),
+                                     tbx_min4(tbx_load3(box_max), tbx_max4(p0, q)), &open, &tiny);
+        return open ? TBX_UNSURE : hit;
     }
     return found;
 }
@@ -9937,7 +9956,6 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
 {
     const tbx_i4 tiny_bits = { 0, 0, 0, 1 }; /* 2^-149 */
     const tbx_f4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
-    const tbx_f4 ulps = tbx_splat(TBX_ULPS * TBX_U32);
     tbx_f4 p0 = tbx_load3(v0);
     tbx_f4 p1 = tbx_load3(v1);
     tbx_f4 p2 = tbx_load3(v2);
@@ -9991,7 +10009,7 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
             const tbx_f4 x_yzx = tbx_yzx(x);
             const tbx_f4 area = x * x_yzx;
             const tbx_f4 volume = area * tbx_yzx(x_yzx);
-            const tbx_f4 bound = ulps * TBX_JOIN(area, volume, 0);
+            const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * TBX_JOIN(area, volume, 0);
             /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as
              * zero */
             const int refused = tbx_signs(tbx_below(x + (tbx_f4)tiny_bits, 0x30800000));
@@ -10198,16 +10216,16 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
     const tbx_l2 tiny = { 0, 1 }; /* 2^-1074 */
     const double ulp = TBX_ULPS * TBX_U64;
     const tbx_d2 ulps = tbx_pair(ulp, ulp);
-    const tbx_d2 p0 = tbx_load2(v0);
-    const tbx_d2 p1 = tbx_load2(v1);
-    const tbx_d2 p2 = tbx_load2(v2);
-    const tbx_d2 lo = tbx_load2(box_min);
-    const tbx_d2 hi = tbx_load2(box_max);
-    const tbx_d2 z0 = tbx_load1(v0 + 2);
-    const tbx_d2 z1 = tbx_load1(v1 + 2);
-    const tbx_d2 z2 = tbx_load1(v2 + 2);
-    const tbx_d2 z_lo = tbx_load1(box_min + 2);
-    const tbx_d2 z_hi = tbx_load1(box_max + 2);
+    tbx_d2 p0 = tbx_load2(v0);
+    tbx_d2 p1 = tbx_load2(v1);
+    tbx_d2 p2 = tbx_load2(v2);
+    tbx_d2 lo = tbx_load2(box_min);
+    tbx_d2 hi = tbx_load2(box_max);
+    tbx_d2 z0 = tbx_load1(v0 + 2);
+    tbx_d2 z1 = tbx_load1(v1 + 2);
+    tbx_d2 z2 = tbx_load1(v2 + 2);
+    tbx_d2 z_lo = tbx_load1(box_min + 2);
+    tbx_d2 z_hi = tbx_load1(box_max + 2);
     tbx_axes xy;
     tbx_axes z;
     tbx_side sx;
@@ -10222,6 +10240,16 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
     if (TBX_RARELY(tbx_any(tbx_splat_int(((1023 + 300) << 20) - 1) - greatest))) {
         return TBX_UNSURE;
     }
+    TBX_KEEP_VECTOR(p0);
+    TBX_KEEP_VECTOR(p1);
+    TBX_KEEP_VECTOR(p2);
+    TBX_KEEP_VECTOR(lo);
+    TBX_KEEP_VECTOR(hi);
+    TBX_KEEP_VECTOR(z0);
+    TBX_KEEP_VECTOR(z1);
+    TBX_KEEP_VECTOR(z2);
+    TBX_KEEP_VECTOR(z_lo);
+    TBX_KEEP_VECTOR(z_hi);
     tbx_axes_set(&xy, p0, p1, p2, lo, hi, none);
     tbx_axes_set(&z, z0, z1, z2, z_lo, z_hi, tiny);
     tbx_side_set(&sx, TBX_PAIR(xy.a1, xy.a2, 0, 2), TBX_PAIR(xy.m, xy.m, 0, 0), TBX_PAIR(xy.h, xy.h, 0, 0),
@@ -10466,12 +10494,12 @@ TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[
     const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f }; /* 2^-149 */
     const int thin = (flags & TRIBOX_THIN) != 0;
     const unsigned rule = thin ? (unsigned)TRIBOX_THIN : tbx_rule(flags);
-    const int lo_is_open = (rule & TRIBOX_OPEN) != 0;
-    const int hi_is_open = (rule & (TRIBOX_OPEN | TRIBOX_HALF_OPEN)) != 0;
-    const tbx_f4 p0 = tbx_load3(v0);
-    const tbx_f4 p1 = tbx_load3(v1);
-    const tbx_f4 p2 = tbx_load3(v2);
-    const tbx_i4 sizes = (tbx_i4)tbx_load3(size);
+    const int lo_is_open = tbx_lo_is_open(rule);
+    const int hi_is_open = tbx_hi_is_open(rule);
+    tbx_f4 p0 = tbx_load3(v0);
+    tbx_f4 p1 = tbx_load3(v1);
+    tbx_f4 p2 = tbx_load3(v2);
+    tbx_i4 sizes = (tbx_i4)tbx_load3(size);
     /* sizes of -0 wrap, as unsigned */
     const tbx_i4 far_off = tbx_above(tbx_abs4(p0), most) | tbx_above(tbx_abs4(p1), most) |
                            tbx_above(tbx_abs4(p2), most) | tbx_above((tbx_f4)sizes, most) |
@@ -10479,6 +10507,10 @@ TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[
     if (TBX_RARELY((tbx_signs(far_off | sizes) & 7) != 0)) {
         return 0;
     }
+    TBX_KEEP_VECTOR(p0);
+    TBX_KEEP_VECTOR(p1);
+    TBX_KEEP_VECTOR(p2);
+    TBX_KEEP_VECTOR(sizes);
     {
         const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
         const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
@@ -10558,21 +10590,27 @@ TBX_FN tbx_f4 tbx_least_values(const tribox_tri *tri, tbx_f4 q)
     return tbx_min4(tbx_min4(first, second), third);
 }
 
-/* Is a magnitude 2^42 or more, where a product might overflow, or NaN? */
-TBX_FN int tbx_is_far_off(tbx_f4 x)
+/* Is a magnitude of p, of which x has the lanes, 2^42 or more, where a product might overflow, or NaN? By the
+ * bits of x and y in one integer, and those of z, beside what the vectors do. */
+TBX_FN int tbx_is_far_off(tbx_f4 x, const float p[3])
 {
-    return tbx_any(tbx_above(tbx_abs4(x), 0x54800000));
+    const uint64_t xy = (uint64_t)((tbx_l2)x)[0] & 0x7fffffff7fffffffu;
+    const uint64_t z = tbx_bits32(&p[2]) & 0x7fffffffu;
+    return (((xy + 0x2b8000002b800000u) | (z + 0x2b800000u)) & 0x8000000080000000u) != 0;
 }
 
-/* The test in lanes: HIT, MISS or UNSURE. Where faces do not hold, q is that of p = 0: no operation meets NaN
- * or overflows. gcc would go by mask registers for AVX-512; kept in vectors, the test gains 1.04x. */
+/* The test in lanes: HIT, MISS or UNSURE. gcc would go by mask registers for AVX-512; kept in vectors, the
+ * test gains 1.04x. */
 TBX_FN int tbx_tri_test_simd(const tribox_tri *tri, const float p[3])
 {
     const tbx_f4 x = tbx_load_xyzz(p);
     tbx_i4 parted = tbx_parted(tri, (tbx_i4)x);
     tbx_f4 q;
     TBX_KEEP_VECTOR(parted);
-    q = (tbx_f4)((tbx_i4)x & ~parted) - tbx_load4(tri->ref);
+    if (TBX_RARELY(tbx_is_far_off(x, p))) {
+        return TBX_UNSURE;
+    }
+    q = x - tbx_load4(tri->ref);
     TBX_KEEP_VECTOR(q);
     {
         const tbx_f4 least = tbx_least_values(tri, q);
@@ -10664,16 +10702,17 @@ TBX_FN unsigned tbx_upper_halves(unsigned axes)
  * or cease to hold. */
 TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
 {
-    const tbx_f4 x = tbx_load_xyzz(p);
+    tbx_f4 x = tbx_load_xyzz(p);
     const tbx_f4 step = tbx_load4(tri->hidden.step);
     tbx_f4 lower;
     tbx_f4 upper;
     tbx_f4 sum;
     tbx_f4 without_x;
     tbx_f4 without_step;
-    if (TBX_RARELY(tbx_is_far_off(x) | (tri->hidden.in_range != 2))) {
+    if (TBX_RARELY(tbx_is_far_off(x, p) | (tri->hidden.in_range != 2))) {
         return TBX_OCTANTS_UNSURE;
     }
+    TBX_KEEP_VECTOR(x);
     lower = x - tbx_load4(tri->ref);
     sum = x + step;
     TBX_KEEP_VECTOR(lower);
@@ -11116,12 +11155,15 @@ TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
     const double n = (double)q->n[k];
     const double steps = TBX_STEPS * q->units[k];
     const double most = 1.329227995784916e36 / steps; /* 2^120 */
-    const float far_off = (float)(most < 1e38 ? most : 1e38);
+    double least_far = most < 1e38 ? most : 1e38;
+    float far_off;
     double error = (0.5 * n + 2.0) * 3.0 * (double)TBX_U32 + 2.0 * q->delta;
     double slack;
     double bias;
     double near_by;
     float near_float;
+    TBX_KEEP_SCALAR(least_far); /* not narrowed before it is known to fit */
+    far_off = (float)least_far;
     q->centre[k + 1] = (float)(q->origin[k] + 0.5 * n / q->units[k]);
     TBX_KEEP(q->centre[k + 1]);
     error += 3.0 * (double)TBX_U32 * (double)TBX_U32 * tbx_abs((double)q->centre[k + 1]) * q->units[k];
@@ -11155,8 +11197,8 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
     int k;
     q->on = TBX_DOUBLE_IS_53_BITS;
     q->thin = (grid->flags & TRIBOX_THIN) != 0;
-    q->upper_open = !q->thin && (grid->flags & (TRIBOX_HALF_OPEN | TRIBOX_OPEN)) != 0;
-    q->lower_open = !q->thin && (grid->flags & TRIBOX_OPEN) != 0;
+    q->upper_open = tbx_hi_is_open(grid->flags);
+    q->lower_open = tbx_lo_is_open(grid->flags);
     q->layer_words = t->ny * t->row_words;
     q->delta = 0.0;
     q->delta_low = 0.0f;
@@ -11501,9 +11543,14 @@ TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
     z[1] = last;
     upper = TBX_LANES((tbx_i4)xy, (tbx_i4)z, 1, 3, 5, 7) & tbx_splat_int(0x7fffffff);
     if (!TBX_RARELY(tbx_any(upper > tbx_splat_int((1023 + 100) << 20)))) {
-        const tbx_f4 low = __builtin_ia32_cvtpd2ps(xy - centre->xy);
-        const tbx_f4 high = __builtin_ia32_cvtpd2ps(z - centre->z);
-        tbx_f4 row = TBX_LANES(low, high, 0, 1, 4, 5);
+        tbx_f4 low;
+        tbx_f4 high;
+        tbx_f4 row;
+        TBX_KEEP_VECTOR(xy); /* not converted before: overflow */
+        TBX_KEEP_VECTOR(z);
+        low = __builtin_ia32_cvtpd2ps(xy - centre->xy);
+        high = __builtin_ia32_cvtpd2ps(z - centre->z);
+        row = TBX_LANES(low, high, 0, 1, 4, 5);
         TBX_KEEP_VECTOR(row); /* two moves; as one they become eight */
         bits = (tbx_i4)TBX_LANES(row, row, 2, 0, 1, 3);
     }
@@ -11519,6 +11566,7 @@ TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
     if (!TBX_RARELY((int)((tbx_bits64(&x[0]) & magnitude) > most) |
                     (int)((tbx_bits64(&x[1]) & magnitude) > most) |
                     (int)((tbx_bits64(&x[2]) & magnitude) > most))) {
+        TBX_KEEP(x); /* not converted before: overflow */
         r[1] = (float)(x[0] - centre->xy[0]);
         r[2] = (float)(x[1] - centre->xy[1]);
         r[3] = (float)(x[2] - centre->z[1]);
@@ -14568,8 +14616,8 @@ TBX_COLD int64_t tbx_ray_end_again(const float origin[3], const float dir[3], co
 }
 
 /* Where the ray enters (e = 0) or leaves (1) the slab of axis k, rounded outward. The difference of floats
- * errs by 2^-52 of itself, the quotient is checked to 2^-48 and 2^-51: less than 2^-47. What was read as zero
- * moves an end by 2^-85 (2^-125 * 2^40), so ends below 1e-6 are left to the integers. */
+ * errs by 2^-52 of itself, and by 2^-125 for what was read as zero, which is less than 2^-51 of it above
+ * 1e-22; the quotient is checked to 2^-48 and 2^-51: less than 2^-47. */
 TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const float box_min[3],
                            const float box_max[3], int k, int e)
 {
@@ -14583,7 +14631,7 @@ TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const floa
     TBX_KEEP_SCALAR(t);
     key = tbx_round_outward(t, TBX_SLAB_ERROR * tbx_abs(t), e);
     if (TBX_RARELY(!TBX_DOUBLE_IS_53_BITS || key == 0 ||
-                   !(tbx_abs(t * d - a) < tbx_abs(a) * TBX_SLAB_INVERSE_ERROR && tbx_abs(t) > 1e-6))) {
+                   !(tbx_abs(t * d - a) < tbx_abs(a) * TBX_SLAB_INVERSE_ERROR && tbx_abs(a) > 1e-22))) {
         return tbx_ray_end_again(origin, dir, box_min, box_max, k, e);
     }
     return key;
@@ -14591,52 +14639,37 @@ TBX_FN int64_t tbx_ray_end(const float origin[3], const float dir[3], const floa
 
 /* Bounds of the filter in float. */
 #define TBX_RAY_ERROR 1.9073486328125e-06f     /* 2^-19 */
-#define TBX_RAY_NOTHING 8.271806125530277e-25f /* 2^-80 */
-
-/* The t of these bits, not NaN, moved into [-2^100, 2^100], past every time in a box. */
-TBX_FN float tbx_ray_limit(uint32_t bits)
-{
-    const float most = 1.2676506002282294e+30f;
-    float t = tbx_from_bits32(bits);
-    TBX_KEEP_SCALAR(t);
-    t = t < most ? t : most;
-    return t > -most ? t : -most;
-}
-
-TBX_FN int64_t tbx_float_key(uint32_t bits)
-{
-    const int64_t magnitude = (int64_t)(bits & 0x7fffffffu);
-    return (bits >> 31) != 0 ? -magnitude : magnitude;
-}
+#define TBX_RAY_NOTHING 8.673617379884035e-19f /* 2^-60 */
 
 /* Writes an end of the interval inside: that of the axis (1, 2, 4: 0, 1, 2), or the ray's own (8). */
 TBX_FN void tbx_ray_write(float *out, const float origin[3], const float dir[3], const float box_min[3],
-                          const float box_max[3], int reached, int e, uint32_t t_bits)
+                          const float box_max[3], int reached, int e, const float *own)
 {
     if (out != NULL) {
         tbx_write(out, 0, TBX_FLOAT,
                   reached < 8 ? tbx_ray_end(origin, dir, box_min, box_max, reached >> 1, e)
-                              : tbx_float_key(t_bits));
+                              : (int64_t)tbx_key32(own));
     }
 }
 
-/* Slabs in float, x, y, z in three lanes, t_min and t_max in the fourth. Coordinates are at most 2^40, so
- * differences are at most 2^41, and components of dir within [2^-40, 2^40], so every t in a box is at most
- * 2^81. A difference errs by 2^-23 of itself, a reciprocal is checked to 2^-20, a product errs by 2^-23:
- * 2^-19 in all, and 2^-80 for what was flushed or read as zero (2^-125 * 2^40). The largest lower and the
- * least upper end are no farther from the exact ones than that. */
+/* Slabs in float, x, y, z in three lanes. Coordinates are below 2^40, so differences are at most 2^41, and
+ * components of dir within [2^-64, 2^64), so every t in a box is at most 2^105; t_min and t_max are moved into
+ * [-2^110, 2^110]. A difference errs by 2^-23 of itself, a reciprocal is checked to 2^-20, a product errs by
+ * 2^-23: 2^-19 in all, and 2^-60 for what was flushed or read as zero (2^-125 * 2^64). The largest lower and
+ * the least upper end are no farther from the exact ones than that. */
 TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float t[2], const float box_min[3],
                           const float box_max[3], float *out_t0, float *out_t1)
 {
     const tbx_i4 last_one = { 0, 0, 0, 0x3f800000 };
-    const tbx_i4 most = tbx_splat_int(0x53800000);  /* 2^40 */
-    const tbx_i4 least = tbx_splat_int(0x2b800000); /* 2^-40 */
+    const tbx_i4 least_exponent = tbx_splat_int(63 << 24);
     const tbx_f4 one = tbx_splat(1.0f);
-    uint32_t t_bits[2];
+    const tbx_f4 most = tbx_splat(1.2980742146337069e+33f); /* 2^110 */
     tbx_f4 o = tbx_load3(origin);
-    tbx_f4 d = (tbx_f4)((tbx_i4)tbx_load3(dir) | last_one);
+    tbx_f4 d = (tbx_f4)(tbx_load3i(dir) | last_one);
     tbx_f4 lo = tbx_load3(box_min);
-    const tbx_f4 hi = tbx_load3(box_max);
+    tbx_f4 hi = tbx_load3(box_max);
+    tbx_f4 own = tbx_load_pair(t);
+    const tbx_i4 greatest = tbx_greatest3((tbx_i4)o, (tbx_i4)lo, (tbx_i4)hi);
     tbx_f4 inverse;
     tbx_f4 a;
     tbx_f4 b;
@@ -14648,20 +14681,17 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     float error;
     int reached0;
     int reached1;
-    TBX_COPY(t_bits, t, sizeof t_bits);
-    t_bits[0] = tbx_opaque32(t_bits[0]);
-    t_bits[1] = tbx_opaque32(t_bits[1]);
-    /* by sign bits: out of range, also NaN and infinities */
-    if (TBX_RARELY(tbx_any((most - tbx_magnitude(o)) | (most - tbx_magnitude(lo)) |
-                           (most - tbx_magnitude(hi)) | (most - tbx_magnitude(d)) |
-                           (tbx_magnitude(d) - least)) |
-                   ((0x7f800000u - (t_bits[0] & 0x7fffffffu)) >> 31 != 0) |
-                   ((0x7f800000u - (t_bits[1] & 0x7fffffffu)) >> 31 != 0))) {
+    /* by sign bits: out of range, also NaN and infinities; twice the bits of d have no sign */
+    if (TBX_RARELY(tbx_any((tbx_splat_int(0x537fffff) - greatest) |
+                           (tbx_i4)((tbx_u4)d + (tbx_u4)d - (tbx_u4)least_exponent) |
+                           tbx_above(tbx_abs4(own), 0x7f800000)))) {
         return TBX_UNSURE;
     }
     TBX_KEEP_VECTOR(o);
     TBX_KEEP_VECTOR(d);
     TBX_KEEP_VECTOR(lo);
+    TBX_KEEP_VECTOR(hi);
+    TBX_KEEP_VECTOR(own);
     inverse = one / d;
     a = lo - o;
     b = hi - o;
@@ -14677,10 +14707,10 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     b = b * inverse;
     lower = tbx_min4(a, b);
     upper = tbx_max4(a, b);
-    lower[3] = tbx_ray_limit(t_bits[0]);
-    upper[3] = tbx_ray_limit(t_bits[1]);
-    ends = tbx_min4(TBX_LANES(-lower, upper, 0, 1, 4, 5), TBX_LANES(-lower, upper, 2, 3, 6, 7));
+    own = tbx_max4(tbx_min4(own, most), -most);
+    ends = tbx_min4(TBX_LANES(-lower, upper, 0, 1, 4, 5), TBX_LANES(-lower, upper, 2, 2, 6, 6));
     ends = tbx_min4(ends, TBX_LANES(ends, ends, 1, 0, 3, 2));
+    ends = tbx_min4(ends, TBX_LANES(-own, own, 0, 0, 5, 5));
     first = -ends[0];
     last = ends[2];
     error = TBX_RAY_ERROR * (tbx_absf(first) + tbx_absf(last)) + TBX_RAY_NOTHING;
@@ -14690,67 +14720,47 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
     if (!(last - first > error)) {
         return TBX_UNSURE;
     }
-    error = 2.0f * TBX_RAY_ERROR * tbx_absf(first) + 2.0f * TBX_RAY_NOTHING;
-    reached0 = tbx_signs(lower >= tbx_splat(first - error));
-    error = 2.0f * TBX_RAY_ERROR * tbx_absf(last) + 2.0f * TBX_RAY_NOTHING;
-    reached1 = tbx_signs(upper <= tbx_splat(last + error));
+    error = first - (2.0f * TBX_RAY_ERROR * tbx_absf(first) + 2.0f * TBX_RAY_NOTHING);
+    reached0 = (tbx_signs(lower >= tbx_splat(error)) & 7) | (own[0] >= error) << 3;
+    error = last + (2.0f * TBX_RAY_ERROR * tbx_absf(last) + 2.0f * TBX_RAY_NOTHING);
+    reached1 = (tbx_signs(upper <= tbx_splat(error)) & 7) | (own[1] <= error) << 3;
     if (TBX_RARELY(((reached0 & (reached0 - 1)) | (reached1 & (reached1 - 1))) != 0)) {
         return TBX_UNSURE; /* more than one axis may be the first or last */
     }
-    tbx_ray_write(out_t0, origin, dir, box_min, box_max, reached0, 0, t_bits[0]);
-    tbx_ray_write(out_t1, origin, dir, box_min, box_max, reached1, 1, t_bits[1]);
+    tbx_ray_write(out_t0, origin, dir, box_min, box_max, reached0, 0, &t[0]);
+    tbx_ray_write(out_t1, origin, dir, box_min, box_max, reached1, 1, &t[1]);
     return TBX_HIT;
 }
 
-/* The segment's conditions in float ("segment and box"), x, y, z in three lanes. */
+/* The segment's conditions in float ("segment and box"). */
 TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float box_min[3],
                               const float box_max[3])
 {
-    const tbx_f4 half = tbx_splat(0.5f);
-    const tbx_f4 tiny = { 0.0f, 0.0f, 0.0f, 1.401298464324817e-45f }; /* 2^-149 */
-    const tbx_i4 most = tbx_splat_int(0x53800000);                    /* 2^40 */
     tbx_f4 p0 = tbx_load3(p);
     tbx_f4 p1 = tbx_load3(q);
     tbx_f4 lo = tbx_load3(box_min);
     tbx_f4 hi = tbx_load3(box_max);
-    if (TBX_RARELY(tbx_any((most - tbx_magnitude(p0)) | (most - tbx_magnitude(p1)) |
-                           (most - tbx_magnitude(lo)) | (most - tbx_magnitude(hi))))) {
+    const tbx_i4 greatest =
+        tbx_greater_high(tbx_greatest3((tbx_i4)p0, (tbx_i4)p1, (tbx_i4)lo), tbx_magnitude(hi));
+    int hit;
+    int open;
+    int tiny;
+    if (TBX_RARELY(tbx_any(tbx_splat_int(0x52ffffff) - greatest))) {
         return TBX_UNSURE;
     }
     TBX_KEEP_VECTOR(p0);
     TBX_KEEP_VECTOR(p1);
     TBX_KEEP_VECTOR(lo);
     TBX_KEEP_VECTOR(hi);
-    {
-        const tbx_f4 lower = tbx_max4(lo, tbx_min4(p0, p1));
-        const tbx_f4 upper = tbx_min4(hi, tbx_max4(p0, p1));
-        const tbx_i4 faces = lower > upper; /* a face parts them, or min > max */
-        tbx_f4 a = p1 - p0;
-        tbx_f4 l = lower - p0;
-        tbx_f4 u = upper - p0;
-        TBX_KEEP_VECTOR(a);
-        TBX_KEEP_VECTOR(l);
-        TBX_KEEP_VECTOR(u);
-        {
-            const tbx_f4 x = tbx_abs4(a);
-            const tbx_f4 m = (l + u) * half;
-            const tbx_f4 h = (u - l) * half;
-            const tbx_f4 c = m * tbx_yzx(a) - tbx_yzx(m) * a;
-            const tbx_f4 value = tbx_radius4(x, h, tbx_yzx(h)) - tbx_abs4(c);
-            const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * x * tbx_yzx(x);
-            const int refused = tbx_signs(tbx_below(x + tiny, 0x30800000));
-            const int miss = tbx_signs(faces | (value < -bound)) != 0;
-            const int open = (tbx_signs(value < bound) != 0) & !miss;
-            if (TBX_RARELY((refused != 8) | open)) {
-                if (open || (refused & 7) != 0 || tbx_may_flush(p) || tbx_may_flush(q) ||
-                    tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
-                    return TBX_UNSURE;
-                }
-            }
-            return !miss;
+    hit = tbx_segment4(p0, p1, tbx_max4(lo, tbx_min4(p0, p1)), tbx_min4(hi, tbx_max4(p0, p1)), &open, &tiny);
+    if (TBX_RARELY(open | tiny)) { /* one branch, hardly ever taken */
+        if (open || tbx_may_flush(p) || tbx_may_flush(q) || tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
+            return TBX_UNSURE;
         }
     }
+    return hit;
 }
+
 /* ---- Spheres */
 
 /* Is one of twelve floats subnormal, infinite or NaN? */
@@ -14796,8 +14806,9 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
     tbx_f4 q = tbx_load3(b);
     float of_a = *a_radius;
     float of_b = *b_radius;
-    const tbx_i4 outside = tbx_above(tbx_abs4(p), 0x5d800000) | tbx_above(tbx_abs4(q), 0x5d800000);
-    if (TBX_RARELY(tbx_any(outside) || !tbx_within(a_radius, 0x2b800000u, 0x5d800000u) ||
+    const tbx_i4 greatest = tbx_greater_high(tbx_magnitude(p), tbx_magnitude(q));
+    if (TBX_RARELY(tbx_any(tbx_splat_int(0x5d7fffff) - greatest) ||
+                   !tbx_within(a_radius, 0x2b800000u, 0x5d800000u) ||
                    !tbx_within(b_radius, 0x2b800000u, 0x5d800000u))) {
         return TBX_UNSURE;
     }
@@ -14808,7 +14819,8 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
     return tbx_ball4(p - q, of_a + of_b);
 }
 
-/* No coordinate of the box is subnormal, so lo > hi is what it says. */
+/* Faces that seem equal but differ in their bits may be subnormals read as zero, of which the lower may be the
+ * greater; to a distance they add nothing. */
 TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3],
                            const float box_max[3])
 {
@@ -14817,20 +14829,17 @@ TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float bo
     tbx_f4 lo = tbx_load3(box_min);
     tbx_f4 hi = tbx_load3(box_max);
     float r = *radius;
-    const tbx_f4 size_lo = tbx_abs4(lo);
-    const tbx_f4 size_hi = tbx_abs4(hi);
-    const tbx_i4 outside = tbx_above(tbx_abs4(p), 0x5d800000) | tbx_above(size_lo, 0x5d800000) |
-                           tbx_above(size_hi, 0x5d800000) | tbx_below(size_lo, 0x00800000) |
-                           tbx_below(size_hi, 0x00800000);
-    if (TBX_RARELY(tbx_any(outside) || !tbx_within(radius, 0x2b800000u, 0x5d800000u))) {
+    const tbx_i4 greatest = tbx_greatest3((tbx_i4)p, (tbx_i4)lo, (tbx_i4)hi);
+    if (TBX_RARELY(tbx_any(tbx_splat_int(0x5d7fffff) - greatest) ||
+                   !tbx_within(radius, 0x2b800000u, 0x5d800000u))) {
         return TBX_UNSURE;
     }
     TBX_KEEP_VECTOR(p);
     TBX_KEEP_VECTOR(lo);
     TBX_KEEP_VECTOR(hi);
     TBX_KEEP_SCALAR(r);
-    if (TBX_RARELY(tbx_any(lo > hi))) {
-        return TBX_MISS;
+    if (TBX_RARELY(tbx_any((lo > hi) | ((lo == hi) & ~((tbx_i4)lo == (tbx_i4)hi))))) {
+        return TBX_UNSURE;
     }
     {
         tbx_f4 below = lo - p;
@@ -14841,62 +14850,82 @@ TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float bo
     }
 }
 
-/* x.y, x.x, and the sum of the magnitudes of x.y's terms. */
-typedef struct tbx_dots {
-    float xy;
-    float xx;
-    float size;
-} tbx_dots;
-
-TBX_FN tbx_dots tbx_dots4(tbx_f4 x, tbx_f4 y)
-{
-    const tbx_f4 xy = x * y;
-    const tbx_f4 xx = x * x;
-    const tbx_f4 low = TBX_LANES(xy, xx, 0, 4, 1, 5);
-    const tbx_f4 high = TBX_LANES(xy, xx, 2, 6, 3, 7);
-    const tbx_f4 sums = low + TBX_LANES(low, low, 2, 3, 2, 3) + high;
-    const tbx_f4 sizes = tbx_abs4(low) + tbx_abs4(TBX_LANES(low, low, 2, 3, 2, 3)) + tbx_abs4(high);
-    tbx_dots r;
-    r.xy = sums[0];
-    r.xx = sums[1];
-    r.size = sizes[0];
-    return r;
-}
-
-/* v errs by 4 u of the magnitudes of its terms, and their sum by as much of itself: error is 8 u. Sure
- * beyond (|v| + error)^2 - v^2, with 2^-19 = 16 u of |v| more in each factor for the roundings of v^2, 2
- * u, and of r^2 |n|^2, 6 u of itself: where that is above 3 v^2, and its error more than what the factor
- * adds, it is far from |v| + error / 2, which v is not beyond. |n|^2 is at least 2^-40 and r at least
- * 2^-30, so what is flushed or read as 0, 2^-94 of v, is nothing to that. Returns what tribox_plane_sphere
- * does, or UNSURE. */
-#define TBX_PLANE_SPHERE_ERROR4 (8.0f * TBX_U32)
+/* v errs by 4 u of the magnitudes of its terms, and their sum m by as much of itself, so v is within 8 u m of
+ * exact; v^2 errs by 2 u, r^2 |n|^2 by 6 u of itself. So v^2 - r^2 |n|^2 is sure beyond (2 |v| + error) error
+ * with an error of 8 + 5 of m, as |v| is at most m. |n|^2 is at least 2^-40 and r at least 2^-30, so what is
+ * flushed or read as 0, 2^-94 of v, is nothing to that. Returns what tribox_plane_sphere does, or UNSURE. */
+#define TBX_PLANE_SPHERE_ERROR4 (16.0f * TBX_U32)
 
 TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius)
 {
     tbx_f4 x = tbx_load3(n);
     tbx_f4 y = tbx_load3(c);
-    float of_d = *d;
+    tbx_f4 of_d = { *d, 0.0f, 0.0f, 0.0f };
     float r = *radius;
-    const tbx_i4 outside = tbx_above(tbx_abs4(x), 0x4e800000) | tbx_above(tbx_abs4(y), 0x4e800000);
-    if (TBX_RARELY(tbx_any(outside) || !tbx_within(radius, 0x30800000u, 0x4e800000u) ||
-                   (tbx_bits32(d) & 0x7fffffffu) > 0x5d800000u)) { /* 2^30, 2^-30..2^30, 2^60 */
+    tbx_i4 greatest;
+    TBX_KEEP_VECTOR(of_d);
+    greatest = tbx_greatest3((tbx_i4)x, (tbx_i4)y, (tbx_i4)of_d);
+    if (TBX_RARELY(tbx_any(tbx_splat_int(0x4e7fffff) - greatest) ||
+                   !tbx_within(radius, 0x30800000u, 0x4e800000u))) { /* 2^30, 2^-30..2^30 */
         return TBX_UNSURE;
     }
     TBX_KEEP_VECTOR(x);
     TBX_KEEP_VECTOR(y);
-    TBX_KEEP_SCALAR(of_d);
+    TBX_KEEP_VECTOR(of_d);
     TBX_KEEP_SCALAR(r);
     {
-        const tbx_dots dots = tbx_dots4(x, y);
-        const float v = dots.xy + of_d;
+        const tbx_f4 xy = x * y;
+        const tbx_f4 xx = x * x;
+        const tbx_f4 sums = tbx_three_sums3(xy, xx, tbx_abs4(xy));
+        const float v = sums[0] + of_d[0];
         const float size = tbx_absf(v);
-        const float error = (dots.size + tbx_absf(of_d)) * TBX_PLANE_SPHERE_ERROR4;
-        const float apart = v * v - r * r * dots.xx;
-        const float band = (size + size + error) * (error + size * TBX_BALL_ERROR4);
-        if (TBX_RARELY(!(tbx_absf(apart) > band)) || TBX_RARELY(!(dots.xx > 9.094947017729282e-13f))) {
+        const float error = (sums[2] + tbx_absf(of_d[0])) * TBX_PLANE_SPHERE_ERROR4;
+        const float apart = v * v - r * r * sums[1];
+        const float band = (size + size + error) * error;
+        if (TBX_RARELY(!(tbx_absf(apart) > band)) || TBX_RARELY(!(sums[1] > 9.094947017729282e-13f))) {
             return TBX_UNSURE; /* 2^-40 */
         }
-        return (1 - (int)(tbx_bits32(&v) >> 31 << 1)) & ((int)(tbx_bits32(&apart) >> 31) - 1);
+        return (-(int)(tbx_bits32(&v) >> 31) | 1) & ((int)(tbx_bits32(&apart) >> 31) - 1);
+    }
+}
+
+/* Ray and sphere, with A, B, C and D as in section 10. MISS if it is certain that D < 0, or, from t >= 0 on,
+ * that B > 0 and C > 0: most rays. HIT: numbers are in range, also for the run in double. Or UNSURE.
+ *
+ * In units of u: A errs by 3 of itself, B by 4 of the magnitudes b of its terms, b^2 <= A m.m, C by 6 of c =
+ * m.m + r^2. So D < 0 where B^2 < A (C - K c) with K = 32: B^2 and A C err by 21 of A c. Where C > K c, and B
+ * is not above 0, but seems so, B^2 is below 2^-40 A c, and D < 0.
+ *
+ * Numbers are below 2^28, r at least 2^-30. What is flushed or read as 0, 2^-125 of m and of dir, is 2^-94 of
+ * c, and moves B by at most 2^-94 and A by 2^-124 or 2^-125 of its root: so A counts as 2^-60 less, B as 2^-90
+ * less, which is nothing to A c u where A is above 2^-60. */
+#define TBX_PIERCE_ERROR4 (32.0f * TBX_U32)
+
+TBX_FN int tbx_pierce4(const float origin[3], const float dir[3], const float *from, const float center[3],
+                       const float *radius)
+{
+    const tbx_f4 flushed = { 8.673617379884035e-19f, 8.077935669463161e-28f, 0.0f, 0.0f };
+    tbx_f4 m = tbx_load3(origin);
+    tbx_f4 w = tbx_load3(dir);
+    tbx_f4 x = tbx_load3(center);
+    float r = *radius;
+    const tbx_i4 greatest = tbx_greatest3((tbx_i4)m, (tbx_i4)x, (tbx_i4)w);
+    if (TBX_RARELY(tbx_any(tbx_splat_int(0x4d7fffff) - greatest) ||
+                   !tbx_within(radius, 0x30800000u, 0x4d800000u))) { /* 2^28, 2^-30..2^28 */
+        return TBX_UNSURE;
+    }
+    TBX_KEEP_VECTOR(m);
+    TBX_KEEP_VECTOR(w);
+    TBX_KEEP_VECTOR(x);
+    TBX_KEEP_SCALAR(r);
+    m = m - x;
+    TBX_KEEP_VECTOR(m);
+    {
+        const tbx_f4 sums = tbx_three_sums3(w * w, w * m, m * m) - flushed;
+        const float least = (sums[2] - r * r) - (sums[2] + r * r) * TBX_PIERCE_ERROR4;
+        const int behind = (tbx_bits32(from) >> 31 == 0) & (sums[1] > 0.0f);
+        const int beside = sums[0] * least > sums[1] * sums[1];
+        return !((beside | behind) & (least > 0.0f));
     }
 }
 
@@ -15351,12 +15380,13 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
  *
  * Boxes. Row centres are whole numbers Y = (v - origin) inverse + rest, origin being the first centre as a
  * float, rest what that leaves; of doubles, v - origin is a float computed in double, and rest a MARGIN. Y is
- * off by u |Y| for each of the difference, inverse, product and sum, by u |rest|, and by u more for what the
- * bounds are widened by: 7 u (n + |rest| + 2) between the region's ends; beyond them it does not come back,
- * since each operation is monotone. Corners beyond 2^22 voxels go the scalar way. The first centre itself is
- * off by 2 * 2^-52 M (section 8): MIDDLE_ERROR allows for twice that.
+ * off by u |Y| for each of the difference, inverse, product and sum, by u |rest|, and by u more for what rest
+ * is widened by: 7 u (n + |rest| + 2) between the region's ends; beyond them it does not come back, since
+ * each operation is monotone: the least corner has the least Y. Triangles with a corner beyond 2^22 voxels go
+ * the scalar way. The first centre itself is off by 2 * 2^-52 M (section 8): MIDDLE_ERROR allows for twice
+ * that.
  *
- * A box of one row is looked at again, before it waits: from that row's centre corners lie at most
+ * A box of one row is looked at again, before it waits, Y about that row: from its centre corners lie at most
  * R = 1.1 voxels, and are off by e = slack + 2 u R, so E_i is off by less than error = 4 R e + 5 u R^2. Where
  * one, times the sign of their sum, is below -2.1 error, another is above error: the centre is not within.
  *
@@ -15367,7 +15397,7 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
  * once to float. In boxes of c rows all corners and centres are within R = 2 c + 0.1 of the first centre.
  * With e = delta(R),
  *   E_i = v_i x v_{i+1}, about the first centre      off by 4 R e + 4 u R^2,
- *   E_i there + j step_y A + k step_z B              R (2 e + 4 u R) more for each of j and k, and 16 u R^2,
+ *   E_i there + j step_y A + k step_z B, in steps    R (2 e + 4 u R) more for each of j and k, and 36 u R^2,
  *   n_x = E_0 + E_1 + E_2, at the first centre       off by 3 of the first line and 16 u R^2:
  * all less than error = 16 R e + 64 u R^2. Where all s E_i are above it, s n_x > 0, and the centre is within;
  * where one is below -2 error, s cannot be wrong: the others would have to add up to less than -error.
@@ -15384,7 +15414,6 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
 #define TBX_SOLID_MARGIN 16
 #define TBX_SOLID_BLOCK 32
 #define TBX_SOLID_CROSSINGS 32
-#define TBX_SOLID_ANYWAY 0x40000000 /* an extent: goes the scalar way */
 #define TBX_SOLID_MIDDLE_ERROR (4.0 * TBX_U64)
 #define TBX_SOLID_BOX_ERROR (7.0f * TBX_U32)
 #define TBX_SOLID_PLACE_ERROR (5.0f * TBX_U32)
@@ -15395,10 +15424,21 @@ TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float 
 typedef struct tbx_solid_axis {
     tbx_fw origin;
     tbx_fw inverse;
-    tbx_fw rest; /* MARGIN added */
-    tbx_fw slack;
-    tbx_iw last; /* behind it the region ends */
+    tbx_fw rest;      /* MARGIN added */
+    tbx_fw rest_low;  /* less the slack */
+    tbx_fw rest_high; /* and the slack */
+    tbx_fw outside;   /* less than it, and more than minus it, lies the region */
+    tbx_iw last;      /* behind it the region ends */
 } TBX_ALIGNED tbx_solid_axis;
+
+/* Centres of an axis, for rows. */
+typedef struct tbx_solid_centres {
+    tbx_fw scale;
+    tbx_fw base_high;
+    tbx_fw base_low;
+    tbx_fw size_high;
+    tbx_fw size_low;
+} TBX_ALIGNED tbx_solid_centres;
 
 typedef struct tbx_solid_quick {
     tbx_solid_axis axis[2];
@@ -15410,12 +15450,9 @@ typedef struct tbx_solid_quick {
     float inverse[3];
     int32_t most[3]; /* magnitudes above it, as integers, go the scalar way */
     float scale[3];
-    float step[3]; /* size * scale */
-    float over_step[3];
-    float base_high[3];
-    float base_low[3];
-    float size_high[3];
-    float size_low[3];
+    float step[3];   /* size * scale */
+    float over_step; /* 1 / step[0] */
+    tbx_solid_centres centres[3];
     float rho; /* scaled, the largest */
     int lattice;
     int on; /* 0: this grid's numbers are out of range */
@@ -15428,13 +15465,16 @@ TBX_FN double tbx_solid_axis_init(tbx_solid_quick *q, int k)
     const double size = s->grid->size[k];
     const double n = (double)s->n[k];
     const double left = q->source->is_double ? 0.0 : ((double)q->origin[k] - s->middle[k]) / size;
+    const double source_middle = q->source->is_double ? 0.0 : tbx_abs(s->middle[k]);
     const double slack = 1.01 * ((double)TBX_SOLID_BOX_ERROR * (n + 2.0 * TBX_SOLID_MARGIN + tbx_abs(left)) +
                                  TBX_SOLID_MIDDLE_ERROR * s->reach[k] / size);
     tbx_solid_axis *axis = &q->axis[k - 1];
     axis->origin = tbx_wide_all(q->source->is_double ? 0.0f : q->origin[k]);
     axis->inverse = tbx_wide_all(q->inverse[k]);
     axis->rest = tbx_wide_all((float)(left + (double)TBX_SOLID_MARGIN));
-    axis->slack = tbx_wide_all((float)slack);
+    axis->rest_low = tbx_wide_all((float)(left + (double)TBX_SOLID_MARGIN - slack));
+    axis->rest_high = tbx_wide_all((float)(left + (double)TBX_SOLID_MARGIN + slack));
+    axis->outside = tbx_wide_all((float)((source_middle + 4194304.0 * size)));
     axis->last = tbx_wide_int(TBX_SOLID_MARGIN + (int32_t)s->n[k] - 2);
     return slack;
 }
@@ -15480,13 +15520,14 @@ TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const t
             source->is_double ? (int32_t)(tbx_bits64(&most) >> 32) : (int32_t)tbx_bits32(&most_float);
         q->scale[k] = (float)scale;
         q->step[k] = (float)(size * scale);
-        q->over_step[k] = (float)(1.0 / (size * scale));
-        q->base_high[k] = (float)base_high;
-        q->base_low[k] = (float)(middle - base_high);
-        q->size_high[k] = (float)size_high;
-        q->size_low[k] = (float)(size - size_high);
+        q->over_step = k == 0 ? (float)(1.0 / (size * scale)) : q->over_step;
+        q->centres[k].scale = tbx_wide_all((float)scale);
+        q->centres[k].base_high = tbx_wide_all((float)base_high);
+        q->centres[k].base_low = tbx_wide_all((float)(middle - base_high));
+        q->centres[k].size_high = tbx_wide_all((float)size_high);
+        q->centres[k].size_low = tbx_wide_all((float)(size - size_high));
         q->rho = (float)rho > q->rho ? (float)rho : q->rho;
-        q->lattice &= q->base_low[k] + q->size_low[k] == 0.0f &&
+        q->lattice &= middle == base_high && size == size_high &&
                       tbx_on_lattice(s->grid->origin[k], scale * parts) &&
                       tbx_on_lattice(middle, scale * parts) && tbx_on_lattice(size, scale * parts) &&
                       s->reach[k] * scale * parts < 8388608.0;
@@ -15520,13 +15561,11 @@ typedef struct tbx_solid_fill {
     tbx_solid_list list[TBX_SOLID_ROWS];      /* of up to 1, 2, ... rows on each axis */
     size_t large[TBX_SOLID_BLOCK + TBX_WIDE]; /* that go one by one */
     int larges;
-    tbx_solid_crossing crossing[TBX_SOLID_CROSSINGS + TBX_SOLID_ROWS * TBX_SOLID_ROWS];
+    tbx_solid_crossing crossing[TBX_SOLID_CROSSINGS + TBX_SOLID_ROWS * TBX_WIDE + 1];
     int crossings;              /* that wait: their rows are on the way to the cache */
     int32_t y[TBX_SOLID_BLOCK]; /* of a block of triangles */
     int32_t z[TBX_SOLID_BLOCK];
     int32_t extent[TBX_SOLID_BLOCK];
-    int32_t live[TBX_SOLID_BLOCK]; /* those that have rows */
-    int lives;
 } TBX_ALIGNED tbx_solid_fill;
 
 /* Differences of the corners of WIDE triangles to the first centre, y and z. */
@@ -15535,54 +15574,37 @@ TBX_FORCED tbx_iw tbx_solid_wild(tbx_fw x, int32_t most)
     return ((tbx_iw)x & tbx_wide_int(0x7fffffff)) > tbx_wide_int(most);
 }
 
-/* What is too large to compute with becomes 0; its lanes of `out` are set. */
-TBX_FORCED tbx_fw tbx_solid_tame(tbx_fw x, int32_t most, tbx_iw *out)
-{
-    const tbx_iw wild = tbx_solid_wild(x, most);
-    *out |= wild;
-    return (tbx_fw)((tbx_iw)x & ~wild);
-}
-
 /* In rows, counted from MARGIN before the first. */
-TBX_FORCED void tbx_solid_in_rows(const tbx_solid_axis *axis, tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
+TBX_FORCED tbx_fw tbx_solid_in_rows(const tbx_solid_axis *axis, tbx_fw x, tbx_fw rest)
 {
-    *x0 -= axis->origin;
-    *x1 -= axis->origin;
-    *x2 -= axis->origin;
-    TBX_KEEP_VECTOR(*x0);
-    TBX_KEEP_VECTOR(*x1);
-    TBX_KEEP_VECTOR(*x2);
-    *x0 = *x0 * axis->inverse + axis->rest;
-    *x1 = *x1 * axis->inverse + axis->rest;
-    *x2 = *x2 * axis->inverse + axis->rest;
+    x -= axis->origin;
+    TBX_KEEP_VECTOR(x);
+    return x * axis->inverse + rest;
 }
 
-/* Rows whose centres lie between the corners of WIDE triangles, or are within the bounds of it: how many, and
- * the row before. */
-TBX_FORCED tbx_iw tbx_solid_extent(const tbx_solid_axis *axis, tbx_fw x0, tbx_fw x1, tbx_fw x2,
-                                   tbx_iw *out_before)
+/* Rows whose centres lie between the corners of WIDE triangles, or are within the bounds of it: those behind
+ * `before`, to `end`. Rounded toward 0; where that is up, both lie before the region, or 16 rows apart. */
+TBX_FORCED void tbx_solid_rows_between(const tbx_solid_axis *axis, tbx_fw x0, tbx_fw x1, tbx_fw x2,
+                                       tbx_iw *out_before, tbx_iw *out_end)
 {
-    const tbx_fw low = tbx_wide_min(tbx_wide_min(x0, x1), x2) - axis->slack;
-    const tbx_fw high = tbx_wide_max(tbx_wide_max(x0, x1), x2) + axis->slack;
-    const tbx_iw before = __builtin_convertvector(low, tbx_iw); /* toward 0: below 1 it may be too large */
-    const tbx_iw end = __builtin_convertvector(high, tbx_iw);
-    const tbx_iw off = (end < tbx_wide_int(TBX_SOLID_MARGIN)) | (before > axis->last);
-    *out_before = before;
-    return ~off & ((end - before) | ((before < tbx_wide_int(1)) & tbx_wide_int(TBX_SOLID_ANYWAY)));
+    const tbx_fw low = tbx_wide_min(tbx_wide_min(x0, x1), x2);
+    const tbx_fw high = tbx_wide_max(tbx_wide_max(x0, x1), x2);
+    *out_before = __builtin_convertvector(tbx_solid_in_rows(axis, low, axis->rest_low), tbx_iw);
+    *out_end = __builtin_convertvector(tbx_solid_in_rows(axis, high, axis->rest_high), tbx_iw);
 }
 
 /* Lanes whose triangle does not hold the centre of the row behind `before`. */
 TBX_FORCED tbx_iw tbx_solid_missed(const tbx_solid_quick *q, const tbx_points v[3], tbx_iw y, tbx_iw z)
 {
     const tbx_fw one = tbx_wide_all(1.0f);
-    const tbx_fw at_y = __builtin_convertvector(y, tbx_fw) + one;
-    const tbx_fw at_z = __builtin_convertvector(z, tbx_fw) + one;
-    const tbx_fw y0 = v[0].y - at_y;
-    const tbx_fw y1 = v[1].y - at_y;
-    const tbx_fw y2 = v[2].y - at_y;
-    const tbx_fw z0 = v[0].z - at_z;
-    const tbx_fw z1 = v[1].z - at_z;
-    const tbx_fw z2 = v[2].z - at_z;
+    const tbx_fw to_y = q->axis[0].rest - (__builtin_convertvector(y, tbx_fw) + one);
+    const tbx_fw to_z = q->axis[1].rest - (__builtin_convertvector(z, tbx_fw) + one);
+    const tbx_fw y0 = tbx_solid_in_rows(&q->axis[0], v[0].y, to_y);
+    const tbx_fw y1 = tbx_solid_in_rows(&q->axis[0], v[1].y, to_y);
+    const tbx_fw y2 = tbx_solid_in_rows(&q->axis[0], v[2].y, to_y);
+    const tbx_fw z0 = tbx_solid_in_rows(&q->axis[1], v[0].z, to_z);
+    const tbx_fw z1 = tbx_solid_in_rows(&q->axis[1], v[1].z, to_z);
+    const tbx_fw z2 = tbx_solid_in_rows(&q->axis[1], v[2].z, to_z);
     const tbx_fw e0 = y0 * z1 - z0 * y1;
     const tbx_fw e1 = y1 * z2 - z1 * y2;
     const tbx_fw e2 = y2 * z0 - z2 * y0;
@@ -15600,22 +15622,22 @@ typedef struct tbx_solid_placed {
     tbx_iw on_lattice;
 } TBX_ALIGNED tbx_solid_placed;
 
-/* The corners on axis k, from the centre i. */
-TBX_FORCED void tbx_solid_place(const tbx_solid_quick *q, int k, tbx_iw i, tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
+/* The corners on an axis, from the centre i. */
+TBX_FORCED void tbx_solid_place(const tbx_solid_centres *centres, tbx_iw i, tbx_fw *x0, tbx_fw *x1,
+                                tbx_fw *x2)
 {
-    const tbx_fw scale = tbx_wide_all(q->scale[k]);
     const tbx_fw at = __builtin_convertvector(i, tbx_fw);
-    const tbx_fw high = tbx_wide_all(q->base_high[k]) + at * tbx_wide_all(q->size_high[k]);
-    const tbx_fw low = tbx_wide_all(q->base_low[k]) + at * tbx_wide_all(q->size_low[k]);
+    const tbx_fw high = centres->base_high + at * centres->size_high;
+    const tbx_fw low = centres->base_low + at * centres->size_low;
     *x0 -= high;
     *x1 -= high;
     *x2 -= high;
     TBX_KEEP_VECTOR(*x0);
     TBX_KEEP_VECTOR(*x1);
     TBX_KEEP_VECTOR(*x2);
-    *x0 = (*x0 - low) * scale;
-    *x1 = (*x1 - low) * scale;
-    *x2 = (*x2 - low) * scale;
+    *x0 = (*x0 - low) * centres->scale;
+    *x1 = (*x1 - low) * centres->scale;
+    *x2 = (*x2 - low) * centres->scale;
 }
 
 /* Lanes whose x is a multiple of a PART. What flushing made 0 is not. */
@@ -15630,22 +15652,54 @@ TBX_FORCED tbx_iw tbx_solid_whole(const tbx_solid_quick *q, int k, tbx_fw x)
     return (parts == whole) & (was | ~zero);
 }
 
+/* The corners of WIDE triangles listed, as tbx_load_corners. */
+TBX_FORCED void tbx_solid_gather(tbx_points v[3], const tribox_mesh *mesh, size_t stride, int indexed,
+                                 const size_t *list)
+{
+    const char *positions = (const char *)mesh->positions;
+    const uint32_t *indices = mesh->indices;
+    int c;
+    int i;
+    for (c = 0; c < 3; c++) {
+        tbx_f4 x[TBX_WIDE / 4];
+        tbx_f4 y[TBX_WIDE / 4];
+        tbx_f4 z[TBX_WIDE / 4];
+#define TBX_AT(i) (3 * list[i] + (size_t)c)
+#define TBX_POINT(i) (positions + stride * (indexed ? (size_t)indices[TBX_AT(i)] : TBX_AT(i)))
+        for (i = 0; i < TBX_WIDE / 4; i++) {
+            tbx_load_points(&x[i], &y[i], &z[i], TBX_POINT(4 * i), TBX_POINT(4 * i + 1), TBX_POINT(4 * i + 2),
+                            TBX_POINT(4 * i + 3));
+        }
+#undef TBX_POINT
+#undef TBX_AT
+        v[c].x = tbx_wide_of(x);
+        v[c].y = tbx_wide_of(y);
+        v[c].z = tbx_wide_of(z);
+    }
+}
+
 /* The triangles listed from i on. */
 TBX_FORCED void tbx_solid_place_floats(tbx_solid_placed *p, const tbx_solid_quick *q,
                                        const tbx_solid_list *list, int i)
 {
     const int32_t end = (int32_t)q->solid->n[0] + 16;
-    tbx_source source;
     tbx_iw y;
     tbx_iw z;
     tbx_fw x;
     int c;
     TBX_COPY(&y, list->y + i, sizeof y);
     TBX_COPY(&z, list->z + i, sizeof z);
-    tbx_source_float(&source, &q->mesh);
-    tbx_load_corners(p->v, &source, list->triangle + i);
-    for (c = 0; c < 3; c++) {
-        p->v[c].x = tbx_solid_tame(p->v[c].x, q->most[0], &p->unsure);
+    if (q->mesh.indices != NULL) {
+        tbx_solid_gather(p->v, &q->mesh, q->source->stride, 1, list->triangle + i);
+    } else {
+        tbx_solid_gather(p->v, &q->mesh, q->source->stride, 0, list->triangle + i);
+    }
+    p->unsure = tbx_solid_wild(p->v[0].x, q->most[0]) | tbx_solid_wild(p->v[1].x, q->most[0]) |
+                tbx_solid_wild(p->v[2].x, q->most[0]);
+    if (TBX_RARELY(tbx_wide_any(p->unsure))) { /* too large to compute with */
+        for (c = 0; c < 3; c++) {
+            p->v[c].x = tbx_wide_where(~p->unsure, p->v[c].x);
+        }
     }
     if (q->lattice) {
         p->on_lattice = ~p->unsure;
@@ -15659,9 +15713,9 @@ TBX_FORCED void tbx_solid_place_floats(tbx_solid_placed *p, const tbx_solid_quic
     x = x * tbx_wide_all(q->inverse[0]);
     x = tbx_wide_min(tbx_wide_max(x, tbx_wide_all(-16.0f)), tbx_wide_all((float)end));
     p->x_first = __builtin_convertvector(x, tbx_iw);
-    tbx_solid_place(q, 0, p->x_first, &p->v[0].x, &p->v[1].x, &p->v[2].x);
-    tbx_solid_place(q, 1, y, &p->v[0].y, &p->v[1].y, &p->v[2].y);
-    tbx_solid_place(q, 2, z, &p->v[0].z, &p->v[1].z, &p->v[2].z);
+    tbx_solid_place(&q->centres[0], p->x_first, &p->v[0].x, &p->v[1].x, &p->v[2].x);
+    tbx_solid_place(&q->centres[1], y, &p->v[0].y, &p->v[1].y, &p->v[2].y);
+    tbx_solid_place(&q->centres[2], z, &p->v[0].z, &p->v[1].z, &p->v[2].z);
 }
 
 /* Corners of one triangle, as doubles: are they on the lattice? */
@@ -15748,12 +15802,13 @@ TBX_FORCED tbx_fw tbx_solid_tie(tbx_fw a, tbx_fw b, tbx_iw on_lattice)
     return tbx_wide_where(on_lattice, tbx_wide_choose(counts, half, -half));
 }
 
-/* What the rows of WIDE boxes have: bit j + n*k of within, the first voxels behind the crossings. */
+/* What the rows of WIDE boxes of n rows on each axis have: which are crossed, bit lane + WIDE * j of layer k,
+ * and the first voxels behind. */
 typedef struct tbx_solid_rows_of {
-    tbx_uw within;
-    tbx_iw unsure;
-    tbx_iw voxel[TBX_SOLID_ROWS * TBX_SOLID_ROWS];
-} TBX_ALIGNED tbx_solid_rows_of;
+    uint32_t within[TBX_SOLID_ROWS];
+    unsigned unsure;
+    int32_t voxel[TBX_SOLID_ROWS * TBX_SOLID_ROWS * TBX_WIDE];
+} tbx_solid_rows_of;
 
 TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *q, const tbx_solid_placed *p,
                                  int n)
@@ -15762,14 +15817,14 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     const float reach = 2.0f * (float)n + 0.1f;
     const float e = TBX_SOLID_PLACE_ERROR * (reach + q->rho);
     const float error_all = TBX_SOLID_ROW_ERROR * reach * e + TBX_SOLID_ROW_ULPS * reach * reach;
-    const tbx_fw zero = tbx_wide_all(0.0f);
+    const tbx_fw one = tbx_wide_all(1.0f);
     tbx_fw error = tbx_wide_all(error_all);
     tbx_fw e0 = p->v[0].y * p->v[1].z - p->v[0].z * p->v[1].y;
     tbx_fw e1 = p->v[1].y * p->v[2].z - p->v[1].z * p->v[2].y;
     tbx_fw e2 = p->v[2].y * p->v[0].z - p->v[2].z * p->v[0].y;
     tbx_fw area = e0 + e1 + e2;
     const tbx_iw sign = (tbx_iw)area & tbx_wide_int(TBX_SIGN_BIT);
-    const tbx_fw over_step = tbx_wide_all(q->over_step[0]);
+    const tbx_fw over_step = tbx_wide_all(q->over_step);
     const tbx_fw step_y = tbx_wide_all(q->step[1]);
     const tbx_fw step_z = tbx_wide_all(q->step[2]);
     const tbx_fw a0 = tbx_wide_flip(p->v[0].z - p->v[1].z, sign);
@@ -15782,6 +15837,9 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     const tbx_fw dx2 = p->v[2].x - p->v[0].x;
     const tbx_fw spread = tbx_wide_abs(dx1) + tbx_wide_abs(dx2);
     const tbx_fw m = tbx_wide_abs(p->v[0].x) + spread;
+    const tbx_fw x0 = p->v[0].x * over_step;
+    const tbx_iw end = tbx_wide_int((int32_t)q->solid->n[0]);
+    tbx_iw unsure = p->unsure;
     tbx_fw over_area;
     tbx_fw x_error;
     tbx_fw below;
@@ -15797,42 +15855,44 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     x_error = spread * (tbx_wide_all(2.0f * error_all) * over_area + tbx_wide_all(24.0f * u)) +
               tbx_wide_all(20.0f * u) * (m + tbx_wide_all(q->rho));
     x_error = x_error * over_step;
-    out->unsure = p->unsure;
-    out->within = (tbx_uw)tbx_wide_int(0);
+    over_area = over_area * over_step;
     if (q->lattice && tbx_wide_any(p->on_lattice)) {
         e0 += tbx_solid_tie(a0, b0, p->on_lattice);
         e1 += tbx_solid_tie(a1, b1, p->on_lattice);
         e2 += tbx_solid_tie(a2, b2, p->on_lattice);
         error = tbx_wide_where(~p->on_lattice, error);
-        x_error = tbx_wide_where(~p->on_lattice, x_error);
+        x_error = tbx_wide_choose(p->on_lattice, -one, x_error); /* never unsure */
         tiny = area <= error;
     }
     below = error * tbx_wide_all(-2.0f);
     for (k = 0; k < n; k++) {
+        tbx_fw r0 = e0;
+        tbx_fw r1 = e1;
+        tbx_fw r2 = e2;
+        uint32_t layer = 0;
         for (j = 0; j < n; j++) {
-            const tbx_fw to_y = tbx_wide_all((float)j) * step_y;
-            const tbx_fw to_z = tbx_wide_all((float)k) * step_z;
-            const tbx_fw r0 = j + k == 0 ? e0 : e0 + to_y * a0 + to_z * b0;
-            const tbx_fw r1 = j + k == 0 ? e1 : e1 + to_y * a1 + to_z * b1;
-            const tbx_fw r2 = j + k == 0 ? e2 : e2 + to_y * a2 + to_z * b2;
             const tbx_fw least = tbx_wide_min(tbx_wide_min(r0, r1), r2);
-            const tbx_iw within = least > error;
-            const tbx_iw row = within & tbx_wide_int(1 << (j + n * k));
-            tbx_fw x = (p->v[0].x + (dx1 * r2 + dx2 * r0) * over_area) * over_step;
-            tbx_fw past;
-            tbx_iw voxel;
-            x = tbx_wide_min(tbx_wide_max(x, tbx_wide_all(-8388608.0f)), tbx_wide_all(8388608.0f));
-            voxel = __builtin_convertvector(x, tbx_iw);
-            voxel += __builtin_convertvector(voxel, tbx_fw) > x; /* the voxel below: -1 if the lane is set */
-            past = x - __builtin_convertvector(voxel, tbx_fw);
-            out->within |= (tbx_uw)row;
-            out->unsure |=
-                (within & ((past <= x_error) | (past >= tbx_wide_all(1.0f) - x_error)) & ~p->on_lattice) |
-                (~within & (least >= below) & (error > zero));
-            out->voxel[j + n * k] = p->x_first + voxel + tbx_wide_int(1);
+            const tbx_iw within =
+                (least > error) & ~tiny; /* on the lattice: a segment, whatever the ties say */
+            const tbx_fw x = tbx_wide_where(within, x0 + (dx1 * over_area * r2 + dx2 * over_area * r0));
+            tbx_iw voxel = __builtin_convertvector(x, tbx_iw);
+            const tbx_fw past = x - __builtin_convertvector(voxel, tbx_fw);
+            const tbx_fw off = tbx_wide_abs(past);
+            unsure |= (least >= below) & (~within | (off <= x_error) | (off >= one - x_error));
+            voxel = p->x_first + voxel - (past > tbx_wide_all(0.0f));
+            layer |= (uint32_t)tbx_wide_signs(within & ((voxel < end) | p->on_lattice)) << (TBX_WIDE * j);
+            voxel &= voxel > tbx_wide_int(0);
+            TBX_COPY(out->voxel + TBX_WIDE * (j + n * k), &voxel, sizeof voxel);
+            r0 += step_y * a0;
+            r1 += step_y * a1;
+            r2 += step_y * a2;
         }
+        out->within[k] = layer;
+        e0 += step_z * b0;
+        e1 += step_z * b1;
+        e2 += step_z * b2;
     }
-    out->within &= (tbx_uw)~tiny; /* on the lattice: a segment, whatever the ties say */
+    out->unsure = tbx_wide_signs(unsure);
 }
 
 /* The first voxel behind a crossing on the lattice: N / D rounded up, both of them multiples of 1 /
@@ -16005,8 +16065,8 @@ TBX_FORCED void tbx_solid_lines_rows(const tbx_solid_lines *l, double z, double 
     rows[1] = tbx_solid_up(c < d ? c : d, l->error, last, sure);
 }
 
-/* In steps of 2^-32, which it may be off by. A line in x has values beyond 2^28 only where they do not count:
- * outside the triangle. */
+/* In steps of 2^-32, which it may be off by. Where corners are within 2^27 voxels, a line in x has values
+ * beyond 2^28 only where they do not count: outside the triangle. */
 TBX_FORCED uint64_t tbx_solid_fixed(double x)
 {
     x = x > -268435456.0 ? x : -268435456.0;
@@ -16050,6 +16110,7 @@ TBX_NOINLINE int tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
     const tbx_solid *s = q->solid;
     const uint64_t n_x = (uint64_t)s->n[0];
     const double last_y = (double)s->n[1] - 0.5;
+    const double most_x = s->grid->size[0] * 134217728.0; /* 2^27 voxels: see tbx_solid_fixed */
     uint64_t slope;
     uint32_t unsure;
     tbx_solid_tri t;
@@ -16067,7 +16128,8 @@ TBX_NOINLINE int tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
     if (t.fits) {
         tbx_solid_lines_set(&l, &t);
     }
-    if (!t.fits || !tbx_solid_layers(&l, &t) || !(l.plane_error < 0.1)) {
+    if (!t.fits || !tbx_solid_layers(&l, &t) || !(l.plane_error < 0.1) || tbx_abs(t.at[0][0]) > most_x ||
+        tbx_abs(t.at[1][0]) > most_x || tbx_abs(t.at[2][0]) > most_x) {
         return 0;
     }
     slope = tbx_solid_fixed(l.plane.slope);
@@ -16119,23 +16181,62 @@ TBX_NOINLINE void tbx_solid_flip_all(tbx_solid_fill *fill)
     fill->crossings = 0;
 }
 
+/* Rows of lanes whose box is partly out of the region. */
+TBX_NOINLINE void tbx_solid_cut(tbx_solid_rows_of *rows, const tbx_solid *s, const int32_t *y,
+                                const int32_t *z, int n)
+{
+    int lane;
+    int j;
+    int k;
+    for (k = 0; k < n; k++) {
+        for (j = 0; j < n; j++) {
+            for (lane = 0; lane < TBX_WIDE; lane++) {
+                if ((uint32_t)(y[lane] + j) >= (uint32_t)s->n[1] ||
+                    (uint32_t)(z[lane] + k) >= (uint32_t)s->n[2]) {
+                    rows->within[k] &= ~((uint32_t)1 << (lane + TBX_WIDE * j));
+                }
+            }
+        }
+    }
+}
+
+/* The voxels of lanes on the lattice. */
+TBX_NOINLINE void tbx_solid_lattice(tbx_solid_rows_of *rows, const tbx_solid_quick *q,
+                                    const tbx_solid_placed *p, int n)
+{
+    const int32_t n_x = (int32_t)q->solid->n[0];
+    int k;
+    for (k = 0; k < n; k++) {
+        uint32_t left = rows->within[k];
+        for (; left != 0; left &= left - 1) {
+            const int bit = __builtin_ctz(left);
+            const int lane = bit % TBX_WIDE;
+            if (p->on_lattice[lane] != 0) {
+                const int64_t x =
+                    p->x_first[lane] + tbx_solid_lattice_voxel(q, p->v, lane, bit / TBX_WIDE, k);
+                rows->voxel[TBX_WIDE * n * k + bit] = x > 0 ? (int32_t)x : 0;
+                if (x >= n_x) {
+                    rows->within[k] &= ~((uint32_t)1 << bit);
+                }
+            }
+        }
+    }
+}
+
 /* `count` triangles of a list, WIDE at most, from i on. */
 TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count, int n)
 {
     const tbx_solid_quick *q = &fill->quick;
     const tbx_solid *s = q->solid;
-    const uint32_t rows_y = (uint32_t)s->n[1];
-    const uint32_t rows_z = (uint32_t)s->n[2];
     const size_t row_words = s->row_words;
-    const int32_t n_x = (int32_t)s->n[0];
-    uint64_t *bits = s->bits;
+    const size_t layer_words = row_words * (size_t)s->n[1];
     tbx_solid_placed p;
     tbx_solid_rows_of rows;
-    uint32_t within[TBX_WIDE];
-    int32_t unsure[TBX_WIDE];
-    int32_t on_lattice[TBX_WIDE];
-    int crossings = fill->crossings;
+    size_t first[TBX_WIDE];
+    unsigned unsure;
+    uint32_t sure;
     int lane;
+    int k;
     p.unsure = tbx_wide_int(0);
     p.on_lattice = tbx_wide_int(0);
     if (q->source->is_double) {
@@ -16144,40 +16245,50 @@ TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list
         tbx_solid_place_floats(&p, q, list, i);
     }
     tbx_solid_decide(&rows, q, &p, n);
-    TBX_COPY(within, &rows.within, sizeof within);
-    TBX_COPY(unsure, &rows.unsure, sizeof unsure);
-    TBX_COPY(on_lattice, &p.on_lattice, sizeof on_lattice);
-    for (lane = 0; lane < count; lane++) {
-        uint32_t left = within[lane];
-        if (TBX_RARELY(unsure[lane] != 0)) {
-            fill->large[fill->larges++] = list->triangle[i + lane];
-            continue;
-        }
-        if (crossings > TBX_SOLID_CROSSINGS) {
-            fill->crossings = crossings;
-            tbx_solid_flip_all(fill);
-            crossings = 0;
-        }
-        for (; left != 0; left &= left - 1) {
-            const int row = __builtin_ctz(left);
-            const int32_t y = list->y[i + lane] + row % n;
-            const int32_t z = list->z[i + lane] + row / n;
-            int32_t x = rows.voxel[row][lane];
-            if ((uint32_t)y >= rows_y || (uint32_t)z >= rows_z) {
-                continue;
-            }
-            if (on_lattice[lane] != 0) {
-                x = p.x_first[lane] + (int32_t)tbx_solid_lattice_voxel(q, p.v, lane, row % n, row / n);
-            }
-            if (x < n_x) {
-                tbx_solid_crossing *c = &fill->crossing[crossings++];
-                c->x = x > 0 ? (size_t)x : 0;
-                c->row = bits + ((size_t)z * rows_y + (size_t)y) * row_words;
-                TBX_PREFETCH(c->row + (c->x >> 6));
-            }
+    if (q->lattice) {
+        tbx_solid_lattice(&rows, q, &p, n);
+    }
+    if (n > 1) {
+        tbx_iw y;
+        tbx_iw z;
+        TBX_COPY(&y, list->y + i, sizeof y);
+        TBX_COPY(&z, list->z + i, sizeof z);
+        if (TBX_RARELY(tbx_wide_any(y | z | (tbx_wide_int((int32_t)s->n[1] - n) - y) |
+                                    (tbx_wide_int((int32_t)s->n[2] - n) - z)))) {
+            tbx_solid_cut(&rows, s, list->y + i, list->z + i, n);
         }
     }
-    fill->crossings = crossings;
+    unsure = rows.unsure & ((1u << count) - 1u);
+    for (; unsure != 0; unsure &= unsure - 1) {
+        fill->large[fill->larges++] = list->triangle[i + __builtin_ctz(unsure)];
+    }
+    sure = (uint32_t)(~rows.unsure & ((1u << count) - 1u));
+    if (n > 1) {
+        sure |= sure << TBX_WIDE;
+    }
+    if (n > 2) {
+        sure |= sure << 2 * TBX_WIDE;
+    }
+    for (lane = 0; lane < TBX_WIDE; lane++) {
+        first[lane] = (size_t)((int64_t)list->z[i + lane] * s->n[1] + list->y[i + lane]) * row_words;
+    }
+    for (k = 0; k < n; k++) {
+        uint32_t left = rows.within[k] & sure;
+        uint64_t *layer = s->bits + layer_words * (size_t)k;
+        int crossings = fill->crossings;
+        for (; left != 0; left &= left - 1) {
+            const int bit = __builtin_ctz(left);
+            const size_t row = first[bit % TBX_WIDE] + row_words * (size_t)(n > 1 ? bit / TBX_WIDE : 0);
+            tbx_solid_crossing *c = &fill->crossing[crossings++];
+            c->x = (size_t)rows.voxel[TBX_WIDE * n * k + bit];
+            c->row = layer + row;
+            TBX_PREFETCH(c->row + (c->x >> 6));
+        }
+        fill->crossings = crossings;
+        if (crossings > TBX_SOLID_CROSSINGS) {
+            tbx_solid_flip_all(fill);
+        }
+    }
 }
 
 TBX_NOINLINE void tbx_solid_flush1(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
@@ -16237,11 +16348,10 @@ TBX_FORCED void tbx_solid_work(tbx_solid_fill *fill, int extent, int all)
 }
 
 /* Triangles of a block that have rows go to their lists, and full lists are worked off. */
-TBX_NOINLINE void tbx_solid_sort(tbx_solid_fill *fill, size_t first, int all)
+TBX_NOINLINE void tbx_solid_sort(tbx_solid_fill *fill, size_t first, uint32_t live, int all)
 {
-    int i;
-    for (i = 0; i < fill->lives; i++) {
-        const int of = fill->live[i];
+    for (; live != 0; live &= live - 1) {
+        const int of = __builtin_ctz(live);
         const size_t triangle = first + (size_t)of;
         const int extent = fill->extent[of];
         if (TBX_RARELY(extent > TBX_SOLID_ROWS)) {
@@ -16255,7 +16365,6 @@ TBX_NOINLINE void tbx_solid_sort(tbx_solid_fill *fill, size_t first, int all)
             list->n = n + 1;
         }
     }
-    fill->lives = 0;
     tbx_solid_work_large(fill);
     tbx_solid_work(fill, 1, all);
     tbx_solid_work(fill, 2, all);
@@ -16356,9 +16465,10 @@ TBX_FORCED void tbx_solid_load_f64(tbx_points *out, const tbx_solid_quick *q, in
     *wild |= (tbx_iw)tbx_wide_of(odd);
 }
 
-/* y and z of WIDE triangles from the first on, in rows. Returns the lanes that have one too large. */
-TBX_FORCED tbx_iw tbx_solid_corners(tbx_points v[3], const tbx_solid_quick *q, int indexed, size_t stride,
-                                    size_t first, int is_double)
+/* y and z of WIDE triangles from the first on; those of triangles that have one too large reach over the
+ * region. */
+TBX_FORCED void tbx_solid_corners(tbx_points v[3], const tbx_solid_quick *q, int indexed, size_t stride,
+                                  size_t first, int is_double)
 {
     const int32_t y = q->most[1];
     const int32_t z = q->most[2];
@@ -16373,78 +16483,73 @@ TBX_FORCED tbx_iw tbx_solid_corners(tbx_points v[3], const tbx_solid_quick *q, i
         tbx_solid_load(&v[2], &q->mesh, indexed, stride, first, 2);
         wild = tbx_solid_wild(v[0].y, y) | tbx_solid_wild(v[1].y, y) | tbx_solid_wild(v[2].y, y) |
                tbx_solid_wild(v[0].z, z) | tbx_solid_wild(v[1].z, z) | tbx_solid_wild(v[2].z, z);
-        if (TBX_RARELY(tbx_wide_any(wild))) {
-            int c;
-            for (c = 0; c < 3; c++) {
-                v[c].y = tbx_wide_where(~wild, v[c].y);
-                v[c].z = tbx_wide_where(~wild, v[c].z);
-            }
-        }
     }
-    tbx_solid_in_rows(&q->axis[0], &v[0].y, &v[1].y, &v[2].y);
-    tbx_solid_in_rows(&q->axis[1], &v[0].z, &v[1].z, &v[2].z);
-    return wild;
+    if (TBX_RARELY(tbx_wide_any(wild))) {
+        v[0].y = tbx_wide_choose(wild, q->axis[0].outside, v[0].y);
+        v[0].z = tbx_wide_choose(wild, q->axis[1].outside, v[0].z);
+        v[1].y = tbx_wide_choose(wild, -q->axis[0].outside, v[1].y);
+        v[1].z = tbx_wide_choose(wild, -q->axis[1].outside, v[1].z);
+        v[2].y = tbx_wide_where(~wild, v[2].y);
+        v[2].z = tbx_wide_where(~wild, v[2].z);
+    }
 }
 
-/* A block of `count` triangles, a multiple of WIDE. */
-TBX_FORCED void tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t stride, size_t first, int count,
-                                int is_double)
+/* A block of `count` triangles, a multiple of WIDE. Returns a bit for each that has rows. */
+TBX_FORCED uint32_t tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t stride, size_t first, int count,
+                                    int is_double)
 {
     const tbx_solid_quick *q = &fill->quick;
     const tbx_iw before_first = tbx_wide_int(TBX_SOLID_MARGIN - 1);
-    int lives = 0;
+    uint32_t live = 0;
     int i;
     for (i = 0; i < count; i += TBX_WIDE) {
         tbx_points v[3];
         tbx_iw y;
         tbx_iw z;
-        const tbx_iw wild = tbx_solid_corners(v, q, indexed, stride, first + (size_t)i, is_double);
-        const tbx_iw n_y = tbx_solid_extent(&q->axis[0], v[0].y, v[1].y, v[2].y, &y);
-        const tbx_iw n_z = tbx_solid_extent(&q->axis[1], v[0].z, v[1].z, v[2].z, &z);
-        tbx_iw some = ((n_y > tbx_wide_int(0)) & (n_z > tbx_wide_int(0))) | wild;
+        tbx_iw end_y;
+        tbx_iw end_z;
+        tbx_iw some;
+        tbx_solid_corners(v, q, indexed, stride, first + (size_t)i, is_double);
+        tbx_solid_rows_between(&q->axis[0], v[0].y, v[1].y, v[2].y, &y, &end_y);
+        tbx_solid_rows_between(&q->axis[1], v[0].z, v[1].z, v[2].z, &z, &end_z);
+        some = (end_y > y) & (end_z > z);
         if (tbx_wide_any(some)) {
-            tbx_iw extent = tbx_wide_select(n_y > n_z, n_y, n_z);
-            const tbx_iw one = some & (extent == tbx_wide_int(1)) & ~wild;
-            unsigned left;
-            int lane;
+            const tbx_iw n_y = end_y - y;
+            const tbx_iw n_z = end_z - z;
+            const tbx_iw extent = tbx_wide_select(n_y > n_z, n_y, n_z);
+            tbx_iw one;
+            some &= (end_y > before_first) & (end_z > before_first);
+            some &= ~((y > q->axis[0].last) | (z > q->axis[1].last));
+            one = some & (extent == tbx_wide_int(1));
             if (tbx_wide_any(one)) {
                 some &= ~(one & tbx_solid_missed(q, v, y, z));
             }
-            left = tbx_wide_signs(some);
-            extent |= wild & tbx_wide_int(TBX_SOLID_ANYWAY);
+            live |= (uint32_t)tbx_wide_signs(some) << i;
             y -= before_first;
             z -= before_first;
             TBX_COPY(fill->y + i, &y, sizeof y);
             TBX_COPY(fill->z + i, &z, sizeof z);
             TBX_COPY(fill->extent + i, &extent, sizeof extent);
-            for (lane = 0; lane < TBX_WIDE; lane++) {
-                fill->live[lives] = i + lane;
-                lives += (int)(left >> lane & 1u);
-            }
         }
     }
-    fill->lives = lives;
+    return live;
 }
 
 /* The same, by what kind of mesh it is. */
-TBX_NOINLINE void tbx_solid_block(tbx_solid_fill *fill, size_t first, int count)
+TBX_NOINLINE uint32_t tbx_solid_block(tbx_solid_fill *fill, size_t first, int count)
 {
     const size_t packed = 3 * sizeof(float);
     const tbx_source *source = fill->quick.source;
     const int indexed = source->indices != NULL;
     if (source->is_double) {
-        if (indexed) {
-            tbx_solid_boxes(fill, 1, source->stride, first, count, 1);
-        } else {
-            tbx_solid_boxes(fill, 0, source->stride, first, count, 1);
-        }
-    } else if (!indexed) {
-        tbx_solid_boxes(fill, 0, source->stride, first, count, 0);
-    } else if (source->stride == packed) {
-        tbx_solid_boxes(fill, 1, packed, first, count, 0);
-    } else {
-        tbx_solid_boxes(fill, 1, source->stride, first, count, 0);
+        return indexed ? tbx_solid_boxes(fill, 1, source->stride, first, count, 1)
+                       : tbx_solid_boxes(fill, 0, source->stride, first, count, 1);
     }
+    if (!indexed) {
+        return tbx_solid_boxes(fill, 0, source->stride, first, count, 0);
+    }
+    return source->stride == packed ? tbx_solid_boxes(fill, 1, packed, first, count, 0)
+                                    : tbx_solid_boxes(fill, 1, source->stride, first, count, 0);
 }
 
 /* All triangles but the last few. Returns how many are done: 0 if the grid's numbers are out of range. */
@@ -16461,11 +16566,11 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
     for (i = 0; i < TBX_SOLID_ROWS; i++) {
         fill.list[i].n = 0;
     }
-    fill.larges = fill.lives = fill.crossings = 0;
+    fill.larges = fill.crossings = 0;
     for (t = 0; t < triangles; t += TBX_SOLID_BLOCK) {
         const size_t left = triangles - t;
-        tbx_solid_block(&fill, t, left < TBX_SOLID_BLOCK ? (int)left : TBX_SOLID_BLOCK);
-        tbx_solid_sort(&fill, t, left <= TBX_SOLID_BLOCK);
+        const uint32_t live = tbx_solid_block(&fill, t, left < TBX_SOLID_BLOCK ? (int)left : TBX_SOLID_BLOCK);
+        tbx_solid_sort(&fill, t, live, left <= TBX_SOLID_BLOCK);
     }
     tbx_solid_flip_all(&fill);
     return triangles;

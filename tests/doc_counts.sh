@@ -47,6 +47,24 @@ fact "builds of make platforms" "@ builds" "$(PLATFORMS_COUNT=1 bash tests/check
 fact "mutants" "@ mutants" "$(cat tests/mutants*.txt | grep -c '^# ')"
 fact "kilobytes of the header" "The header is @ KB" "$((($(wc -c <tribox.h) + 500) / 1000))"
 
+targets=$(sed -n 's/^FUZZ_TARGETS *:= //p' tests/check.mk)
+# shellcheck disable=SC2086 # a list
+fact "targets of make fuzz" "@ targets" "$(echo $targets | wc -w)"
+
+# a cost: what gcc 12 takes for a file with one call, in tenths of a second of its own time; a machine may be twice as
+# fast or half
+if command -v gcc-12 >"${TMPDIR:-/tmp}/cost.$$"; then
+    printf '#include "tribox.h"\nint f(const float *t);\nint f(const float *t) { return tribox_overlap(t, t, t, t, t); }\n' >"${TMPDIR:-/tmp}/cost.$$.c"
+    TIMEFORMAT=%U
+    took=$({ time gcc-12 -O2 -I. -S "${TMPDIR:-/tmp}/cost.$$.c" -o "${TMPDIR:-/tmp}/cost.$$"; } 2>&1 | tr -d .)
+    said=$(grep -oE 'takes gcc 12 about [0-9.]+ s' README.md | tr -dc '0-9. ' | awk '{ print $2 * 1000 }')
+    if [ "$((10#$took))" -gt "$((2 * said))" ] || [ "$((2 * 10#$took))" -lt "$said" ]; then
+        echo "README.md says that a file with tribox_overlap takes gcc 12 $said ms, it takes $((10#$took))"
+        wrong=$((wrong + 1))
+    fi
+fi
+rm -f "${TMPDIR:-/tmp}/cost.$$" "${TMPDIR:-/tmp}/cost.$$.c"
+
 # sizes, where README.md tells them
 size=$(printf '#include "tribox.h"\n#include <stdio.h>\nint main(void) { printf("%%d\\n", (int)sizeof(tribox_tri)); return 0; }\n' |
     ${CC:-cc} -x c -I. -w - -o "${TMPDIR:-/tmp}/sizes.$$" && "${TMPDIR:-/tmp}/sizes.$$")

@@ -14,11 +14,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BALL, PLANE, TOUCH_POINT, TOUCH_ALONG, LINE_D, LINE_ENDS, SEGMENT, GAP_SIZE, GAP_WHOLE, BALL4, BOX4, PLANE4, KINDS };
+enum { BALL, PLANE, TOUCH_POINT, TOUCH_ALONG, LINE_D, LINE_ENDS, SHOT, SEGMENT, GAP_SIZE, GAP_WHOLE, BALL4, BOX4, PLANE4, LINE4, KINDS };
 static const char *const names[KINDS] = {
     "sphere, squares",       "plane's value",         "triangle's point",     "triangle along a way",
-    "ray, D",                "ray, roots",            "segment, times",       "gap, one axis",
-    "gap, axes in float",    "sphere in float",       "box in float",         "plane in float"};
+    "ray, D",                "ray, roots",            "ray, triangle's edge", "segment, times",
+    "gap, one axis",         "gap, axes in float",    "sphere in float",      "box in float",
+    "plane in float",        "ray in float"};
 
 enum { NUMBERS = 20 };
 
@@ -150,6 +151,15 @@ __attribute__((noinline)) static void compute(answer *r, int kind, const float x
         if (kind == LINE_ENDS && r->line.d > 1024.0 * r->line.d_error && r->line.a > 0.0) {
             r->bound[0] = tbx_parabola_roots(&r->line, r->value);
         }
+    } else if (kind == SHOT) {
+        double a[3], b[3], d[3], o[3];
+        tbx_take3_float(a, x);
+        tbx_take3_float(b, x + 3);
+        tbx_take3_float(o, x + 6);
+        tbx_take3_float(d, x + 9);
+        tbx_minus3(a, a, o);
+        tbx_minus3(b, b, o);
+        r->value[0] = tbx_shot_det(d, a, b, &r->bound[0]);
     } else if (kind == GAP_SIZE || kind == GAP_WHOLE) {
 #if TRIBOX_SIMD
         tbx_gap_roots roots;
@@ -164,6 +174,7 @@ __attribute__((noinline)) static void compute(answer *r, int kind, const float x
 #if TRIBOX_SIMD
         r->verdict = kind == BALL4   ? tbx_sphere_sphere4(x, &radius, x + 3, &x[16])
                      : kind == BOX4  ? tbx_sphere_box4(x, &radius, x + 3, x + 6)
+                     : kind == LINE4 ? tbx_pierce4(x, x + 3, &x[17], x + 6, &radius)
                                      : tbx_plane_sphere4(x, &x[6], x + 3, &radius);
 #endif
     }
@@ -269,28 +280,52 @@ static double touch_part(const answer *r, const float x[NUMBERS], int along)
     return r->touched.size > 0.0 ? mpq_get_d(q[1]) / (r->touched.error * r->touched.size) : 0.0;
 }
 
-static double line_part(const answer *r, const float x[NUMBERS], int ends)
+/* d . (a x b) */
+static double shot_part(const answer *r, const float x[NUMBERS])
 {
-    double worst = 0.0;
-    int e;
+    int k;
     difference(v[0], x, x + 6);
-    for (e = 0; e < 3; e++) {
-        mpq_set_d(v[1][e], (double)x[3 + e]);
+    difference(v[1], x + 3, x + 6);
+    mpq_set_ui(q[0], 0, 1);
+    for (k = 0; k < 3; k++) {
+        mpq_mul(q[1], v[0][(k + 1) % 3], v[1][(k + 2) % 3]);
+        mpq_mul(q[2], v[0][(k + 2) % 3], v[1][(k + 1) % 3]);
+        mpq_sub(q[1], q[1], q[2]);
+        mpq_set_d(q[2], (double)x[9 + k]);
+        mpq_mul(q[1], q[1], q[2]);
+        mpq_add(q[0], q[0], q[1]);
+    }
+    return part_of(r->value[0], q[0], r->bound[0]);
+}
+
+/* A in q[0], B in q[1], C in q[2], D in q[3], r^2 in q[6] */
+static void exact_line(const float x[NUMBERS])
+{
+    int k;
+    difference(v[0], x, x + 6);
+    for (k = 0; k < 3; k++) {
+        mpq_set_d(v[1][k], (double)x[3 + k]);
     }
     dot(q[0], v[1], v[1]);
     dot(q[1], v[1], v[0]);
     dot(q[2], v[0], v[0]);
-    mpq_set_d(q[3], (double)x[15]);
-    mpq_mul(q[3], q[3], q[3]);
-    mpq_sub(q[2], q[2], q[3]);
+    mpq_set_d(q[6], (double)x[15]);
+    mpq_mul(q[6], q[6], q[6]);
+    mpq_sub(q[2], q[2], q[6]);
     mpq_mul(q[3], q[1], q[1]);
     mpq_mul(q[4], q[0], q[2]);
     mpq_sub(q[3], q[3], q[4]);
+}
+
+static double line_part(const answer *r, const float x[NUMBERS], int ends)
+{
+    double worst = 0.0;
+    int e;
+    exact_line(x);
     if (!ends) {
         const double b = part_of(r->line.b, q[1], r->line.b_size * TBX_PIERCE_ERROR);
-        const double c = part_of(r->line.c, q[2], r->line.c_error);
         const double d = part_of(r->line.d, q[3], r->line.d_error);
-        return b > c ? (b > d ? b : d) : c > d ? c : d;
+        return b > d ? b : d;
     }
     if (!(r->bound[0] > 0.0)) {
         return 0.0;
@@ -369,6 +404,27 @@ static double plane_terms(const float x[NUMBERS])
            fabs((double)x[6]);
 }
 
+/* A ray that misses: D < 0, how far as a part of A c times the bound, off 1; or it leads away from outside. */
+static double miss_part(const answer *r, const float x[NUMBERS])
+{
+    double part;
+    if (r->verdict != TBX_MISS) {
+        return 0.0;
+    }
+    exact_line(x);
+    if (x[17] >= 0.0f && mpq_sgn(q[2]) > 0 && mpq_sgn(q[1]) > 0) {
+        return 0.0;
+    }
+    if (mpq_sgn(q[3]) >= 0) {
+        return 2.0;
+    }
+    mpq_add(q[6], q[6], q[6]);
+    mpq_add(q[2], q[2], q[6]);
+    mpq_mul(q[2], q[2], q[0]);
+    part = 1.0 + mpq_get_d(q[3]) / (mpq_get_d(q[2]) * (double)TBX_PIERCE_ERROR4);
+    return part > 0.0 ? part : 0.0;
+}
+
 static double ball_part(const answer *r, int kind, const float x[NUMBERS])
 {
     int k;
@@ -395,7 +451,7 @@ static double ball_part(const answer *r, int kind, const float x[NUMBERS])
         {
             const double size = fabs(mpq_get_d(q[3]));
             const double error = (double)TBX_PLANE_SPHERE_ERROR4 * plane_terms(x);
-            const double band = (2.0 * size + error) * (error + size * (double)TBX_BALL_ERROR4);
+            const double band = (2.0 * size + error) * error;
             return verdict_part(r->verdict == 0, band / (mpq_get_d(q[0]) + mpq_get_d(q[1])));
         }
     }
@@ -450,10 +506,12 @@ static double ask(int kind, const float x[NUMBERS])
         mpq_add(q[0], q[0], q[1]);
         return part_of(r.value[0], q[0], r.bound[0]);
     }
-    return kind == TOUCH_POINT || kind == TOUCH_ALONG ? touch_part(&r, x, kind == TOUCH_ALONG)
+    return kind == SHOT ? shot_part(&r, x)
+           : kind == TOUCH_POINT || kind == TOUCH_ALONG ? touch_part(&r, x, kind == TOUCH_ALONG)
            : kind == LINE_D || kind == LINE_ENDS      ? line_part(&r, x, kind == LINE_ENDS)
            : kind == GAP_SIZE || kind == GAP_WHOLE    ? gap_part(&r)
 #if TRIBOX_SIMD
+           : kind == LINE4 ? miss_part(&r, x)
            : kind >= BALL4 ? ball_part(&r, kind, x)
 #endif
                            : 0.0;
@@ -488,7 +546,21 @@ static void any_question(float x[NUMBERS], int kind)
             x[lo + 3 + k] = x[lo + k] + size;
         }
     }
-    if (kind >= BALL4) { /* nearly touching */
+    if (kind == LINE4) { /* nearly grazing: r is the distance of the line */
+        double a = 0.0;
+        double b = 0.0;
+        double c = 0.0;
+        for (k = 0; k < 3; k++) {
+            const double m = (double)x[k] - (double)x[6 + k];
+            a += (double)x[3 + k] * (double)x[3 + k];
+            b += (double)x[3 + k] * m;
+            c += m * m;
+        }
+        c -= b * b / a;
+        if (c > 0.0) {
+            x[15] = (float)(sqrt(c) * (1.0 + 8e-6 * random_signed()));
+        }
+    } else if (kind >= BALL4) { /* nearly touching */
         double d = 0.0;
         double nn = 0.0;
         for (k = 0; k < 3; k++) {

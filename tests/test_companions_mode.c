@@ -18,6 +18,10 @@ typedef struct mode_case {
     float hi[3];
     float u[3];
     float q[3];
+    float r;
+    double from[3];
+    double to[3];
+    tribox_grid grid;
 } mode_case;
 
 static mode_case  mode_cases[MODE_CASES];
@@ -53,12 +57,23 @@ static void make_cases(void)
             c->q[k] = x[6];
         }
         if (random_below(4) == 0) {
-            float *any[4];
+            float *any[6];
             any[0] = c->v[0];
             any[1] = c->lo;
             any[2] = c->hi;
             any[3] = c->q;
-            any[random_below(4)][random_below(3)] = random_below(2) ? 1e-45f : -1e-39f;
+            any[4] = c->v[2];
+            any[5] = c->u;
+            any[random_below(6)][random_below(3)] = random_below(2) ? 1e-45f : -1e-39f;
+        }
+        c->r = c->u[1] < 0 ? -c->u[1] : c->u[1];
+        for (k = 0; k < 3; k++) {
+            c->from[k] = (double)c->v[0][k];
+            c->to[k] = (double)c->v[1][k];
+            c->grid.origin[k] = (double)c->q[k];
+            c->grid.size[k] = (double)c->hi[k] - (double)c->lo[k];
+            c->grid.lo[k] = -4;
+            c->grid.hi[k] = 4;
         }
     }
 }
@@ -72,6 +87,37 @@ static uint64_t mix(uint64_t hash, const void *bytes, size_t size)
         hash = (hash ^ *b++) * 0x100000001B3u;
     }
     return hash;
+}
+
+/* The functions of contact: verdicts, times and voxels, and the sign of a gap. */
+static uint64_t contact(const mode_case *c, uint64_t hash)
+{
+    static const unsigned rules[3] = {0, TRIBOX_HALF_OPEN, TRIBOX_OPEN};
+    const float           r = c->r;
+    tribox_grid           grid = c->grid;
+    double                s;
+    float                 out[8];
+    int                   n[12];
+    int                   k;
+
+    memset(out, 0, sizeof out);
+    memset(n, 0, sizeof n);
+    n[0] = tribox_sweep_rule(c->v[0], c->v[1], c->v[2], c->lo, c->hi, c->u, TRIBOX_OPEN, out, out + 1, NULL);
+    n[1] = tribox_sweep_box(c->lo, c->hi, c->v[0], c->v[0], c->u, TRIBOX_OPEN, out + 2, out + 3, NULL);
+    n[2] = tribox_sphere_sphere(c->q, r, c->v[0], c->hi[0]);
+    n[3] = tribox_plane_sphere(c->u, c->v[1][0], c->q, r);
+    n[4] = tribox_sphere_box(c->q, r, c->lo, c->hi);
+    n[5] = tribox_sphere_triangle(c->q, r, c->v[0], c->v[1], c->v[2]);
+    n[6] = tribox_ray_sphere(c->v[0], c->u, 0, 4, c->q, c->hi[1], out + 4, out + 5);
+    n[7] = tribox_ray_sphere(c->lo, c->u, -4, 4, c->v[2], r, out + 6, out + 7);
+    s = tribox_gap(c->v[0], c->v[1], c->v[2], c->lo, c->hi, NULL);
+    n[8] = (s > 0) - (s < 0);
+    for (k = 0; k < 3; k++) {
+        grid.flags = rules[k];
+        n[9 + k] = (int)tribox_grid_segment(&grid, c->from, c->to, NULL, NULL);
+    }
+    hash = mix(hash, n, sizeof n);
+    return mix(hash, out, sizeof out);
 }
 
 static uint64_t answer(const mode_case *c)
@@ -95,6 +141,7 @@ static uint64_t answer(const mode_case *c)
     tribox_tri_init(&tri, c->v[0], c->v[1], c->v[2], c->hi, 0);
     tribox_tri_resize(&tri, c->q);
     n[7] = (int)tribox_tri_octants(&tri, c->lo);
+    hash = contact(c, hash);
     hash = mix(hash, n, sizeof n);
     hash = mix(hash, out, sizeof out);
     return mix(hash, polygon, (size_t)n[6] * sizeof polygon[0]);
@@ -164,6 +211,60 @@ static void subnormals_read_as_zero_change_no_bit(void)
 #endif
 }
 
+/* A box whose lower face lies above the upper one by a subnormal has no points, also where both are read as
+ * zero. */
+static void boxes_that_are_empty_by_a_subnormal(void)
+{
+#if defined(__SSE2__)
+    static const float centre[3] = {0.25f, 0.5f, -0.5f};
+    unsigned           before = _mm_getcsr();
+    int                k;
+
+    for (k = 0; k < 3; k++) {
+        float lo[3] = {-1, -1, -1};
+        float hi[3] = {1, 1, 1};
+        int   found[2];
+        lo[k] = 3e-45f;
+        hi[k] = 1e-45f;
+        _mm_setcsr(before | 0x8040u);
+        found[0] = tribox_sphere_box(centre, 8, lo, hi);
+        lo[k] = 1e-45f;
+        found[1] = tribox_sphere_box(centre, 8, lo, hi);
+        _mm_setcsr(before);
+        CHECK(found[0] == 0);
+        CHECK(found[1] == 1);
+    }
+#endif
+}
+
+/* The origin lies outside of a sphere by 2^-60 of its radius, which double rounds off: the ray enters after 0, at a
+ * time that rounding must not move before it, and the float below it is not 0. */
+static void rays_from_just_outside(void)
+{
+    static const int modes[4] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    const float      centre[3] = {0, 0, 0};
+    int              i;
+    int              k;
+
+    random_seed(73);
+    for (i = 0; i < 200; i++) {
+        const float origin[3] = {(float)(1 + random_below(1000)), 1e-9f, 0};
+        float       dir[3];
+        float       t[2] = {-1, -1};
+        dir[0] = (float)-(1 + random_below(1000));
+        dir[1] = 0;
+        dir[2] = (float)random_below(10);
+        for (k = 0; k < 4; k++) {
+            int hit;
+            fesetround(modes[k]);
+            hit = tribox_ray_sphere(origin, dir, 0, 4, centre, origin[0], &t[0], &t[1]);
+            fesetround(FE_TONEAREST);
+            CHECK(hit == 1);
+            CHECK(t[0] > 0 && t[0] < 1e-17f);
+        }
+    }
+}
+
 int main(void)
 {
     int i;
@@ -175,5 +276,7 @@ int main(void)
     RUN(no_rounding_mode_changes_a_bit);
     RUN(the_axis_keeps_its_bound);
     RUN(subnormals_read_as_zero_change_no_bit);
+    RUN(boxes_that_are_empty_by_a_subnormal);
+    RUN(rays_from_just_outside);
     return test_report("test_companions_mode");
 }

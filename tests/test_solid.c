@@ -847,6 +847,54 @@ static void triangles_of_any_size_cross(void)
     }
 }
 
+/* A triangle whose corners lie up to 2^60 voxels off along x crosses rows in the region where its plane does: a bit array
+ * of 64 x 20 x 20, the triangle among enough others that are points. */
+static void corners_far_off_along_x(void)
+{
+    int i;
+
+    random_seed(1210);
+    for (i = 0; i < TEST_LOOPS(200); i++) {
+        static uint64_t bits[400];
+        float           t[8][9];
+        double          v[3][3];
+        tribox_grid     grid;
+        tribox_mesh     mesh;
+        int             same = 1;
+        int             k;
+        int             x;
+        memset(t, 0, sizeof t);
+        memset(bits, 0, sizeof bits);
+        for (k = 0; k < 9; k++) {
+            double far_off = random_below(2) ? (double)((uint64_t)1 << (20 + random_below(41))) : 64;
+            t[3][k] = (float)(k % 3 ? 30 * random_signed() + 10 : far_off * random_signed());
+            v[k / 3][k % 3] = (double)t[3][k];
+        }
+        for (k = 0; k < 3; k++) {
+            grid.origin[k] = 0;
+            grid.size[k] = 1;
+            grid.lo[k] = 0;
+            grid.hi[k] = k ? 20 : 64;
+        }
+        grid.flags = 0;
+        mesh.positions = t[0];
+        mesh.stride = 0;
+        mesh.indices = 0;
+        mesh.triangles = 8;
+        tribox_grid_fill_solid(&grid, &mesh, bits);
+        for (k = 0; k < 400; k++) {
+            for (x = 0; x < 64; x += 9) {
+                int64_t half[3];
+                half[0] = 2 * x + 1;
+                half[1] = 2 * (k % 20) + 1;
+                half[2] = 2 * (k / 20) + 1;
+                same &= (int)(bits[k] >> x & 1) == solid_crosses(v, grid.origin, grid.size, half);
+            }
+        }
+        CHECK(same);
+    }
+}
+
 /* The last indices there are, and origins far off; empty regions and points that are none answer nothing. */
 static void indices_reach_to_the_end_and_odd_regions_stay_as_they_are(void)
 {
@@ -914,6 +962,7 @@ int main(void)
     RUN(no_row_of_a_closed_mesh_leaks);
     RUN(corners_that_are_no_points_cross_nothing);
     RUN(triangles_of_any_size_cross);
+    RUN(corners_far_off_along_x);
     RUN(indices_reach_to_the_end_and_odd_regions_stay_as_they_are);
     return test_report("test_solid");
 }
