@@ -7697,14 +7697,14 @@ TBX_NOINLINE void tbx_gap_answer(const float *const v[3], const float box_min[3]
 }
 
 #if TRIBOX_SIMD && TBX_DOUBLE_IS_53_BITS /* section 11.5 */
-/* 1/|l| to 2^-16, of edges 0..2 with units z, x, y, and, in the first row's last place, of the normal. */
+/* 1/|l|, about, of edges 0..2 with units z, x, y, and, in the first row's last place, of the normal. */
 typedef struct tbx_gap_roots {
     float of[12];
 } tbx_gap_roots;
 
 TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float v2[3],
                                const float box_min[3], const float box_max[3], tbx_gap_roots *out_roots);
-TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float hi[3], unsigned mask,
+TBX_FN int tbx_gap_near(const float *const v[5], const float lo[3], const float hi[3], unsigned mask,
                         const tbx_gap_roots *roots, double *out_s, float out_axis[3]);
 TBX_FN unsigned tbx_gap_axes(unsigned mask);
 #endif
@@ -7712,13 +7712,13 @@ TBX_FN unsigned tbx_gap_axes(unsigned mask);
 TRIBOX_FN double tribox_gap(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
                             const float box_max[3], float out_axis[3])
 {
-    const float *const v[3] = { v0, v1, v2 };
+    const float *const v[5] = { v0, v1, v2, v0, v1 };
     unsigned axes = TBX_GAP_ALL;
     double s;
 #if TRIBOX_SIMD && TBX_DOUBLE_IS_53_BITS
     tbx_gap_roots roots;
     const unsigned mask = tbx_gap_filter(v0, v1, v2, box_min, box_max, &roots);
-    if (!TBX_RARELY(mask == 0 || (mask & (mask - 1u)) != 0) &&
+    if (!TBX_RARELY(mask == 0) &&
         !TBX_RARELY(tbx_gap_near(v, box_min, box_max, mask, &roots, &s, out_axis) == 0)) {
         return s;
     }
@@ -14932,20 +14932,33 @@ TBX_FN int tbx_pierce4(const float origin[3], const float dir[3], const float *f
 #if TBX_DOUBLE_IS_53_BITS
 /* ---- Gap */
 
-/* 1/sqrt(x) to 2^-16: the processor's guess is off by less than 2^-11, the other by 4 %; a step squares that,
- * times 1.5. x counts as 2^-113 at least, so that no square overflows. */
+/* 1/sqrt(x) to 1.5 * 2^-12: the processor's guess; or one that is off by 4 %, and two steps, each of which
+ * squares that, times 1.5. x counts as 2^-113 at least, so that no square overflows. */
 TBX_FN tbx_f4 tbx_inverse_root4(tbx_f4 x)
 {
     const tbx_f4 most = tbx_max4(x, tbx_splat(9.62964972193618e-35f));
+#if defined(__SSE2__)
+    return __builtin_ia32_rsqrtps(most);
+#else
     const tbx_f4 half = most * tbx_splat(0.5f);
     const tbx_f4 much = tbx_splat(1.5f);
-#if defined(__SSE2__)
-    const tbx_f4 y = __builtin_ia32_rsqrtps(most);
-#else
     tbx_f4 y = (tbx_f4)(tbx_splat_int(0x5f375a86) - (tbx_i4)((tbx_u4)most >> 1));
     y = y * (much - half * y * y);
-#endif
     return y * (much - half * y * y);
+#endif
+}
+
+/* The sign bits of four vectors of masks, those of the first lowest. */
+TBX_FN unsigned tbx_signs16(tbx_i4 a, tbx_i4 b, tbx_i4 c, tbx_i4 d)
+{
+#if defined(__SSE2__)
+    typedef short tbx_s8 __attribute__((vector_size(16)));
+    const tbx_s8 ab = (tbx_s8)__builtin_ia32_packssdw128(a, b);
+    const tbx_s8 cd = (tbx_s8)__builtin_ia32_packssdw128(c, d);
+    return (unsigned)__builtin_ia32_pmovmskb128(__builtin_ia32_packsswb128(ab, cd));
+#else
+    return (unsigned)(tbx_signs(a) | tbx_signs(b) << 4 | tbx_signs(c) << 8 | tbx_signs(d) << 12);
+#endif
 }
 
 /* Twice the s of the edge e x unit a, a = z, x, y: T covers `width` about a line, from which the box's centre
@@ -14956,28 +14969,16 @@ TBX_FN tbx_f4 tbx_gap_edge4(tbx_f4 e, tbx_f4 h, tbx_f4 h_yzx, tbx_f4 centre, tbx
     return (tbx_abs4(centre) - width - tbx_radius4(tbx_abs4(e), h, h_yzx)) * root;
 }
 
-/* The mask without what the faces say already: an edge x unit a with a component 0, which is along a unit
- * vector, and the normal of a level triangle. */
-TBX_FN unsigned tbx_gap_not_units(unsigned mask, tbx_i4 zero0, tbx_i4 zero1, tbx_i4 zero2)
-{
-    const uint32_t units = 0x77767350u; /* where components x, y, z are 0: which of units z, x, y */
-    const unsigned level = (unsigned)tbx_signs(zero0 & zero2) & 7u;
-    const unsigned edge0 = units >> (((unsigned)tbx_signs(zero0) & 7u) << 2) & 7u;
-    const unsigned edge1 = units >> (((unsigned)tbx_signs(zero1) & 7u) << 2) & 7u;
-    const unsigned edge2 = units >> (((unsigned)tbx_signs(zero2) & 7u) << 2) & 7u;
-    return mask & ~(edge0 << 4 | edge1 << 8 | edge2 << 12 | (level != 0 ? 0x80u : 0u));
-}
-
 /* Which axes may attain s: those whose s is near enough to the greatest. As bits: 0..2 the faces, 4 + 4i the
  * edges i x unit z, x, y, 7 the normal; 0: out of range. Names as in tbx_filter4; D is the sum of all
  * magnitudes.
  *
  * In units of u = 2^-23: a difference errs by 1 of itself, w by 2 of what it is made of; an edge: a term of
  * its sums by 9 of itself, and all terms are at most 2 |l| D: less than 32 |l| D, so twice its s by less than
- * 2^-18 D, and by 2^-16 of itself for the root; a face's by less. n_k errs by 4 of g_k, the magnitudes of its
- * two products, so a term of n.w or |n|.h, with its share of the sums, by 11 g_k (|w_k| + h_k); |n| itself by
- * 4 of all g_k, over |n| times twice the s, which is at most D: as if D / 8 were added to each |w_k| + h_k.
- * What the root adds to the greatest and to one as great is less than 2^-14 of it.
+ * 2^-18 D, and by 2^-11 of itself for the root; a face's by less. n_k errs by 4 of g_k, the magnitudes of its
+ * two products, so a term of n.w or |n|.h, with its share of the sums, by 11 g_k D; |n| itself by 4 of all
+ * g_k, over |n| times twice the s, which is at most D: together less than 32 D times the sum of all g_k. What
+ * the root adds to the greatest and to one as great, 3 * 2^-12, is less than 2^-10 of it.
  *
  * An axis that is 0 has the root 2^56, so what is subtracted as `void` drives it far below; others are moved
  * by 2^-26 D, as their roots are at most 2^24, but for normals: these count it as an error.
@@ -14986,16 +14987,16 @@ TBX_FN unsigned tbx_gap_not_units(unsigned mask, tbx_i4 zero0, tbx_i4 zero1, tbx
  * of degree 4 are below 2^112, the error of a normal that is 0, 2^-18 * 3 * 2^55 * 2^29 * 2^57, below 2^125;
  * what is flushed is below 2^-100. */
 #define TBX_GAP_ERROR4 (32.0f * TBX_U32)
-#define TBX_GAP_ROOT 6.103515625e-05f        /* 2^-14 */
+#define TBX_GAP_ROOT 0.0009765625f           /* 2^-10 */
 #define TBX_GAP_VOID 8.8817841970012523e-16f /* 2^-50 */
 
 /* The error of the normal's s, in lane 3. All lanes are kept, as compilers put what they like, however large,
  * in those that nobody reads. */
-TBX_FN tbx_f4 tbx_gap_of_normal(tbx_f4 squares, tbx_f4 nothing, tbx_f4 root0)
+TBX_FN tbx_f4 tbx_gap_of_normal(tbx_f4 sums, tbx_f4 error, tbx_f4 nothing, tbx_f4 root0)
 {
-    tbx_f4 terms = TBX_LANES(squares, squares, 1, 1, 1, 1);
+    tbx_f4 terms = TBX_LANES(sums, sums, 1, 1, 1, 1);
     TBX_KEEP_VECTOR(terms);
-    return (terms * tbx_splat(TBX_GAP_ERROR4) + nothing) * root0;
+    return (terms * error + nothing) * root0;
 }
 
 /* Twice the s of the faces; lane 3 is far below all. */
@@ -15008,66 +15009,61 @@ TBX_FN tbx_f4 tbx_gap_faces4(tbx_f4 p0, tbx_f4 p1, tbx_f4 p2, tbx_f4 lo, tbx_f4 
     return apart + apart + below_all;
 }
 
-/* The mask of numbers whose magnitudes are in range. */
-TBX_FN unsigned tbx_gap_mask(tbx_f4 p0, tbx_f4 p1, tbx_f4 p2, tbx_f4 lo, tbx_f4 hi, tbx_gap_roots *out_roots)
+/* Differences of corners; h: of the faces; and for each edge the lanes of units z, x, y with which it makes
+ * what a face says already: along which it has no length, so that it is along a unit vector. */
+typedef struct tbx_gap_sides {
+    tbx_f4 a1;
+    tbx_f4 a2;
+    tbx_f4 e1;
+    tbx_f4 h;
+    tbx_i4 said0;
+    tbx_i4 said1;
+    tbx_i4 said2;
+} tbx_gap_sides;
+
+/* The mask of numbers whose magnitudes are in range. w: the box's middle, twice, from p0; s: the faces'. */
+TBX_FN unsigned tbx_gap_mask(const tbx_gap_sides *x, tbx_f4 w, tbx_f4 s, tbx_gap_roots *out_roots)
 {
-    tbx_f4 a1 = p1 - p0;
-    tbx_f4 a2 = p2 - p0;
-    tbx_f4 e1 = p2 - p1;
-    tbx_f4 l = lo - p0;
-    tbx_f4 u = hi - p0;
-    tbx_f4 h = hi - lo;
-    TBX_KEEP_VECTOR(a1);
-    TBX_KEEP_VECTOR(a2);
-    TBX_KEEP_VECTOR(e1);
-    TBX_KEEP_VECTOR(l);
-    TBX_KEEP_VECTOR(u);
-    TBX_KEEP_VECTOR(h);
-    {
-        const tbx_f4 x1 = tbx_abs4(a1);
-        const tbx_f4 x2 = tbx_abs4(a2);
-        const tbx_f4 w = l + u;
-        const tbx_f4 w_yzx = tbx_yzx(w);
-        const tbx_f4 h_yzx = tbx_yzx(h);
-        const tbx_f4 a1_yzx = tbx_yzx(a1);
-        const tbx_f4 a2_yzx = tbx_yzx(a2);
-        const tbx_f4 e1_yzx = tbx_yzx(e1);
-        const tbx_f4 plus = a1 * a2_yzx;
-        const tbx_f4 minus = a1_yzx * a2;
-        const tbx_f4 n = plus - minus; /* z, x, y */
-        const tbx_f4 n1 = a1 * e1_yzx - a1_yzx * e1;
-        const tbx_f4 n_xyz = tbx_yzx(n);
-        const tbx_f4 g = tbx_yzx(tbx_abs4(plus) + tbx_abs4(minus));
-        const tbx_f4 size = x1 + x2 + (tbx_abs4(l) + tbx_abs4(u));
-        const tbx_f4 partial = size + TBX_LANES(size, size, 1, 2, 0, 0);
-        const tbx_f4 d = TBX_LANES(partial, partial, 0, 0, 0, 0) + TBX_LANES(size, size, 2, 2, 2, 2);
-        const tbx_f4 sums = tbx_sums3(n_xyz * w, tbx_abs4(n_xyz) * h);
-        const tbx_f4 squares = tbx_sums3(n * n, g * (tbx_abs4(w) + h + d * tbx_splat(0.125f)));
-        const tbx_f4 nothing = d * tbx_splat(TBX_GAP_VOID);
-        const tbx_f4 error = d * tbx_splat(TBX_GAP_ERROR4);
-        const tbx_f4 root0 = tbx_inverse_root4(TBX_JOIN(a1 * a1 + a1_yzx * a1_yzx, squares, 0));
-        const tbx_f4 root1 = tbx_inverse_root4(e1 * e1 + e1_yzx * e1_yzx);
-        const tbx_f4 root2 = tbx_inverse_root4(a2 * a2 + a2_yzx * a2_yzx);
-        const tbx_f4 error0 = TBX_JOIN(error, tbx_gap_of_normal(squares, nothing, root0), 3);
-        const tbx_f4 s = tbx_gap_faces4(p0, p1, p2, lo, hi);
-        const tbx_f4 s0 = tbx_gap_edge4(a1, h, h_yzx, TBX_JOIN(a1 * w_yzx - a1_yzx * w - n, sums, 0),
-                                        TBX_JOIN(tbx_abs4(n), sums, 1) + nothing, root0);
-        const tbx_f4 s1 =
-            tbx_gap_edge4(e1, h, h_yzx, e1 * w_yzx - e1_yzx * w + n1, tbx_abs4(n1) + nothing, root1);
-        const tbx_f4 s2 =
-            tbx_gap_edge4(a2, h, h_yzx, a2 * w_yzx - a2_yzx * w + n, tbx_abs4(n) + nothing, root2);
-        const tbx_f4 all = tbx_max4(tbx_max4(tbx_max4(s, s1), s2) - error, s0 - error0);
-        const tbx_f4 pairs = tbx_max4(all, TBX_LANES(all, all, 2, 3, 0, 1));
-        const tbx_f4 most = tbx_max4(pairs, TBX_LANES(pairs, pairs, 1, 0, 3, 2));
-        const tbx_f4 least = most - tbx_splat(TBX_GAP_ROOT) * (tbx_abs4(most) + error) - error;
-        const unsigned mask =
-            (unsigned)(tbx_signs(s >= least) | tbx_signs(s0 + error0 >= least + error) << 4 |
-                       tbx_signs(s1 >= least) << 8 | tbx_signs(s2 >= least) << 12);
-        TBX_COPY(out_roots->of, &root0, sizeof root0);
-        TBX_COPY(out_roots->of + 4, &root1, sizeof root1);
-        TBX_COPY(out_roots->of + 8, &root2, sizeof root2);
-        return mask;
-    }
+    const tbx_f4 a1 = x->a1;
+    const tbx_f4 a2 = x->a2;
+    const tbx_f4 e1 = x->e1;
+    const tbx_f4 h = x->h;
+    const tbx_f4 w_yzx = tbx_yzx(w);
+    const tbx_f4 h_yzx = tbx_yzx(h);
+    const tbx_f4 a1_yzx = tbx_yzx(a1);
+    const tbx_f4 a2_yzx = tbx_yzx(a2);
+    const tbx_f4 e1_yzx = tbx_yzx(e1);
+    const tbx_f4 plus = a1 * a2_yzx;
+    const tbx_f4 minus = a1_yzx * a2;
+    const tbx_f4 n = plus - minus; /* z, x, y */
+    const tbx_f4 n1 = a1 * e1_yzx - a1_yzx * e1;
+    const tbx_f4 n_xyz = tbx_yzx(n);
+    const tbx_f4 size = tbx_abs4(a1) + tbx_abs4(a2) + (tbx_abs4(w) + h);
+    const tbx_f4 partial = size + TBX_LANES(size, size, 1, 2, 0, 0);
+    const tbx_f4 d = TBX_LANES(partial, partial, 0, 0, 0, 0) + TBX_LANES(size, size, 2, 2, 2, 2);
+    const tbx_f4 sums = tbx_sums3(n_xyz * w, tbx_abs4(n_xyz) * h);
+    const tbx_f4 squares = tbx_sums3(n * n, tbx_abs4(plus) + tbx_abs4(minus));
+    const tbx_f4 nothing = d * tbx_splat(TBX_GAP_VOID);
+    const tbx_f4 error = d * tbx_splat(TBX_GAP_ERROR4);
+    const tbx_f4 width = tbx_abs4(n) + nothing;
+    const tbx_f4 root0 = tbx_inverse_root4(TBX_JOIN(a1 * a1 + a1_yzx * a1_yzx, squares, 0));
+    const tbx_f4 root1 = tbx_inverse_root4(e1 * e1 + e1_yzx * e1_yzx);
+    const tbx_f4 root2 = tbx_inverse_root4(a2 * a2 + a2_yzx * a2_yzx);
+    const tbx_f4 error0 = TBX_JOIN(error, tbx_gap_of_normal(squares, error, nothing, root0), 3);
+    const tbx_f4 s0 = tbx_gap_edge4(a1, h, h_yzx, TBX_JOIN(a1 * w_yzx - a1_yzx * w - n, sums, 0),
+                                    TBX_JOIN(width, sums, 1), root0);
+    const tbx_f4 s1 =
+        tbx_gap_edge4(e1, h, h_yzx, e1 * w_yzx - e1_yzx * w + n1, tbx_abs4(n1) + nothing, root1);
+    const tbx_f4 s2 = tbx_gap_edge4(a2, h, h_yzx, a2 * w_yzx - a2_yzx * w + n, width, root2);
+    const tbx_f4 all = tbx_max4(tbx_max4(tbx_max4(s, s1), s2) - error, s0 - error0);
+    const tbx_f4 pairs = tbx_max4(all, TBX_LANES(all, all, 2, 3, 0, 1));
+    const tbx_f4 most = tbx_max4(pairs, TBX_LANES(pairs, pairs, 1, 0, 3, 2));
+    const tbx_f4 least = most - tbx_splat(TBX_GAP_ROOT) * (tbx_abs4(most) + error) - error;
+    TBX_COPY(out_roots->of, &root0, sizeof root0);
+    TBX_COPY(out_roots->of + 4, &root1, sizeof root1);
+    TBX_COPY(out_roots->of + 8, &root2, sizeof root2);
+    return tbx_signs16(s >= least, (s0 + error0 >= least + error) & ~x->said0, (s1 >= least) & ~x->said1,
+                       (s2 >= least) & ~x->said2);
 }
 
 /* Two corners differ, by a number that is subnormal or tiny: by the bits, whatever the processor reads
@@ -15077,18 +15073,41 @@ TBX_FN tbx_i4 tbx_gap_tiny4(tbx_f4 p, tbx_f4 q, tbx_i4 same)
     return ~same & (tbx_magnitude(q - p) - tbx_splat_int(0x33800000)); /* 2^-24 */
 }
 
+/* Sets what faces say already, also of the normal of a level triangle. Returns 1 if a difference is tiny, or
+ * min > max. */
+TBX_FN int tbx_gap_level(tbx_gap_sides *x, tbx_f4 p0, tbx_f4 p1, tbx_f4 p2, tbx_f4 lo, tbx_f4 hi)
+{
+    const tbx_i4 normal = { 0, 0, 0, -1 };
+    const tbx_i4 same0 = (tbx_i4)p0 == (tbx_i4)p1;
+    const tbx_i4 same1 = (tbx_i4)p1 == (tbx_i4)p2;
+    const tbx_i4 same2 = (tbx_i4)p2 == (tbx_i4)p0;
+    const tbx_i4 flat = (tbx_i4)lo == (tbx_i4)hi;
+    const tbx_i4 refused = tbx_gap_tiny4(p0, p1, same0) | tbx_gap_tiny4(p1, p2, same1) |
+                           tbx_gap_tiny4(p0, p2, same2) | tbx_gap_tiny4(lo, hi, flat) |
+                           (~flat & (tbx_i4)x->h);
+    x->said0 = (same0 | (tbx_i4)tbx_yzx((tbx_f4)same0)) & ~normal;
+    x->said1 = same1 | (tbx_i4)tbx_yzx((tbx_f4)same1);
+    x->said2 = same2 | (tbx_i4)tbx_yzx((tbx_f4)same2);
+    if ((tbx_signs(same0 & same2) & 7) != 0) {
+        x->said0 |= normal;
+    }
+    return tbx_any(refused);
+}
+
 TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float v2[3],
                                const float box_min[3], const float box_max[3], tbx_gap_roots *out_roots)
 {
+    const tbx_f4 tiny = tbx_splat(5.9604644775390625e-08f); /* 2^-24 */
     tbx_f4 p0 = tbx_load3(v0);
     tbx_f4 p1 = tbx_load3(v1);
     tbx_f4 p2 = tbx_load3(v2);
     tbx_f4 lo = tbx_load3(box_min);
     tbx_f4 hi = tbx_load3(box_max);
-    const tbx_i4 outside = tbx_above(tbx_abs4(p0), 0x4c800000) | tbx_above(tbx_abs4(p1), 0x4c800000) |
-                           tbx_above(tbx_abs4(p2), 0x4c800000) | tbx_above(tbx_abs4(lo), 0x4c800000) |
-                           tbx_above(tbx_abs4(hi), 0x4c800000); /* 2^26 */
-    if (TBX_RARELY(tbx_any(outside))) {
+    const tbx_i4 greatest = tbx_greatest5((tbx_i4)p0, (tbx_i4)p1, (tbx_i4)p2, (tbx_i4)lo, (tbx_i4)hi);
+    tbx_gap_sides x;
+    tbx_f4 l;
+    tbx_f4 u;
+    if (TBX_RARELY(tbx_any(tbx_splat_int(0x4c7fffff) - greatest))) { /* 2^26 */
         return 0;
     }
     TBX_KEEP_VECTOR(p0);
@@ -15096,24 +15115,25 @@ TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float
     TBX_KEEP_VECTOR(p2);
     TBX_KEEP_VECTOR(lo);
     TBX_KEEP_VECTOR(hi);
-    {
-        const tbx_i4 same0 = (tbx_i4)p0 == (tbx_i4)p1;
-        const tbx_i4 same1 = (tbx_i4)p1 == (tbx_i4)p2;
-        const tbx_i4 same2 = (tbx_i4)p2 == (tbx_i4)p0;
-        const tbx_i4 flat = (tbx_i4)lo == (tbx_i4)hi;
-        const tbx_i4 refused = tbx_gap_tiny4(p0, p1, same0) | tbx_gap_tiny4(p1, p2, same1) |
-                               tbx_gap_tiny4(p0, p2, same2) | tbx_gap_tiny4(lo, hi, flat) |
-                               (~flat & (tbx_i4)(hi - lo)); /* lo > hi */
-        unsigned mask;
-        if (TBX_RARELY(tbx_any(refused))) {
-            return 0;
-        }
-        mask = tbx_gap_mask(p0, p1, p2, lo, hi, out_roots);
-        if ((tbx_signs(same0 | same1 | same2) & 7) != 0) {
-            return tbx_gap_not_units(mask, same0, same1, same2);
-        }
-        return mask;
+    x.a1 = p1 - p0;
+    x.a2 = p2 - p0;
+    x.e1 = p2 - p1;
+    x.h = hi - lo;
+    l = lo - p0;
+    u = hi - p0;
+    TBX_KEEP_VECTOR(x.a1);
+    TBX_KEEP_VECTOR(x.a2);
+    TBX_KEEP_VECTOR(x.e1);
+    TBX_KEEP_VECTOR(x.h);
+    TBX_KEEP_VECTOR(l);
+    TBX_KEEP_VECTOR(u);
+    x.said0 = x.said1 = x.said2 = tbx_splat_int(0);
+    if ((tbx_signs(tbx_min4(tbx_min4(tbx_abs4(x.a1), tbx_abs4(x.a2)), tbx_min4(tbx_abs4(x.e1), x.h)) < tiny) &
+         7) != 0 &&
+        TBX_RARELY(tbx_gap_level(&x, p0, p1, p2, lo, hi))) {
+        return 0;
     }
+    return tbx_gap_mask(&x, l + u, tbx_gap_faces4(p0, p1, p2, lo, hi), out_roots);
 }
 
 /* The filter's mask in tribox_sweep's order. */
@@ -15163,11 +15183,11 @@ TBX_FN int tbx_gap_near_face(const float *const v[3], const float lo[3], const f
 /* g/|l| and the direction from what an axis l adds up to: twice the box's centre along it, less that of T,
  * and twice what both reach. 0 unless sure to 2^-40, given the error of both sums, and the square of what the
  * terms of l measure: l errs by 4 u of these, at most 2^7 of itself, which is 2^-43 of s. The root is a guess
- * from floats, whose l may have errors of its own: where its square is off by 2^-15 at most, a step of
- * third order leaves 5/16 of the cube, 2^-46. The error may be .8 * 2^-40. */
+ * from floats, whose l may have errors of its own: where its square is off by 2^-9 at most, a step of fifth
+ * order leaves a quarter of the fifth power, 2^-47. The error may be .8 * 2^-40. */
 #define TBX_GAP_SURE 1374389534720.0    /* 1.25 * 2^40 */
 #define TBX_GAP_LENGTH 6.103515625e-05  /* 2^-14, of squares */
-#define TBX_GAP_GUESS 3.0517578125e-05  /* 2^-15 */
+#define TBX_GAP_GUESS 0.001953125       /* 2^-9 */
 
 TBX_FN int tbx_gap_near_end(double centre, double reach, double error, double square, double terms,
                             double *out_s, double *in_out_root)
@@ -15175,7 +15195,7 @@ TBX_FN int tbx_gap_near_end(double centre, double reach, double error, double sq
     const double s = tbx_abs(centre) - reach;
     double root = *in_out_root;
     const double rest = 1.0 - square * root * root;
-    root += root * rest * (0.5 + 0.375 * rest);
+    root += root * rest * ((0.5 + 0.375 * rest) + rest * rest * (0.3125 + 0.2734375 * rest));
     *out_s = 0.5 * s * root;
     *in_out_root = tbx_with_sign(root, centre);
     return tbx_more(tbx_abs(s), TBX_GAP_SURE * error) & tbx_more(tbx_abs(centre), error) &
@@ -15186,12 +15206,12 @@ TBX_FN int tbx_gap_near_end(double centre, double reach, double error, double sq
  * the sums, with its share of these, by 7 u of its magnitude. */
 #define TBX_GAP_EDGE_ERROR (11.0 * TBX_U64)
 
-TBX_FN int tbx_gap_near_edge(const float *const v[3], const float lo[3], const float hi[3], unsigned edge,
+TBX_FN int tbx_gap_near_edge(const float *const v[5], const float lo[3], const float hi[3], unsigned edge,
                              unsigned unit, double root, double *out_s, double out_axis[3])
 {
     const float *p = v[edge];
-    const float *q = v[9u >> 2 * edge & 3u];  /* 1 2 0 */
-    const float *r = v[18u >> 2 * edge & 3u]; /* 2 0 1 */
+    const float *q = v[edge + 1];
+    const float *r = v[edge + 2];
     const unsigned b = 9u >> 2 * unit & 3u;
     const unsigned c = 18u >> 2 * unit & 3u;
     const double e_b = (double)q[b] - (double)p[b];
@@ -15300,10 +15320,13 @@ TBX_FN int tbx_gap_integers(const float *const v[5], int64_t out[5][3], double *
 
 /* The same where double is not enough, in integers: l below 2^83, g below 2^126. 0 if the numbers are too
  * long, or both directions tie. */
-TBX_COLD int tbx_gap_near_long(const float *const v[3], const float lo[3], const float hi[3], unsigned edge,
-                               unsigned unit, int normal, double *out_s, double out_axis[3])
+TBX_COLD int tbx_gap_near_long(const float *const v[5], const float lo[3], const float hi[3], unsigned bit,
+                               double *out_s, double out_axis[3])
 {
     const float *const all[5] = { v[0], v[1], v[2], lo, hi };
+    const int normal = bit == 7;
+    const unsigned edge = (bit >> 2) - 1u;
+    const unsigned unit = 18u >> 2 * (bit & 3u) & 3u; /* 2 0 1 */
     int64_t x[5][3];
     tbx_i128 l[3] = { 0, 0, 0 };
     tbx_i128 up = 0;
@@ -15342,22 +15365,53 @@ TBX_COLD int tbx_gap_near_long(const float *const v[3], const float lo[3], const
 }
 #endif
 
-/* s and the direction of the one axis that the filter named; 0 where neither double nor 128 bits will do. */
-TBX_FN int tbx_gap_near(const float *const v[3], const float lo[3], const float hi[3], unsigned mask,
-                        const tbx_gap_roots *roots, double *out_s, float out_axis[3])
+/* Of the one axis with this bit; 0 where neither double nor 128 bits will do. */
+TBX_FN int tbx_gap_near_one(const float *const v[5], const float lo[3], const float hi[3], unsigned bit,
+                            const tbx_gap_roots *roots, double *out_s, double out_axis[3])
 {
-    const unsigned bit = (unsigned)__builtin_ctz(mask);
-    const unsigned edge = bit == 7 ? 0u : (bit >> 2) - 1u;
-    const unsigned unit = 18u >> 2 * (bit & 3u) & 3u; /* 2 0 1 */
-    double axis[3];
-    int sure = bit < 3    ? tbx_gap_near_face(v, lo, hi, bit, out_s, axis)
-               : bit == 7 ? tbx_gap_near_normal(v, lo, hi, (double)roots->of[3], out_s, axis)
-                          : tbx_gap_near_edge(v, lo, hi, edge, unit, (double)roots->of[bit - 4], out_s, axis);
+    int sure;
+    if (bit < 3) {
+        return tbx_gap_near_face(v, lo, hi, bit, out_s, out_axis);
+    }
+    sure = bit == 7 ? tbx_gap_near_normal(v, lo, hi, (double)roots->of[3], out_s, out_axis)
+                    : tbx_gap_near_edge(v, lo, hi, (bit >> 2) - 1u, 18u >> 2 * (bit & 3u) & 3u,
+                                        (double)roots->of[bit - 4], out_s, out_axis);
 #if TBX_LIMB_BITS == 64
-    if (TBX_RARELY(!sure) && bit >= 3) {
-        sure = tbx_gap_near_long(v, lo, hi, edge, unit, bit == 7, out_s, axis);
+    if (TBX_RARELY(!sure)) {
+        sure = tbx_gap_near_long(v, lo, hi, bit, out_s, out_axis);
     }
 #endif
+    return sure;
+}
+
+/* Of several, where one is the greatest by more than their errors. */
+TBX_COLD int tbx_gap_near_several(const float *const v[5], const float lo[3], const float hi[3], unsigned mask,
+                                  const tbx_gap_roots *roots, double *out_s, double out_axis[3])
+{
+    double axis[3];
+    double s;
+    int sure = tbx_gap_near_one(v, lo, hi, (unsigned)__builtin_ctz(mask), roots, out_s, out_axis);
+    while (sure && (mask &= mask - 1u) != 0) {
+        double apart;
+        sure = tbx_gap_near_one(v, lo, hi, (unsigned)__builtin_ctz(mask), roots, &s, axis);
+        apart = 2.0 * TBX_GAP_CLOSE * (tbx_abs(s) + tbx_abs(*out_s));
+        sure &= tbx_more(tbx_abs(s - *out_s), apart);
+        if (sure && s > *out_s) {
+            *out_s = s;
+            TBX_COPY(out_axis, axis, sizeof axis);
+        }
+    }
+    return sure;
+}
+
+/* s and the direction of the axes that the filter named. */
+TBX_FN int tbx_gap_near(const float *const v[5], const float lo[3], const float hi[3], unsigned mask,
+                        const tbx_gap_roots *roots, double *out_s, float out_axis[3])
+{
+    double axis[3];
+    const int sure = TBX_RARELY((mask & (mask - 1u)) != 0)
+                         ? tbx_gap_near_several(v, lo, hi, mask, roots, out_s, axis)
+                         : tbx_gap_near_one(v, lo, hi, (unsigned)__builtin_ctz(mask), roots, out_s, axis);
     if (sure && out_axis != NULL) {
         TBX_KEEP_SCALAR(axis[0]); /* what is not sure may be too large for a float */
         TBX_KEEP_SCALAR(axis[1]);

@@ -146,14 +146,14 @@ solid_room() {
 export -f solid_room
 job "proof: solid, room in the bounds of rows" solid_room
 
-# A gap is known to 2^-40: what SURE leaves to the sums; the error of l, 4 u of what is at most 1 / sqrt(LENGTH) of it; 5/16 of
-# the guess's cube; some units of rounding.
+# A gap is known to 2^-40: what SURE leaves to the sums; the error of l, 4 u of what is at most 1 / sqrt(LENGTH) of it; a
+# quarter of the guess's fifth power; some units of rounding.
 gap_room() {
     awk -v sure="$GAP_SURE" -v length_="$GAP_LENGTH" -v guess="$GAP_GUESS" 'BEGIN {
         unit = 2 ^ -40
         sums = 1 / sure
         l = 4 * 2 ^ -52 / sqrt(length_)
-        root = 5 / 16 * guess ^ 3
+        root = 1 / 4 * guess ^ 5
         print "sums:", sums / unit, "l:", l / unit, "root:", root / unit, "of", 1
         exit !(sums + l + root + 16 * 2 ^ -52 <= 0.95 * unit)
     }'

@@ -124,7 +124,7 @@ typedef struct answer {
 
 __attribute__((noinline)) static void compute(answer *r, int kind, const float x[NUMBERS])
 {
-    const float *const corners[3] = {x, x + 3, x + 6};
+    const float *const corners[5] = {x, x + 3, x + 6, x, x + 3};
     const float radius = x[15];
     enter();
     if (kind == BALL) {
@@ -546,7 +546,7 @@ static void any_question(float x[NUMBERS], int kind)
             x[lo + 3 + k] = x[lo + k] + size;
         }
     }
-    if (kind == LINE4) { /* nearly grazing: r is the distance of the line */
+    if (kind == LINE4) { /* nearly grazing */
         double a = 0.0;
         double b = 0.0;
         double c = 0.0;
@@ -556,9 +556,9 @@ static void any_question(float x[NUMBERS], int kind)
             b += (double)x[3 + k] * m;
             c += m * m;
         }
-        c -= b * b / a;
-        if (c > 0.0) {
-            x[15] = (float)(sqrt(c) * (1.0 + 8e-6 * random_signed()));
+        b = c - b * b / a;
+        if (b > 0.0) { /* by as much as the filter asks for */
+            x[15] = (float)(sqrt(b) * (1.0 - (c + b) / b * 1.9e-6 * (1.0 + 0.2 * random_signed())));
         }
     } else if (kind >= BALL4) { /* nearly touching */
         double d = 0.0;
