@@ -14952,9 +14952,9 @@ TBX_FN tbx_f4 tbx_inverse_root4(tbx_f4 x)
 TBX_FN unsigned tbx_signs16(tbx_i4 a, tbx_i4 b, tbx_i4 c, tbx_i4 d)
 {
 #if defined(__SSE2__)
-    typedef short tbx_s8 __attribute__((vector_size(16)));
-    const tbx_s8 ab = (tbx_s8)__builtin_ia32_packssdw128(a, b);
-    const tbx_s8 cd = (tbx_s8)__builtin_ia32_packssdw128(c, d);
+    typedef short tbx_words8 __attribute__((vector_size(16)));
+    const tbx_words8 ab = (tbx_words8)__builtin_ia32_packssdw128(a, b);
+    const tbx_words8 cd = (tbx_words8)__builtin_ia32_packssdw128(c, d);
     return (unsigned)__builtin_ia32_pmovmskb128(__builtin_ia32_packsswb128(ab, cd));
 #else
     return (unsigned)(tbx_signs(a) | tbx_signs(b) << 4 | tbx_signs(c) << 8 | tbx_signs(d) << 12);
