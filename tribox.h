@@ -11361,8 +11361,8 @@ TBX_FN tbx_later *tbx_fill_later(tbx_fill *fill, size_t triangle)
  *
  * Of a box there are the first voxel, from the region's first, and the extents, that is the voxels less 1: x,
  * y, z in 16 bits each from bit 16 on, below those of the extents flags. Of a box that is cut x, y and z are
- * signed. A key is the first voxel, and below it extents of up to 3 in two bits each. Corners are rows of four
- * floats: x, y, z in lanes 1 to 3, and anything finite in lane 0, so that a row of a mesh is one load. */
+ * signed. A key is the first voxel, and below it extents of up to 3 in two bits each. Corners are rows of
+ * four floats: x, y, z in lanes 1 to 3, and anything finite in lane 0, so that a row of a mesh is one load. */
 typedef struct tbx_block {
     uint64_t first[TBX_BLOCK];
     uint64_t more[TBX_BLOCK];
@@ -11869,10 +11869,10 @@ TBX_FORCED unsigned tbx_class_of(unsigned code, uint64_t more)
     if (code == 2) {
         return tbx_class_flat(more);
     } else {
-        const unsigned small =
+        const unsigned up =
             (unsigned)((code > 1) + (code > 3) + (code > 24)); /* 0 SHORT, 1 up to 2^3, and on */
         return code > 81 || (code > 62 && code != 81) ? (unsigned)TBX_CLASS_LARGE
-               : small > 0                            ? (unsigned)TBX_CLASS_2 + small - 1
+               : up > 0                               ? (unsigned)TBX_CLASS_2 + up - 1
                                                       : (unsigned)TBX_CLASS_SHORT;
     }
 }
@@ -14277,8 +14277,8 @@ TBX_NOINLINE void tbx_fill_again(tbx_fill *fill, tbx_group *g)
     g->n = 0;
 }
 
-/* Sets the voxels of a group of n^3; 2: each box has two rows in two layers, or 1: two rows. Triangles that are
- * unsure go the precise way. */
+/* Sets the voxels of a group of n^3; 2: each box has two rows in two layers, or 1: two rows. Triangles that
+ * are unsure go the precise way. */
 TBX_FORCED void tbx_some_set(tbx_fill *fill, const tbx_some *some, int n, unsigned unsure,
                              const uint64_t voxels[TBX_WIDE], int by_layers)
 {
