@@ -11627,7 +11627,7 @@ TBX_FORCED int tbx_block_corners(tbx_corners *out, const tbx_quick *q, const tbx
         out->row[1][i] = (tbx_f4)v1;
         out->row[2][i] = (tbx_f4)v2;
     }
-    for (i = count; i % (TBX_WIDE / 4) != 0; i++) {
+    for (i = count; i % 4 != 0; i++) {
         out->row[0][i] = out->row[1][i] = out->row[2][i] = out->row[0][count - 1];
     }
     return tbx_all_near(q, bits) || tbx_block_is_near(out, q, count);
