@@ -11751,6 +11751,11 @@ TBX_FORCED void tbx_four_next(tbx_four_rows *out, int part, const tbx_quick *q, 
     v[0] = corners->some[0][(at + part) / (TBX_WIDE / 4)];
     v[1] = corners->some[1][(at + part) / (TBX_WIDE / 4)];
     v[2] = corners->some[2][(at + part) / (TBX_WIDE / 4)];
+    if (careful) { /* nothing is computed before the question whether it may be */
+        TBX_KEEP_VECTOR(v[0]);
+        TBX_KEEP_VECTOR(v[1]);
+        TBX_KEEP_VECTOR(v[2]);
+    }
     tbx_box_fixed(place, f, v, careful);
     if (careful) {
         const tbx_iw below = tbx_wide_repeat(tbx_load4i(q->off_below));
