@@ -5231,8 +5231,8 @@ TBX_FN int tbx_solid_begin(tbx_solid_tri *t, const tbx_solid *s, double v[3][3],
     return y_range[0] < y_range[1] && tbx_solid_tri_edges(t) != 0;
 }
 
-/* Flips what one triangle crosses. */
-TBX_NOINLINE void tbx_solid_triangle(const tbx_solid *s, double v[3][3], int kind)
+/* Flips what one triangle crosses from a layer on. */
+TBX_NOINLINE void tbx_solid_part(const tbx_solid *s, double v[3][3], int kind, int64_t first)
 {
     tbx_solid_tri t;
     int64_t y_range[2];
@@ -5242,7 +5242,7 @@ TBX_NOINLINE void tbx_solid_triangle(const tbx_solid *s, double v[3][3], int kin
     if (!tbx_solid_begin(&t, s, v, kind, y_range, z_range)) {
         return;
     }
-    for (z = z_range[0]; z < z_range[1]; z++) {
+    for (z = z_range[0] > first ? z_range[0] : first; z < z_range[1]; z++) {
         int64_t rows[2];
         rows[0] = y_range[0];
         rows[1] = y_range[1];
@@ -5275,7 +5275,7 @@ TBX_FN void tbx_solid_fill_mesh(const tribox_grid *grid, const tbx_source *sourc
     for (; t < source->triangles; t++) {
         const int kind = tbx_source_triangle(source, t, v);
         if (kind != TBX_NO_POINTS) {
-            tbx_solid_triangle(&s, v, kind);
+                    tbx_solid_part(&s, v, kind, 0);
         }
     }
 }
@@ -15512,7 +15512,8 @@ typedef struct tbx_solid_quick {
     float step[3];   /* size * scale */
     float over_step; /* 1 / step[0] */
     tbx_solid_centres centres[3];
-    float rho; /* scaled, the largest */
+    float rho;            /* scaled, the largest */
+    double most_reach[3]; /* M of corners within 2^21 voxels */
     int lattice;
     int on; /* 0: this grid's numbers are out of range */
 } TBX_ALIGNED tbx_solid_quick;
@@ -15574,6 +15575,7 @@ TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const t
         TBX_KEEP(size_high);
         q->on &= rho < 2048.0 && tbx_abs(middle) * scale < 67108864.0; /* 2^26 */
         q->origin[k] = (float)middle;
+        q->most_reach[k] = s->reach[k] + tbx_abs(middle) + 2097152.0 * size;
         q->inverse[k] = (float)(1.0 / size);
         q->most[k] =
             source->is_double ? (int32_t)(tbx_bits64(&most) >> 32) : (int32_t)tbx_bits32(&most_float);
@@ -15620,6 +15622,7 @@ typedef struct tbx_solid_fill {
     tbx_solid_list list[TBX_SOLID_ROWS];      /* of up to 1, 2, ... rows on each axis */
     size_t large[TBX_SOLID_BLOCK + TBX_WIDE]; /* that go one by one */
     int larges;
+    int32_t from[2]; /* layers, of the last two */
     tbx_solid_crossing crossing[TBX_SOLID_CROSSINGS + TBX_SOLID_ROWS * TBX_WIDE + 1];
     int crossings;              /* that wait: their rows are on the way to the cache */
     int32_t y[TBX_SOLID_BLOCK]; /* of a block of triangles */
@@ -15991,12 +15994,11 @@ TBX_FN int64_t tbx_solid_lattice_voxel(const tbx_solid_quick *q, const tbx_point
     return voxel + ((double)voxel <= x);
 }
 
-/* tbx_solid_flip, some words at a time. */
-TBX_FORCED void tbx_solid_flip_wide(uint64_t *row, size_t row_words, uint64_t padding, size_t x)
+/* tbx_solid_flip, some words at a time, from bit x & 63 of the first of the row's `left` last words. */
+TBX_FORCED void tbx_solid_flip_wide(uint64_t *word, size_t left, uint64_t padding, size_t x)
 {
     const size_t some = TBX_WIDE / 2;
-    uint64_t *word = row + (x >> 6);
-    size_t left = row_words - (x >> 6);
+    uint64_t *last = word + left - 1;
     *word ^= ~(uint64_t)0 << (x & 63);
     for (; left > some; left -= some) {
         tbx_uw a;
@@ -16007,224 +16009,398 @@ TBX_FORCED void tbx_solid_flip_wide(uint64_t *row, size_t row_words, uint64_t pa
     for (; left > 1; left--) {
         word[left - 1] = ~word[left - 1];
     }
-    row[row_words - 1] ^= padding; /* which was flipped with the rest */
+    if (padding != 0) {
+        *last ^= padding; /* which was flipped with the rest */
+    }
 }
 
 /* Lines. What tbx_solid_least looks for, in row or layer r, is at + slope * r, rounded up, if that is not
- * within `error` of a whole number: the value's own bound over its step, and what the quotient and the sum
- * round off; a division may be off by 4 u. On the lattice half the least step of the value goes on top, and
- * no quotient is whole. The edges that bound y from below are lower[0] and [1], maybe one twice. */
+ * within an error of a whole number: the value's own bound (section 8) over its step, and what the quotient
+ * and the sum round off; a division may be off by 4 u. On the lattice half the least step of the value goes
+ * on top, and no quotient is whole. The edges that bound y from below are lower[0] and [1], maybe one twice.
+ *
+ * Such a place, as FIXED is added to it, is a whole number of steps of 2^-28 in its double's last bits, and
+ * off by one more. Corners are within 2^21 voxels along x, and so is the plane where it counts. */
 #define TBX_SOLID_LINE_ERROR (32.0 * TBX_U64)
+#define TBX_SOLID_FIXED 25165824.0 /* 3 * 2^23 */
+#define TBX_SOLID_LAYERS 32
 
 typedef struct tbx_solid_line {
     double at;
     double slope;
 } tbx_solid_line;
 
+/* Two triangles. */
+typedef struct tbx_solid_two {
+    tbx_d2 at[3][3]; /* first centre - corners */
+    tbx_d2 d[3][3];  /* edges */
+    tbx_l2 on_lattice;
+    tbx_d2 edge_at[3];
+    tbx_d2 edge_slope[3];
+    tbx_d2 error;
+    tbx_d2 plane_at;
+    tbx_d2 plane_slope;
+    tbx_d2 plane_z; /* the plane's slope from layer to layer */
+    tbx_d2 plane_error;
+    tbx_d2 layers[2]; /* as FIXED */
+    int lower[3];     /* a bit for each triangle */
+    int upper[3];
+    int inside; /* all crossings are before the region's last voxel, and behind its first */
+    int sure;
+    int flat; /* parallel to x */
+} tbx_solid_two;
+
+/* The lines of one of them. */
 typedef struct tbx_solid_lines {
-    tbx_solid_line lower[2];
-    tbx_solid_line upper[2];
+    tbx_solid_line lower[3]; /* two of them, maybe one twice; the third is any */
+    tbx_solid_line upper[3];
     tbx_solid_line plane;
-    double plane_z; /* the plane's slope from layer to layer */
-    double error;
-    double plane_error;
-    int32_t layers[2];
+    double plane_z;
+    uint32_t unsure;       /* in steps of 2^-32 */
+    uint32_t plane_unsure; /* at any row */
+    int inside;
 } tbx_solid_lines;
 
-/* x rounded up to [0, n]; clears *sure. */
-TBX_FORCED int32_t tbx_solid_up(double x, double error, double last, int *sure)
+/* The places of layers: y of the first row and of that behind the last, as FIXED, and x at row 0. */
+typedef struct tbx_solid_places {
+    uint64_t low[TBX_SOLID_LAYERS];
+    uint64_t high[TBX_SOLID_LAYERS];
+    double x[TBX_SOLID_LAYERS];
+} tbx_solid_places;
+
+TBX_FORCED tbx_d2 tbx_twice(double x)
 {
-    const double low = x > -0.5 ? x : -0.5;
-    const double y = (low < last ? low : last) + 1.0; /* last: n - 1/2 */
-    const int32_t i = tbx_to_int(y);
-    *sure &= tbx_abs(y - (double)i - 0.5) < 0.5 - error;
-    return i;
+    return tbx_pair(x, x);
 }
 
-/* Sets a line, and *error to what it may be off by, if that is more. */
-TBX_FN void tbx_solid_line_set(tbx_solid_line *l, double rest, double per_row, double step,
-                               double value_error, double n, double *error)
+/* x where mask, else 0. */
+TBX_FORCED tbx_d2 tbx_where2(tbx_l2 mask, tbx_d2 x)
 {
-    const double over_step = -1.0 / step;
-    double off;
-    l->at = rest * over_step;
-    l->slope = per_row * over_step;
-    off = -1.01 * value_error * over_step +
-          TBX_SOLID_LINE_ERROR * (tbx_abs(l->at) + tbx_abs(l->slope) * n + 1.0);
-    *error = off > *error ? off : *error;
+    return (tbx_d2)(mask & (tbx_l2)x);
 }
 
-/* The lines of a triangle whose edges are known. */
-TBX_FN void tbx_solid_lines_set(tbx_solid_lines *l, const tbx_solid_tri *t)
+/* 1/x in lanes `has`, else 1: as tbx_wide_inverse. */
+TBX_FORCED tbx_d2 tbx_inverse2(tbx_l2 has, tbx_d2 x)
 {
-    const tbx_solid *s = t->solid;
+    tbx_d2 divisor = (tbx_d2)((has & (tbx_l2)x) | (~has & (tbx_l2)tbx_twice(1.0)));
+    TBX_KEEP_VECTOR(divisor);
+    return tbx_twice(1.0) / divisor;
+}
+
+/* x rounded up to [0, n], as FIXED; last: n - 1/2. */
+TBX_FORCED tbx_d2 tbx_solid_up(tbx_d2 x, tbx_d2 last)
+{
+    return tbx_min2(tbx_max2(x, tbx_twice(-0.5)), last) + tbx_twice(1.0) + tbx_twice(TBX_SOLID_FIXED);
+}
+
+/* The whole part of what is FIXED; is the rest, in steps of 2^-32, within `unsure` of a whole number? */
+TBX_FORCED int32_t tbx_solid_whole_of(uint64_t bits)
+{
+    return (int32_t)(bits >> 28) & 0x7fffff;
+}
+
+TBX_FORCED int tbx_solid_is_near(uint32_t rest, uint32_t unsure)
+{
+    return rest + unsure < 2 * unsure;
+}
+
+/* Corners of two triangles: differences, and whether they are on the lattice. */
+TBX_FORCED void tbx_solid_two_set(tbx_solid_two *t, const tbx_solid *s, double v[2][3][3])
+{
+    const int lattice = s->scale[0] > 0.0 && s->scale[1] > 0.0 && s->scale[2] > 0.0;
+    int64_t on[2];
+    int i;
+    int k;
+    for (i = 0; i < 2; i++) {
+        on[i] = -(int64_t)lattice;
+        for (k = 0; k < 9 && on[i] != 0; k++) {
+            on[i] = -(int64_t)tbx_solid_on_lattice(s, k % 3, v[i][k / 3][k % 3]);
+        }
+    }
+    TBX_COPY(&t->on_lattice, on, sizeof t->on_lattice);
+    for (k = 0; k < 3; k++) {
+        const tbx_d2 middle = tbx_twice(s->middle[k]);
+        const tbx_d2 v0 = tbx_pair(v[0][0][k], v[1][0][k]);
+        const tbx_d2 v1 = tbx_pair(v[0][1][k], v[1][1][k]);
+        const tbx_d2 v2 = tbx_pair(v[0][2][k], v[1][2][k]);
+        t->at[0][k] = middle - v0;
+        t->at[1][k] = middle - v1;
+        t->at[2][k] = middle - v2;
+        t->d[0][k] = v1 - v0;
+        t->d[1][k] = v2 - v1;
+        t->d[2][k] = v0 - v2;
+    }
+    TBX_KEEP(t->at);
+    TBX_KEEP(t->d);
+}
+
+/* Edge i's lines. Raises over: the largest 1 / step; off: what the line's own size rounds off. */
+TBX_FORCED void tbx_solid_edge(tbx_solid_two *t, const tbx_solid *s, int i, tbx_l2 lower_falls, tbx_d2 half,
+                               tbx_d2 *over, tbx_d2 *off)
+{
+    const tbx_d2 zero = tbx_twice(0.0);
+    const tbx_l2 falls = (tbx_l2)(t->d[i][2] < zero);
+    const tbx_d2 across = tbx_abs2(t->d[i][2]);
+    const tbx_l2 leans = (tbx_l2)(across > zero);
+    const tbx_l2 flip = ~falls & tbx_splat_long((int64_t)((uint64_t)1 << 63));
+    const tbx_d2 along = (tbx_d2)((tbx_l2)t->d[i][1] ^ flip);
+    const tbx_d2 inverse = tbx_where2(leans, tbx_inverse2(leans, across * tbx_twice(s->grid->size[1])));
+    const tbx_d2 at = -((along * t->at[i][2] + across * t->at[i][1] + half) * inverse);
+    const tbx_d2 slope = -(along * tbx_twice(s->grid->size[2]) * inverse);
+    t->edge_at[i] = at;
+    t->edge_slope[i] = slope;
+    t->lower[i] = tbx_signs2(leans & ~(falls ^ lower_falls));
+    t->upper[i] = tbx_signs2(leans & (falls ^ lower_falls));
+    *over = tbx_max2(*over, inverse);
+    *off = tbx_max2(*off, tbx_abs2(at) + tbx_abs2(slope) * tbx_twice((double)s->n[2]));
+}
+
+/* All lines. m: no coordinate and no centre is more, where a triangle is sure. */
+TBX_FORCED void tbx_solid_two_lines(tbx_solid_two *t, const tbx_solid *s, const double m[3])
+{
     const double *size = s->grid->size;
-    const double half = t->edge_error[0] > 0.0 ? 0.0 : 0.5 / (s->scale[1] * s->scale[2]);
-    const double half_x = t->plane_error > 0.0 ? 0.0 : 0.5 / (s->scale[0] * s->scale[1] * s->scale[2]);
-    const double step = t->n[0] * size[0];
+    const tbx_d2 tiny = tbx_twice(TBX_SOLID_TINY);
+    const tbx_d2 line_error = tbx_twice(TBX_SOLID_LINE_ERROR);
+    const tbx_d2 one = tbx_twice(1.0);
+    const tbx_l2 on = t->on_lattice;
+    tbx_d2 low[3]; /* of the first centre, from corners */
+    tbx_d2 high[3];
+    tbx_d2 x[3];
+    tbx_d2 n[3];
+    tbx_d2 half = tbx_twice(0.0);
+    tbx_d2 half_x = half;
+    tbx_d2 half_z = half;
+    tbx_d2 edge_error;
+    tbx_d2 plane_error;
+    tbx_d2 layer_error = tbx_twice(m[2] * TBX_SOLID_ERROR);
+    tbx_d2 over = half;
+    tbx_d2 off = half;
+    tbx_l2 wide;
+    tbx_l2 sure;
+    tbx_l2 lower_falls;
+    int k;
+    for (k = 0; k < 3; k++) {
+        low[k] = tbx_min2(tbx_min2(t->at[0][k], t->at[1][k]), t->at[2][k]);
+        high[k] = tbx_max2(tbx_max2(t->at[0][k], t->at[1][k]), t->at[2][k]);
+        x[k] = tbx_max2(tbx_max2(tbx_abs2(t->d[0][k]), tbx_abs2(t->d[1][k])), tbx_abs2(t->d[2][k]));
+    }
+    n[0] = t->d[0][1] * t->d[1][2] - t->d[0][2] * t->d[1][1];
+    n[1] = t->d[0][2] * t->d[1][0] - t->d[0][0] * t->d[1][2];
+    n[2] = t->d[0][0] * t->d[1][1] - t->d[0][1] * t->d[1][0];
+    edge_error = (x[1] * tbx_twice(m[2]) + x[2] * tbx_twice(m[1])) * tbx_twice(TBX_SOLID_EDGE_ERROR) + tiny;
+    plane_error =
+        (x[1] * x[2] * tbx_twice(m[0]) + x[2] * x[0] * tbx_twice(m[1]) + x[0] * x[1] * tbx_twice(m[2])) *
+            tbx_twice(TBX_SOLID_PLANE_ERROR) +
+        tiny;
+    if (tbx_signs2(on) != 0) {
+        half = tbx_where2(on, tbx_twice(0.5 / (s->scale[1] * s->scale[2])));
+        half_x = tbx_where2(on, tbx_twice(0.5 / (s->scale[0] * s->scale[1] * s->scale[2])));
+        half_z = tbx_where2(on, tbx_twice(0.5 / s->scale[2]));
+        edge_error = tbx_where2(~on, edge_error);
+        plane_error = tbx_where2(~on, plane_error);
+        layer_error = tbx_where2(~on, layer_error);
+    }
+    lower_falls = (tbx_l2)(n[0] > tbx_twice(0.0));
+    for (k = 0; k < 3; k++) {
+        n[k] = (tbx_d2)((tbx_l2)n[k] ^ (~lower_falls & tbx_splat_long((int64_t)((uint64_t)1 << 63))));
+    }
+    wide = (tbx_l2)(n[0] > x[1] * x[2] * tbx_twice(TBX_SOLID_NORMAL_ERROR) + tbx_twice(TBX_POW2(-400)));
+    tbx_solid_edge(t, s, 0, lower_falls, half, &over, &off);
+    tbx_solid_edge(t, s, 1, lower_falls, half, &over, &off);
+    tbx_solid_edge(t, s, 2, lower_falls, half, &over, &off);
+    t->error = line_error * (off + one) + tbx_twice(1.01) * edge_error * over;
+    over = tbx_inverse2(wide, n[0] * tbx_twice(size[0]));
+    t->plane_at = -((n[0] * t->at[0][0] + n[1] * t->at[0][1] + n[2] * t->at[0][2] + half_x) * over);
+    t->plane_slope = -(n[1] * tbx_twice(size[1]) * over);
+    t->plane_z = -(n[2] * tbx_twice(size[2]) * over);
+    t->plane_error =
+        line_error * (tbx_abs2(t->plane_at) + tbx_abs2(t->plane_slope) * tbx_twice((double)s->n[1]) +
+                      tbx_abs2(t->plane_z) * tbx_twice((double)s->n[2]) + one) +
+        tbx_twice(1.01) * plane_error * over;
+    over = tbx_twice(1.0 / size[2]);
+    t->layers[0] = tbx_solid_up(-(high[2] + half_z) * over, tbx_twice((double)s->n[2] - 0.5));
+    t->layers[1] = tbx_solid_up(-(low[2] + half_z) * over, tbx_twice((double)s->n[2] - 0.5));
+    t->error = tbx_max2(t->error, line_error * ((tbx_abs2(low[2]) + tbx_abs2(high[2])) * over + one) +
+                                      tbx_twice(1.01) * layer_error * over);
+    sure = wide & (tbx_l2)(tbx_max2(t->error, t->plane_error) < tbx_twice(0.1));
+    for (k = 0; k < 3; k++) {
+        sure &= (tbx_l2)(tbx_max2(high[k], -low[k]) < tbx_twice(size[k] * 2097152.0)); /* 2^21 voxels */
+    }
+    t->sure = tbx_signs2(sure);
+    t->flat = tbx_signs2(on & (tbx_l2)(n[0] == tbx_twice(0.0))); /* on the lattice n_x is exact */
+    t->inside = tbx_signs2((tbx_l2)(high[0] < tbx_twice(-size[0])) &
+                           (tbx_l2)(low[0] > tbx_twice(size[0] * (2.0 - (double)s->n[0]))));
+}
+
+/* The lines of triangle i of two. */
+TBX_FORCED void tbx_solid_lines_set(tbx_solid_lines *l, const tbx_solid_two *t, int i, uint32_t n_y)
+{
     int lower = 0;
     int upper = 0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        tbx_solid_line line;
+        line.at = t->edge_at[k][i];
+        line.slope = t->edge_slope[k][i];
+        l->lower[lower] = line;
+        lower += t->lower[k] >> i & 1;
+        l->upper[upper] = line;
+        upper += t->upper[k] >> i & 1;
+    }
+    l->lower[1] = l->lower[lower > 1];
+    l->upper[1] = l->upper[upper > 1];
+    l->plane.at = t->plane_at[i];
+    l->plane.slope = t->plane_slope[i];
+    l->plane_z = t->plane_z[i];
+    l->unsure = (uint32_t)(t->error[i] * 4294967296.0) + 32;
+    l->plane_unsure = (uint32_t)(t->plane_error[i] * 4294967296.0) + n_y + 34;
+    l->inside = t->inside >> i & 1;
+}
+
+/* Layers z to z + count, count at most LAYERS. */
+TBX_FORCED void tbx_solid_places_set(tbx_solid_places *p, const tbx_solid_lines *l, double last_y, double z,
+                                     int count)
+{
+    const tbx_d2 last = tbx_twice(last_y);
+    const tbx_d2 two = tbx_twice(2.0);
+    tbx_d2 at = tbx_pair(z, z + 1.0);
     int i;
-    l->error = l->plane_error = 0.0;
-    for (i = 0; i < 3; i++) {
-        const double d_z = t->d[i][2];
-        const double along = d_z > 0.0 ? -t->d[i][1] : t->d[i][1];
-        const double across = tbx_abs(d_z);
-        if (across > 0.0) {
-            const int is_lower = (t->sign > 0) == (d_z < 0.0);
-            tbx_solid_line *line = is_lower ? &l->lower[lower] : &l->upper[upper];
-            tbx_solid_line_set(line, along * t->at[i][2] + across * t->at[i][1] + half, along * size[2],
-                               across * size[1], t->edge_error[i], (double)s->n[2], &l->error);
-            lower += is_lower;
-            upper += !is_lower;
+#define TBX_LINE(l) (tbx_twice((l).at) + tbx_twice((l).slope) * at)
+    for (i = 0; i < count; i += 2, at += two) {
+        const tbx_d2 low = tbx_solid_up(tbx_max2(TBX_LINE(l->lower[0]), TBX_LINE(l->lower[1])), last);
+        const tbx_d2 high = tbx_solid_up(tbx_min2(TBX_LINE(l->upper[0]), TBX_LINE(l->upper[1])), last);
+        const tbx_d2 x = tbx_twice(l->plane.at) + tbx_twice(l->plane_z) * at + tbx_twice(1.0);
+        TBX_COPY(p->low + i, &low, sizeof low);
+        TBX_COPY(p->high + i, &high, sizeof high);
+        TBX_COPY(p->x + i, &x, sizeof x);
+    }
+#undef TBX_LINE
+}
+
+/* Rows of a layer, x in steps of 2^-32, `aligned`: all in the region and in one word of their rows. Returns
+ * how many were sure, one after another, and are flipped. */
+TBX_FORCED int32_t tbx_solid_layer(const tbx_solid *s, uint32_t unsure, int aligned, uint64_t *row,
+                                   int32_t rows, uint64_t at, uint64_t slope)
+{
+    const int64_t n_x = s->n[0];
+    const size_t row_words = s->row_words;
+    const uint64_t padding = ~s->last_word;
+    const size_t first = at >> 38;
+    int32_t y;
+    for (y = 0; y < rows; y++, row += row_words, at += slope) {
+        const int64_t x = (int64_t)at >> 32;
+        const size_t word = aligned ? first : x > 0 ? (size_t)x >> 6 : 0;
+        if (TBX_RARELY(tbx_solid_is_near((uint32_t)at, unsure))) {
+            break;
+        }
+        if (aligned || x < n_x) {
+            tbx_solid_flip_wide(row + word, row_words - word, padding, aligned || x > 0 ? (size_t)x : 0);
         }
     }
-    if (lower == 1) {
-        l->lower[1] = l->lower[0];
-    }
-    if (upper == 1) {
-        l->upper[1] = l->upper[0];
-    }
-    tbx_solid_line_set(&l->plane,
-                       t->n[0] * t->at[0][0] + t->n[1] * t->at[0][1] + t->n[2] * t->at[0][2] + half_x,
-                       t->n[1] * size[1], step, t->plane_error, (double)s->n[1], &l->plane_error);
-    l->plane_z = -t->n[2] * size[2] / step;
-    l->plane_error += TBX_SOLID_LINE_ERROR * tbx_abs(l->plane_z) * (double)s->n[2];
+    return y;
 }
 
-/* The layers whose centres lie between the corners. Returns whether that is sure. */
-TBX_FN int tbx_solid_layers(tbx_solid_lines *l, const tbx_solid_tri *t)
+/* A step from row to row; where it is cut, there is one row at most. */
+TBX_FORCED uint64_t tbx_solid_slope(double x)
 {
-    const tbx_solid *s = t->solid;
-    const double over_size = 1.0 / s->grid->size[2];
-    const double half = t->edge_error[0] > 0.0 ? 0.0 : 0.5 * over_size / s->scale[2];
-    int sure = 1;
-    int side;
-    for (side = 0; side < 2; side++) {
-        const double face = side == 0 ? t->least[2] : t->most[2];
-        const double x = (face - s->middle[2]) * over_size;
-        double error = TBX_SOLID_LINE_ERROR * (tbx_abs(x) + 1.0);
-        if (t->edge_error[0] > 0.0) {
-            error += 1.01 * TBX_SOLID_ERROR * (s->reach[2] + tbx_abs(face)) * over_size;
-        }
-        l->layers[side] = tbx_solid_up(x - half, error, (double)s->n[2] - 0.5, &sure);
-    }
-    return sure;
-}
-
-/* The rows of layer z; clears *sure. */
-TBX_FORCED void tbx_solid_lines_rows(const tbx_solid_lines *l, double z, double last, int32_t rows[2],
-                                     int *sure)
-{
-    const double a = l->lower[0].at + l->lower[0].slope * z;
-    const double b = l->lower[1].at + l->lower[1].slope * z;
-    const double c = l->upper[0].at + l->upper[0].slope * z;
-    const double d = l->upper[1].at + l->upper[1].slope * z;
-    rows[0] = tbx_solid_up(a > b ? a : b, l->error, last, sure);
-    rows[1] = tbx_solid_up(c < d ? c : d, l->error, last, sure);
-}
-
-/* In steps of 2^-32, which it may be off by. Where corners are within 2^27 voxels, a line in x has values
- * beyond 2^28 only where they do not count: outside the triangle. */
-TBX_FORCED uint64_t tbx_solid_fixed(double x)
-{
-    x = x > -268435456.0 ? x : -268435456.0;
-    x = x < 268435456.0 ? x : 268435456.0;
+    const double most = 268435456.0; /* 2^28 */
+    x = x > -most ? x : -most;
+    x = x < most ? x : most;
     TBX_KEEP_SCALAR(x);
     return (uint64_t)(int64_t)(x * 4294967296.0);
 }
 
-/* Rows `first` to `end` of layer z, in which a triangle that is not `unsure` in steps of 2^-32 is crossed
- * before voxel at / 2^32, at + slope / 2^32, ... `inside`: in the region all along. */
-TBX_FORCED void tbx_solid_layer(const tbx_solid_tri *t, int32_t z, int32_t first, int32_t end, uint64_t at,
-                                uint64_t slope, uint32_t unsure, int inside)
+/* Layers of a triangle whose lines are sure. Returns the first layer whose rows are not, or the end. */
+TBX_FORCED int32_t tbx_solid_sweep(const tbx_solid *s, const tbx_solid_lines *l, int32_t z, int32_t end)
 {
-    const tbx_solid *s = t->solid;
-    const int64_t n_x = s->n[0];
-    const size_t row_words = s->row_words;
-    const uint64_t padding = ~s->last_word;
-    uint64_t *row = s->bits + ((size_t)z * (size_t)s->n[1] + (size_t)first) * row_words;
-    int32_t y;
-    for (y = first; y < end; y++, row += row_words, at += slope) {
-        int64_t x = (int64_t)at >> 32;
-        if (TBX_RARELY((uint32_t)at + unsure < 2 * unsure)) {
-            x = tbx_solid_voxel(t, y, z);
-            if (x >= n_x) {
-                continue;
+    const uint64_t slope = tbx_solid_slope(l->plane.slope);
+    const size_t layer_words = s->row_words * (size_t)s->n[1];
+    tbx_solid_places p;
+    for (; z < end; z += TBX_SOLID_LAYERS) {
+        const int count = end - z < TBX_SOLID_LAYERS ? end - z : TBX_SOLID_LAYERS;
+        uint64_t *layer = s->bits + layer_words * (size_t)z;
+        int i;
+        tbx_solid_places_set(&p, l, (double)s->n[1] - 0.5, (double)z, count);
+        for (i = 0; i < count; i++, layer += layer_words) {
+            const int32_t first = tbx_solid_whole_of(p.low[i]);
+            const int32_t rows = tbx_solid_whole_of(p.high[i]) - first;
+            int sure = !tbx_solid_is_near((uint32_t)(p.low[i] << 4), l->unsure) &&
+                       !tbx_solid_is_near((uint32_t)(p.high[i] << 4), l->unsure);
+            if (sure && rows > 0) {
+                const double x = p.x[i] + l->plane.slope * (double)first + TBX_SOLID_FIXED;
+                const uint64_t at = ((tbx_bits64(&x) & 0xfffffffffffffu) - ((uint64_t)1 << 51)) << 4;
+                const uint64_t to = at + slope * (uint64_t)(rows - 1);
+                uint64_t *row = layer + (size_t)first * s->row_words;
+                const int32_t flipped = l->inside && at >> 38 == to >> 38
+                                            ? tbx_solid_layer(s, l->plane_unsure, 1, row, rows, at, slope)
+                                            : tbx_solid_layer(s, l->plane_unsure, 0, row, rows, at, slope);
+                if (TBX_RARELY(flipped < rows)) { /* back */
+                    tbx_solid_layer(s, l->plane_unsure, 0, row, flipped, at, slope);
+                    sure = 0;
+                }
+            }
+            if (TBX_RARELY(!sure)) {
+                return z + i;
             }
         }
-        if (!inside) {
-            if (x >= n_x) {
-                continue;
-            }
-            x = x > 0 ? x : 0;
-        }
-        tbx_solid_flip_wide(row, row_words, padding, (size_t)x);
     }
+    return end;
 }
 
-/* A triangle of any size. Returns 0 if it has to go the scalar way. */
-TBX_NOINLINE int tbx_solid_large(const tbx_solid_quick *q, size_t triangle)
+/* The last two that wait, or the last one, of any size. Returns a bit for each that has to go the scalar way,
+ * from a layer on; they stay behind the list. */
+TBX_NOINLINE int tbx_solid_large(tbx_solid_fill *fill)
 {
-    const tbx_solid *s = q->solid;
-    const uint64_t n_x = (uint64_t)s->n[0];
-    const double last_y = (double)s->n[1] - 0.5;
-    const double most_x = s->grid->size[0] * 134217728.0; /* 2^27 voxels: see tbx_solid_fixed */
-    uint64_t slope;
-    uint32_t unsure;
-    tbx_solid_tri t;
+    const tbx_solid *s = fill->quick.solid;
+    const int count = fill->larges > 1 ? 2 : 1;
+    const int first = fill->larges - count;
+    double v[2][3][3];
+    int careful = 0;
+    int sure = 0;
+    tbx_solid_two two;
     tbx_solid_lines l;
-    double v[3][3];
-    int32_t z;
-    const int kind = tbx_source_triangle(q->source, triangle, v);
-    if (kind == TBX_NO_POINTS) {
-        return 1;
+    int i;
+    int k;
+    for (i = 0; i < count; i++) {
+        const int kind = tbx_source_triangle(fill->quick.source, fill->large[first + i], v[i]);
+        sure |= (kind == TBX_ALL_ORDINARY) << i;
+        careful |= (kind != TBX_NO_POINTS) << i;
     }
-    tbx_solid_tri_set(&t, s, v, kind);
-    if (tbx_solid_tri_edges(&t) == 0) {
-        return 1;
-    }
-    if (t.fits) {
-        tbx_solid_lines_set(&l, &t);
-    }
-    if (!t.fits || !tbx_solid_layers(&l, &t) || !(l.plane_error < 0.1) || tbx_abs(t.at[0][0]) > most_x ||
-        tbx_abs(t.at[1][0]) > most_x || tbx_abs(t.at[2][0]) > most_x) {
-        return 0;
-    }
-    slope = tbx_solid_fixed(l.plane.slope);
-    unsure = (uint32_t)(l.plane_error * 4294967296.0) + (uint32_t)s->n[1] + 2;
-    for (z = l.layers[0]; z < l.layers[1]; z++) {
-        int32_t rows[2];
-        int sure = 1;
-        tbx_solid_lines_rows(&l, (double)z, last_y, rows, &sure);
-        if (TBX_RARELY(!sure)) {
-            int64_t exact[2];
-            exact[0] = 0;
-            exact[1] = s->n[1];
-            tbx_solid_rows(&t, z, exact);
-            rows[0] = (int32_t)exact[0];
-            rows[1] = (int32_t)exact[1];
-        }
-        if (rows[0] < rows[1]) {
-            const uint64_t at =
-                tbx_solid_fixed(l.plane.at + l.plane_z * (double)z + l.plane.slope * (double)rows[0] + 1.0);
-            const uint64_t end = at + slope * (uint64_t)(rows[1] - 1 - rows[0]);
-            if (at >> 32 < n_x && end >> 32 < n_x) {
-                tbx_solid_layer(&t, z, rows[0], rows[1], at, slope, unsure, 1);
-            } else {
-                tbx_solid_layer(&t, z, rows[0], rows[1], at, slope, unsure, 0);
-            }
+    fill->larges = first;
+    for (i = 0; i < 2; i++) { /* numbers that can be computed with */
+        for (k = 0; k < 9 && (sure >> i & 1) == 0; k++) {
+            v[i][k / 3][k % 3] = 0.0;
         }
     }
-    return 1;
+    tbx_solid_two_set(&two, s, v);
+    tbx_solid_two_lines(&two, s, fill->quick.most_reach);
+    sure &= two.sure;
+    for (i = 0; i < count; i++) {
+        const uint64_t low = (uint64_t)((tbx_l2)two.layers[0])[i];
+        const uint64_t high = (uint64_t)((tbx_l2)two.layers[1])[i];
+        fill->from[i] = 0;
+        if ((sure >> i & 1) == 0) {
+            continue;
+        }
+        tbx_solid_lines_set(&l, &two, i, (uint32_t)s->n[1]);
+        if (tbx_solid_is_near((uint32_t)(low << 4), l.unsure) ||
+            tbx_solid_is_near((uint32_t)(high << 4), l.unsure)) {
+            sure &= ~(1 << i);
+        } else {
+            const int32_t end = tbx_solid_whole_of(high);
+            fill->from[i] = tbx_solid_sweep(s, &l, tbx_solid_whole_of(low), end);
+            sure &= ~((fill->from[i] < end) << i);
+        }
+    }
+    return careful & ~sure & ~two.flat;
 }
 
 /* The scalar way. */
-TBX_NOINLINE void tbx_solid_careful(const tbx_solid_quick *q, size_t triangle)
+TBX_NOINLINE void tbx_solid_careful(const tbx_solid_quick *q, size_t triangle, int32_t first)
 {
     double v[3][3];
     const int kind = tbx_source_triangle(q->source, triangle, v);
-    tbx_solid_triangle(q->solid, v, kind);
+    tbx_solid_part(q->solid, v, kind, first);
 }
 
 /* Flips the rows that wait. */
@@ -16235,7 +16411,9 @@ TBX_NOINLINE void tbx_solid_flip_all(tbx_solid_fill *fill)
     const uint64_t padding = ~s->last_word;
     int i;
     for (i = 0; i < fill->crossings; i++) {
-        tbx_solid_flip_wide(fill->crossing[i].row, row_words, padding, fill->crossing[i].x);
+        const size_t x = fill->crossing[i].x;
+        const size_t word = x >> 6;
+        tbx_solid_flip_wide(fill->crossing[i].row + word, row_words - word, padding, x);
     }
     fill->crossings = 0;
 }
@@ -16370,16 +16548,16 @@ TBX_NOINLINE void tbx_solid_flush4(tbx_solid_fill *fill, const tbx_solid_list *l
     tbx_solid_flush(fill, list, i, count, 4);
 }
 
-/* One by one, each way outside of the way before: their stacks do not add up. */
+/* Two by two, each way outside of the way before: their stacks do not add up. */
 TBX_FORCED void tbx_solid_work_large(tbx_solid_fill *fill)
 {
-    int i;
-    for (i = 0; i < fill->larges; i++) {
-        if (!tbx_solid_large(&fill->quick, fill->large[i])) {
-            tbx_solid_careful(&fill->quick, fill->large[i]);
+    while (fill->larges > 0) {
+        int careful = tbx_solid_large(fill);
+        for (; careful != 0; careful &= careful - 1) {
+            const int i = __builtin_ctz((unsigned)careful);
+            tbx_solid_careful(&fill->quick, fill->large[fill->larges + i], fill->from[i]);
         }
     }
-    fill->larges = 0;
 }
 
 /* Works a list off, WIDE at a time from its end; to the last one if `all`. */
@@ -16726,6 +16904,8 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_SOLID_PARTS
 #undef TBX_SOLID_MARGIN
 #undef TBX_SOLID_LINE_ERROR
+#undef TBX_SOLID_FIXED
+#undef TBX_SOLID_LAYERS
 #undef TBX_SOLID_BLOCK
 #undef TBX_SOLID_BOX_ERROR
 #undef TBX_SOLID_PLACE_ERROR
