@@ -11200,11 +11200,51 @@ TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
     return error < 0.125;
 }
 
-/* For a source of doubles or floats. */
-TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_target *t, int is_double)
+/* The fill's grid on axis k, as long as its numbers are in range. */
+TBX_FN void tbx_quick_axis(tbx_quick *q, const tribox_grid *grid, int k, int is_double)
 {
     const double u = (double)TBX_U32;
     const double margin = (double)TBX_MARGIN;
+    const double size = grid->size[k];
+    const double n = (double)q->n[k];
+    const double units = q->units[k];
+    const int fits = tbx_fixed_init(q, k, is_double);
+    const double from = is_double ? (double)q->centre[k + 1] : 0.0; /* where the corners' floats count from */
+    const double origin = q->origin[k] - from;
+    const double rounded = is_double ? 1.01 * u * (0.5 * n + 34.0 + u * tbx_abs(from) * units) : 0.0;
+    const double start = tbx_abs(origin) * units;
+    const double end = tbx_abs(origin * units + n);
+    const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + rounded + 1e-9;
+    const double base = origin + size;
+    const double before = tbx_abs(origin - margin * size);
+    const double last = tbx_abs(origin + (n + 2.0 * margin) * size);
+    const double most = before > last ? before : last;
+    double spacing;
+    double base_high;
+    double size_high;
+    double delta_low;
+    q->on = (slack < 0.125) & fits;
+    spacing = tbx_floor_pow2(most) * (1.0 / 4194304.0); /* 2^-22 */
+    base_high = tbx_floor_to(base, spacing);
+    size_high = tbx_floor_to(size, spacing);
+    TBX_KEEP(base_high);
+    TBX_KEEP(size_high);
+    delta_low = 4.1 * u * spacing * (n + 34.0) * units + 2.0 * q->delta + rounded + 1e-12;
+    q->inverse[k + 1] = (float)units;
+    q->shift_down[k] = (float)(margin - origin * units - slack);
+    q->shift_up[k] = (float)(margin - origin * units + slack);
+    q->base_high[k + 1] = (float)base_high;
+    q->base_low[k + 1] = (float)(base - base_high);
+    q->size_high[k + 1] = (float)size_high;
+    q->size_low[k + 1] = (float)(size - size_high);
+    q->step[k] = tbx_lattice_step(grid, k, spacing);
+    q->delta_low = (float)delta_low > q->delta_low ? (float)delta_low : q->delta_low;
+    q->end[k] = TBX_MARGIN + q->n[k] - 1;
+}
+
+/* For a source of doubles or floats. */
+TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_target *t, int is_double)
+{
     int k;
     q->on = TBX_DOUBLE_IS_53_BITS;
     q->thin = (grid->flags & TRIBOX_THIN) != 0;
@@ -11245,43 +11285,7 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
     q->short_axes = (q->n[0] | q->n[1] | q->n[2]) < 32768;
     q->row_words = t->row_words;
     for (k = 0; k < 3 && q->on; k++) {
-        const double size = grid->size[k];
-        const double n = (double)q->n[k];
-        const double units = q->units[k];
-        const int fits = tbx_fixed_init(q, k, is_double);
-        const double from =
-            is_double ? (double)q->centre[k + 1] : 0.0; /* where the corners' floats count from */
-        const double origin = q->origin[k] - from;
-        const double rounded = is_double ? 1.01 * u * (0.5 * n + 34.0 + u * tbx_abs(from) * units) : 0.0;
-        const double start = tbx_abs(origin) * units;
-        const double end = tbx_abs(origin * units + n);
-        const double slack =
-            1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + rounded + 1e-9;
-        const double base = origin + size;
-        const double before = tbx_abs(origin - margin * size);
-        const double last = tbx_abs(origin + (n + 2.0 * margin) * size);
-        const double most = before > last ? before : last;
-        double spacing;
-        double base_high;
-        double size_high;
-        double delta_low;
-        q->on = (slack < 0.125) & fits;
-        spacing = tbx_floor_pow2(most) * (1.0 / 4194304.0); /* 2^-22 */
-        base_high = tbx_floor_to(base, spacing);
-        size_high = tbx_floor_to(size, spacing);
-        TBX_KEEP(base_high);
-        TBX_KEEP(size_high);
-        delta_low = 4.1 * u * spacing * (n + 34.0) * units + 2.0 * q->delta + rounded + 1e-12;
-        q->inverse[k + 1] = (float)units;
-        q->shift_down[k] = (float)(margin - origin * units - slack);
-        q->shift_up[k] = (float)(margin - origin * units + slack);
-        q->base_high[k + 1] = (float)base_high;
-        q->base_low[k + 1] = (float)(base - base_high);
-        q->size_high[k + 1] = (float)size_high;
-        q->size_low[k + 1] = (float)(size - size_high);
-        q->step[k] = tbx_lattice_step(grid, k, spacing);
-        q->delta_low = (float)delta_low > q->delta_low ? (float)delta_low : q->delta_low;
-        q->end[k] = TBX_MARGIN + q->n[k] - 1;
+        tbx_quick_axis(q, grid, k, is_double);
     }
     q->precise = q->on && !is_double; /* the precise way and the lattice take corners for floats */
     for (k = 0; k < 3; k++) {
