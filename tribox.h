@@ -8536,8 +8536,8 @@ TBX_FN void tbx_segment_closed(tbx_segment *s, unsigned crossed, int first)
     }
 }
 
-/* One event, by the rule. HALF_OPEN: the point itself belongs to the upper voxels; then those after it, if
- * the segment goes on. OPEN: those after it. */
+/* One event, by the rule. HALF_OPEN: the point itself belongs to the upper voxels; then those after it, where
+ * it crosses a plane downward, which is none at its end. OPEN: those after it. */
 TBX_NOINLINE void tbx_segment_event(tbx_segment *s, unsigned crossed, int first, int last)
 {
     unsigned up = 0;
@@ -8556,7 +8556,7 @@ TBX_NOINLINE void tbx_segment_event(tbx_segment *s, unsigned crossed, int first,
         if (s->rule == TBX_HALF_OPEN && (first || up != 0)) {
             tbx_segment_emit(s, at[0], at[1], at[2]);
         }
-        if (s->rule == TBX_HALF_OPEN ? !last && crossed != up : !last || crossed == 0) {
+        if (s->rule == TBX_HALF_OPEN ? crossed != up : !last || crossed == 0) {
             tbx_segment_emit(s, after[0], after[1], after[2]);
         }
     }

@@ -1834,6 +1834,60 @@ static void endless_rays_go_past_all_floats(void)
 }
 
 /* Radii that are no lengths, and centres that are no points. */
+/* n = a (3, 4, 0) in some order has length 5 a: with d so that the value is 5 a r, the sphere just touches the plane,
+ * whatever squares of floats round to. */
+static void planes_that_just_touch(void)
+{
+    int i;
+    for (i = 0; i < 3000 / TEST_SCALE + 100; i++) {
+        const int a = 1 + random_below(255);
+        const int r = 1 + random_below(4095);
+        const int first = random_below(3);
+        const int side = random_below(2) ? 1 : -1;
+        int d = side * 5 * a * r;
+        int k;
+        float n[3];
+        float c[3];
+        n[first] = (float)(3 * a);
+        n[(first + 1) % 3] = (float)(4 * a);
+        n[(first + 2) % 3] = 0;
+        for (k = 0; k < 3; k++) {
+            const int x = random_below(4096) - 2048;
+            c[k] = (float)x;
+            d -= (int)n[k] * x;
+        }
+        CHECK(tribox_plane_sphere(n, (float)d, c, (float)r) == 0);
+        CHECK(tribox_plane_sphere(n, (float)(d + side), c, (float)r) == side);
+        CHECK(tribox_plane_sphere(n, (float)(d - side), c, (float)r) == 0);
+    }
+}
+
+/* A ray to the middle of an edge meets it, whatever the products of its long integers round to. */
+static void rays_through_edges_meet_them(void)
+{
+    int i;
+    for (i = 0; i < 3000 / TEST_SCALE + 100; i++) {
+        float v[3][3];
+        float o[3];
+        float dir[3];
+        float t = -1;
+        int k;
+        for (k = 0; k < 3; k++) {
+            const int p = random_below(1 << 21);
+            const int half = random_below(1 << 21);
+            const int from = random_below(1 << 22);
+            v[0][k] = (float)p;
+            v[1][k] = (float)(p + 2 * half);
+            v[2][k] = (float)random_below(1 << 22);
+            o[k] = (float)from;
+            dir[k] = (float)(p + half - from);
+        }
+        k = random_below(3);
+        CHECK(tribox_ray_triangle(o, dir, 0, 2, v[k], v[(k + 1) % 3], v[(k + 2) % 3], &t) == 1);
+        CHECK(t > 0 && t <= 1);
+    }
+}
+
 static void spheres_without_a_question(void)
 {
     const float v0[3] = {0, 0, 0};
@@ -1905,6 +1959,8 @@ int main(void)
     RUN(lines_and_planes_go_on_where_triangles_end);
     RUN(rays_and_spheres_are_exact);
     RUN(endless_rays_go_past_all_floats);
+    RUN(planes_that_just_touch);
+    RUN(rays_through_edges_meet_them);
     RUN(spheres_without_a_question);
     return test_report("test_contact");
 }
