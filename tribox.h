@@ -1934,9 +1934,9 @@ TBX_FN int tbx_clip_axis(tbx_clip *clip, int k, const double v[3], double lo, do
     clip->hi[k] = upper;
     if (tbx_hi_is_open(flags)) {
         const int lo_is_open = tbx_lo_is_open(flags);
-        parted |= (lo >= hi) | (hi <= t_min) | (lo_is_open & (lo >= t_max));
-        clip->open_lo |= (unsigned)(lo_is_open & (lo >= t_min)) << k;
-        clip->open_hi |= (unsigned)(hi <= t_max) << k;
+        parted |= !tbx_more(hi, lo) | !tbx_more(hi, t_min) | (lo_is_open & !tbx_more(t_max, lo));
+        clip->open_lo |= (unsigned)(lo_is_open & !tbx_more(t_min, lo)) << k;
+        clip->open_hi |= (unsigned)!tbx_more(hi, t_max) << k;
     }
     return parted;
 }
@@ -2032,7 +2032,7 @@ TBX_FN int tbx_is_whole(double x, double unit)
     double sum = x + middle;
     TBX_KEEP_SCALAR(sum);
     sum -= middle;
-    return TBX_DOUBLE_IS_53_BITS & !(sum < x) & !(sum > x) &
+    return TBX_DOUBLE_IS_53_BITS & !tbx_more(x, sum) & !tbx_more(sum, x) &
            (tbx_abs(x) < unit * 2251799813685248.0); /* 2^51 */
 }
 
@@ -2095,7 +2095,7 @@ TBX_FN int tbx_is_line(const double v0[3], const double v1[3], const double v2[3
     }
     p = (v1[b] - v0[b]) * (v2[c] - v0[c]);
     q = (v1[c] - v0[c]) * (v2[b] - v0[b]);
-    return !(p < q) & !(p > q);
+    return !tbx_more(q, p) & !tbx_more(p, q);
 }
 
 /* Have two points the same x and y? By their bits, which is quick; -0 and 0 are then not the same. */
@@ -2206,7 +2206,7 @@ TBX_NOINLINE int tbx_overlap_usual(const double v0[3], const double v1[3], const
     most = tbx_lesser(tbx_lesser(filter.value[0] + filter.bound[0], filter.value[1] + filter.bound[1]),
                       tbx_lesser(filter.value[2] + filter.bound[2], filter.value[3] + filter.bound[3]));
     /* one branch, hardly ever missed: a hit alone is a coin toss, and compilers would branch on it */
-    if (tbx_opaque32((uint32_t)(least >= 0.0) | (uint32_t)(most < 0.0)) != 0) {
+    if (tbx_more(0.0, most) | !tbx_more(0.0, least)) {
         return least >= 0.0;
     }
     return tbx_clipped_unsure(v0, v1, v2, &clip, &filter);
@@ -3702,7 +3702,7 @@ TBX_FN void tbx_walk_plane(tbx_walk *w, double quantum)
     lower = lower - spread;
     if (quantum > 0.0) {
         const double touch = 0.5 * quantum * tbx_abs(inverse);
-        const int uphill = (slope_y > 0.0) | (slope_z > 0.0);
+        const int uphill = tbx_more(slope_y, 0.0) | tbx_more(slope_z, 0.0);
         lower = f->hi_is_open ? lower + touch : lower - touch;
         upper = (f->lo_is_open | (f->hi_is_open & uphill)) != 0 ? upper - touch : upper + touch;
     }
@@ -6412,7 +6412,7 @@ TBX_FN int tbx_slab_times(double x[4][3], int k, double *out_first, double *out_
     *out_first = from < to ? from : to;
     *out_last = from > to ? from : to;
     if (TBX_RARELY(flat)) {
-        *outside |= (o < lo) | (o > hi);
+        *outside |= tbx_more(lo, o) | tbx_more(o, hi);
         *out_first = -TBX_SLAB_BEYOND;
         *out_last = TBX_SLAB_BEYOND;
     }
@@ -9115,7 +9115,8 @@ TBX_FN int tbx_sphere_box_filter(const float center[3], double r, const float bo
     x = tbx_outside(c[0], lo[0], hi[0]);
     y = tbx_outside(c[1], lo[1], hi[1]);
     z = tbx_outside(c[2], lo[2], hi[2]);
-    if (TBX_RARELY((lo[0] > hi[0]) | (lo[1] > hi[1]) | (lo[2] > hi[2]))) {
+    if (TBX_RARELY(tbx_more((double)lo[0], (double)hi[0]) | tbx_more((double)lo[1], (double)hi[1]) |
+                   tbx_more((double)lo[2], (double)hi[2]))) {
         return TBX_UNSURE;
     }
     return tbx_ball_less(x * x + y * y + z * z, r * r);
@@ -9616,12 +9617,12 @@ TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const fl
         return TBX_UNSURE;
     }
     error = tbx_parabola_roots(&f, roots);
-    if ((roots[1] + error < ends[0]) | (roots[0] - error > ends[1])) {
+    if (tbx_more(ends[0], roots[1] + error) | tbx_more(roots[0] - error, ends[1])) {
         return TBX_MISS;
     }
     out[0] = tbx_pierce_end(roots[0], error, 0, ends[0], &t[0], &unsure);
     out[1] = tbx_pierce_end(roots[1], error, 1, ends[1], &t[1], &unsure);
-    unsure |= !((roots[1] - error > ends[0]) & (roots[0] + error < ends[1]));
+    unsure |= !(tbx_more(roots[1] - error, ends[0]) & tbx_more(ends[1], roots[0] + error));
     return unsure ? TBX_UNSURE : TBX_HIT;
 }
 
@@ -11223,7 +11224,7 @@ TBX_FN void tbx_quick_axis(tbx_quick *q, const tribox_grid *grid, int k, int is_
     double base_high;
     double size_high;
     double delta_low;
-    q->on = (slack < 0.125) & fits;
+    q->on = tbx_more(0.125, slack) & fits;
     spacing = tbx_floor_pow2(most) * (1.0 / 4194304.0); /* 2^-22 */
     base_high = tbx_floor_to(base, spacing);
     size_high = tbx_floor_to(size, spacing);
@@ -12307,7 +12308,7 @@ TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_corners *corne
 
 TBX_FN int tbx_is_hair(double x, double hair)
 {
-    return (x != 0.0) & (x < hair) & (x > -hair);
+    return (x != 0.0) & tbx_more(hair, x) & tbx_more(x, -hair);
 }
 
 /* The sign of grid plane i of axis k, from the region's first, against x, which is near: as in "Groups again"
