@@ -953,13 +953,6 @@ TBX_FN uint64_t tbx_bits64(const double *x)
 }
 
 /* The number with these bits, a finite one. */
-TBX_FN float tbx_from_bits32(uint32_t bits)
-{
-    float x;
-    TBX_COPY(&x, &bits, sizeof x);
-    return x;
-}
-
 TBX_FN double tbx_from_bits64(uint64_t bits)
 {
     double x;
