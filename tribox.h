@@ -41,7 +41,7 @@
  *                  flush-to-zero (subnormals still count). A caller compiled with -ffinite-math-only cannot
  *                  pass NaN or infinity by value (t_min, t_max, d, radii), nor read tribox_gap's infinity.
  *                  Voxel indices are int, INT_MAX excluded. Only "inexact" and "underflow" are raised, but by
- *                  tribox_sat, and rarely by clang 16 -Oz. Needs IEEE 754 formats; on Alpha -mieee.
+ *                  tribox_sat. Needs IEEE 754 formats; on Alpha -mieee.
  *
  * REFERENCES       [AM01] Akenine-Moller, Fast 3D triangle-box overlap testing, JGT 6(1), 2001
  *                  [SS10] Schwarz, Seidel, Fast parallel surface and solid voxelization, ACM TOG 29(6), 2010
