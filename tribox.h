@@ -972,11 +972,16 @@ TBX_FN int64_t tbx_to_long(double x)
     return (int64_t)tbx_opaque64((uint64_t)(int64_t)x);
 }
 
-/* a > b, of finite numbers, for several at once: clang compares those in vectors, whose other lanes hold
- * anything. */
+/* a > b, and a <= b, of finite numbers, for several at once: clang compares those in vectors, whose other
+ * lanes hold anything. */
 TBX_FN int tbx_more(double a, double b)
 {
     return (int)tbx_opaque32((uint32_t)(a > b));
+}
+
+TBX_FN int tbx_no_more(double a, double b)
+{
+    return (int)tbx_opaque32((uint32_t)(a <= b));
 }
 
 /* 2^e as a double, -1022 <= e <= 1023: -fsingle-precision-constant takes written ones for floats. */
@@ -1927,9 +1932,9 @@ TBX_FN int tbx_clip_axis(tbx_clip *clip, int k, const double v[3], double lo, do
     clip->hi[k] = upper;
     if (tbx_hi_is_open(flags)) {
         const int lo_is_open = tbx_lo_is_open(flags);
-        parted |= !tbx_more(hi, lo) | !tbx_more(hi, t_min) | (lo_is_open & !tbx_more(t_max, lo));
-        clip->open_lo |= (unsigned)(lo_is_open & !tbx_more(t_min, lo)) << k;
-        clip->open_hi |= (unsigned)!tbx_more(hi, t_max) << k;
+        parted |= tbx_no_more(hi, lo) | tbx_no_more(hi, t_min) | (lo_is_open & tbx_no_more(t_max, lo));
+        clip->open_lo |= (unsigned)(lo_is_open & tbx_no_more(t_min, lo)) << k;
+        clip->open_hi |= (unsigned)tbx_no_more(hi, t_max) << k;
     }
     return parted;
 }
@@ -2025,7 +2030,7 @@ TBX_FN int tbx_is_whole(double x, double unit)
     double sum = x + middle;
     TBX_KEEP_SCALAR(sum);
     sum -= middle;
-    return TBX_DOUBLE_IS_53_BITS & !tbx_more(x, sum) & !tbx_more(sum, x) &
+    return TBX_DOUBLE_IS_53_BITS & tbx_no_more(x, sum) & tbx_no_more(sum, x) &
            (tbx_abs(x) < unit * 2251799813685248.0); /* 2^51 */
 }
 
@@ -2088,7 +2093,7 @@ TBX_FN int tbx_is_line(const double v0[3], const double v1[3], const double v2[3
     }
     p = (v1[b] - v0[b]) * (v2[c] - v0[c]);
     q = (v1[c] - v0[c]) * (v2[b] - v0[b]);
-    return !tbx_more(q, p) & !tbx_more(p, q);
+    return tbx_no_more(q, p) & tbx_no_more(p, q);
 }
 
 /* Have two points the same x and y? By their bits, which is quick; -0 and 0 are then not the same. */
@@ -2199,7 +2204,7 @@ TBX_NOINLINE int tbx_overlap_usual(const double v0[3], const double v1[3], const
     most = tbx_lesser(tbx_lesser(filter.value[0] + filter.bound[0], filter.value[1] + filter.bound[1]),
                       tbx_lesser(filter.value[2] + filter.bound[2], filter.value[3] + filter.bound[3]));
     /* one branch, hardly ever missed: a hit alone is a coin toss, and compilers would branch on it */
-    if (tbx_more(0.0, most) | !tbx_more(0.0, least)) {
+    if (tbx_more(0.0, most) | tbx_no_more(0.0, least)) {
         return least >= 0.0;
     }
     return tbx_clipped_unsure(v0, v1, v2, &clip, &filter);
@@ -9634,6 +9639,7 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
         return 0;
     }
 #endif
+    (void)usual;
 #if TBX_DOUBLE_IS_53_BITS
     if (usual == TBX_HIT || !(tbx_odd4(origin, dir, c, c) || tbx_odd_radius(&radius) != 0)) {
         hit = tbx_pierce_filter(origin, dir, t, c, tbx_take(&radius), key);
@@ -11416,7 +11422,7 @@ TBX_FORCED tbx_s8 tbx_words_of(tbx_i4 a, tbx_i4 b)
 #if defined(__SSE2__)
     return (tbx_s8)__builtin_ia32_packssdw128(a, b);
 #else
-    tbx_s8 r;
+    tbx_s8 r = (tbx_s8)tbx_splat_int(0);
     int i;
     for (i = 0; i < 4; i++) {
         r[i] = (int16_t)(a[i] > 32767 ? 32767 : a[i] < -32768 ? -32768 : a[i]);
@@ -15481,7 +15487,7 @@ TBX_FN int tbx_gap_near(const float *const v[5], const float lo[3], const float 
 #define TBX_SOLID_PARTS 16
 #define TBX_SOLID_MARGIN 16
 #define TBX_SOLID_BLOCK 32
-#define TBX_SOLID_CROSSINGS 32
+#define TBX_SOLID_CROSSINGS 24
 #define TBX_SOLID_MIDDLE_ERROR (4.0 * TBX_U64)
 #define TBX_SOLID_BOX_ERROR (7.0f * TBX_U32)
 #define TBX_SOLID_PLACE_ERROR (5.0f * TBX_U32)
