@@ -15371,17 +15371,21 @@ TBX_COLD int tbx_gap_near_long(const float *const v[5], const float lo[3], const
     }
     up -= t > 0 ? t : 0;
     down += t > 0 ? 0 : t;
+    if (up == down) { /* also where the axis has no length */
+        return 0;
+    }
     for (k = 0; k < 3; k++) {
         out_axis[k] = tbx_gap_double(up > down ? l[k] : -l[k]);
     }
     *out_s = tbx_gap_double(up > down ? up : down) * scale;
-    scale =
-        tbx_inverse_root(out_axis[0] * out_axis[0] + out_axis[1] * out_axis[1] + out_axis[2] * out_axis[2]);
+    scale = out_axis[0] * out_axis[0] + out_axis[1] * out_axis[1] + out_axis[2] * out_axis[2];
+    TBX_KEEP_SCALAR(scale);
+    scale = tbx_inverse_root(scale);
     *out_s *= scale;
     for (k = 0; k < 3; k++) {
         out_axis[k] *= scale;
     }
-    return up != down;
+    return 1;
 }
 #endif
 
