@@ -9910,9 +9910,9 @@ TBX_FN tbx_i4 tbx_greatest5(tbx_i4 a, tbx_i4 b, tbx_i4 c, tbx_i4 d, tbx_i4 e)
 }
 
 /* A segment in float: is the clipped box hit? Where lower > upper a face parts them, or min > max. Range is
- * checked. out_open: that is unsure; out_small: a difference of the ends is so small that what was read as
- * zero, or flushed, may count. */
-TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper, int *out_open, int *out_small)
+ * checked. out_open: that is unsure; out_refused: axes (bits 0 to 2) on which the ends differ by so little
+ * that products may underflow; bit 3 unless this processor reads or writes subnormals as zero. */
+TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper, int *out_open, int *out_refused)
 {
     const tbx_i4 tiny_bits = { 0, 0, 0, 1 }; /* as in tbx_filter4 */
     tbx_f4 a = q - p;
@@ -9929,7 +9929,7 @@ TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper, int *out
         const tbx_f4 bound = tbx_splat(TBX_ULPS * TBX_U32) * e * tbx_yzx(e);
         const int miss = tbx_any((lower > upper) | (value < -bound));
         *out_open = tbx_any(value < bound) & !miss;
-        *out_small = tbx_signs(tbx_below(e + (tbx_f4)tiny_bits, 0x30800000)) != 8;
+        *out_refused = tbx_signs(tbx_below(e + (tbx_f4)tiny_bits, 0x30800000));
         return !miss;
     }
 }
@@ -9952,10 +9952,10 @@ TBX_COLD int tbx_filter4_rare(const float v0[3], const float v1[3], const float 
         /* corners that repeat: a segment */
         const tbx_f4 q = apart01 ? p1 : p2;
         int open;
-        int tiny;
+        int refused;
         const int hit = tbx_segment4(p0, q, tbx_max4(tbx_load3(box_min), tbx_min4(p0, q)),
-                                     tbx_min4(tbx_load3(box_max), tbx_max4(p0, q)), &open, &tiny);
-        return open ? TBX_UNSURE : hit;
+                                     tbx_min4(tbx_load3(box_max), tbx_max4(p0, q)), &open, &refused);
+        return open || (refused & 7) != 0 ? TBX_UNSURE : hit;
     }
     return found;
 }
@@ -14764,7 +14764,7 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
         tbx_greater_high(tbx_greatest3((tbx_i4)p0, (tbx_i4)p1, (tbx_i4)lo), tbx_magnitude(hi));
     int hit;
     int open;
-    int tiny;
+    int refused;
     if (TBX_RARELY(tbx_any(tbx_splat_int(0x52ffffff) - greatest))) {
         return TBX_UNSURE;
     }
@@ -14772,9 +14772,10 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
     TBX_KEEP_VECTOR(p1);
     TBX_KEEP_VECTOR(lo);
     TBX_KEEP_VECTOR(hi);
-    hit = tbx_segment4(p0, p1, tbx_max4(lo, tbx_min4(p0, p1)), tbx_min4(hi, tbx_max4(p0, p1)), &open, &tiny);
-    if (TBX_RARELY(open | tiny)) { /* one branch, hardly ever taken */
-        if (open || tbx_may_flush(p) || tbx_may_flush(q) || tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
+    hit = tbx_segment4(p0, p1, tbx_max4(lo, tbx_min4(p0, p1)), tbx_min4(hi, tbx_max4(p0, p1)), &open, &refused);
+    if (TBX_RARELY(open | (refused != 8))) { /* one branch, hardly ever taken */
+        if (open || (refused & 7) != 0 || tbx_may_flush(p) || tbx_may_flush(q) ||
+            tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
             return TBX_UNSURE;
         }
     }

@@ -266,7 +266,7 @@ __attribute__((noinline)) static void fill_boxes(filled *r, tbx_quick *quick, co
     if (!tbx_grid_valid(&grid)) {
         return;
     }
-    tbx_quick_init(quick, &grid, &target, 0, 1);
+    tbx_quick_init(quick, &grid, &target, 0);
     if (!quick->on) {
         return;
     }

@@ -338,6 +338,42 @@ static void segments_are_exact(void)
     }
 }
 
+/* A segment and a box, all of it made 2^20 to 2^99 times smaller, meet as they did: products of differences are
+ * then below all floats. */
+static void segments_between_tiny_numbers(void)
+{
+    int i;
+    int a;
+
+    random_seed(92);
+    for (i = 0; i < TEST_LOOPS(20000); i++) {
+        int       halvings = 20 + random_below(80);
+        float     unit = 1;
+        const float along = 0.5f + 0.4f * (float)random_signed();
+        float     x[4][3]; /* p, q, lo, hi */
+        float     small[4][3];
+        for (a = 0; a < 3; a++) {
+            x[0][a] = (float)random_signed();
+            x[1][a] = (float)random_signed();
+            x[2][a] = x[0][a] + along * (x[1][a] - x[0][a]) + 0.05f * (float)random_signed();
+            x[3][a] = x[2][a];
+            if (random_below(2)) {
+                x[2][a] -= 0.5f + 0.5f * (float)random_signed();
+            } else {
+                x[3][a] += 0.5f + 0.5f * (float)random_signed();
+            }
+        }
+        for (; halvings > 0; halvings--) {
+            unit *= 0.5f;
+        }
+        for (a = 0; a < 12; a++) {
+            small[a / 3][a % 3] = x[a / 3][a % 3] * unit;
+        }
+        CHECK(tribox_segment_box(small[0], small[1], small[2], small[3]) ==
+              tribox_segment_box(x[0], x[1], x[2], x[3]));
+    }
+}
+
 /* ---- ray and box --------------------------------------------------------------------------------------- */
 
 /* The interval of t by fractions, face by face. */
@@ -1238,6 +1274,7 @@ int main(void)
     RUN(plane_sides_are_exact);
     RUN(plane_and_infinite_boxes);
     RUN(segments_are_exact);
+    RUN(segments_between_tiny_numbers);
     RUN(rays_and_boxes_are_exact);
     RUN(rays_that_graze);
     RUN(rays_across_an_axis);
