@@ -16531,14 +16531,14 @@ TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list
     }
     for (k = 0; k < n; k++) {
         uint32_t left = rows.within[k] & sure;
-        uint64_t *layer = s->bits + layer_words * (size_t)k;
+        const size_t layer = layer_words * (size_t)k;
         int crossings = fill->crossings;
         for (; left != 0; left &= left - 1) {
             const int bit = __builtin_ctz(left);
             const size_t row = first[bit % TBX_WIDE] + row_words * (size_t)(n > 1 ? bit / TBX_WIDE : 0);
             tbx_solid_crossing *c = &fill->crossing[crossings++];
             c->x = (size_t)rows.voxel[TBX_WIDE * n * k + bit];
-            c->row = layer + row;
+            c->row = s->bits + (layer + row); /* both may wrap, their sum is a row's */
             TBX_PREFETCH(c->row + (c->x >> 6));
         }
         fill->crossings = crossings;
