@@ -972,8 +972,8 @@ TBX_FN int64_t tbx_to_long(double x)
     return (int64_t)tbx_opaque64((uint64_t)(int64_t)x);
 }
 
-/* a > b, and a <= b, of finite numbers, for several at once: clang compares those in vectors, whose other
- * lanes hold anything. */
+/* a > b, and a <= b, of finite numbers, where two such answers are joined: clang would compare both in one
+ * vector, and what the lanes hold that nobody reads may be NaN, which raises "invalid". */
 TBX_FN int tbx_more(double a, double b)
 {
     return (int)tbx_opaque32((uint32_t)(a > b));
@@ -1087,7 +1087,8 @@ TBX_FN int tbx_read_floats(double out[3], const void *from)
 TBX_FN int tbx_in_range(const double *x, int least, int most)
 {
     const uint64_t magnitude = tbx_bits64(x) & 0x7fffffffffffffffu;
-    return magnitude == 0 || (unsigned)(magnitude >> 52) - (unsigned)(1023 + least) < (unsigned)(most - least);
+    const unsigned above = (unsigned)(magnitude >> 52) - (unsigned)(1023 + least);
+    return magnitude == 0 || above < (unsigned)(most - least);
 }
 
 /* An integer that orders as the number does (NaN aside); both zeros give 0. */
@@ -1588,7 +1589,8 @@ TBX_FN int tbx_orient3(const tbx_exact *f, const int q[3])
 /* The touching rule: which faces of a box are open, all lower ones, all upper ones. THIN means closed. A rule
  * moves exact zeros only, so no bound of floating-point arithmetic sees it. Who asks these two: of one box
  * tbx_exact_overlap, tbx_clip_box and tbx_clip_axis; of prepared boxes tbx_tri_start, tbx_tri_test,
- * tbx_octant_faces and, in lanes, tbx_tri_init_simd; of a grid tbx_frame_init and, in lanes, tbx_quick_init. */
+ * tbx_octant_faces and, in lanes, tbx_tri_init_simd; of a grid tbx_frame_init and, in lanes,
+ * tbx_quick_init. */
 TBX_FN int tbx_lo_is_open(unsigned flags)
 {
     return (flags & (TRIBOX_THIN | TRIBOX_OPEN)) == TRIBOX_OPEN;
@@ -2112,7 +2114,8 @@ TBX_COLD const double *tbx_segment_end(const double v0[3], const double v1[3], c
 }
 
 /* The values of a segment, whose edges are one, and which has no plane. */
-TBX_NOINLINE void tbx_filter_segment(tbx_values *out, const double p[3], const double q[3], const tbx_clip *clip)
+TBX_NOINLINE void tbx_filter_segment(tbx_values *out, const double p[3], const double q[3],
+                                     const tbx_clip *clip)
 {
     tbx_axis x[3];
     int k;
@@ -2431,7 +2434,7 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
 #endif
 
 #define TBX_TRI_ULPS 60
-#define TBX_NORMAL_ULPS 8 /* n_a, in units of X_b X_c: the 7 above, and the rounding of what they are measured in */
+#define TBX_NORMAL_ULPS 8 /* n_a, in units of X_b X_c: the 7 above, and the rounding of what measures them */
 
 /* Orders as floats do; +0 and -0 are 0. */
 TBX_FN int32_t tbx_key32(const float *x)
@@ -5284,7 +5287,7 @@ TBX_FN void tbx_solid_fill_mesh(const tribox_grid *grid, const tbx_source *sourc
     for (; t < source->triangles; t++) {
         const int kind = tbx_source_triangle(source, t, v);
         if (kind != TBX_NO_POINTS) {
-                    tbx_solid_part(&s, v, kind, 0);
+            tbx_solid_part(&s, v, kind, 0);
         }
     }
 }
@@ -10614,13 +10617,14 @@ TBX_FN int tbx_is_far_off(tbx_f4 x, const float p[3])
  * test gains 1.04x. */
 TBX_FN int tbx_tri_test_simd(const tribox_tri *tri, const float p[3])
 {
-    const tbx_f4 x = tbx_load_xyzz(p);
+    tbx_f4 x = tbx_load_xyzz(p);
     tbx_i4 parted = tbx_parted(tri, (tbx_i4)x);
     tbx_f4 q;
     TBX_KEEP_VECTOR(parted);
     if (TBX_RARELY(tbx_is_far_off(x, p))) {
         return TBX_UNSURE;
     }
+    TBX_KEEP_VECTOR(x);
     q = x - tbx_load4(tri->ref);
     TBX_KEEP_VECTOR(q);
     {
@@ -11377,7 +11381,7 @@ TBX_FN tbx_later *tbx_fill_later(tbx_fill *fill, size_t triangle)
  * Of a box there are the first voxel, from the region's first, and the extents, that is the voxels less 1: x,
  * y, z in 16 bits each from bit 16 on, below those of the extents flags. Of a box that is cut x, y and z are
  * signed. A key is the first voxel, and below it extents of up to 3 in two bits each. Corners are rows of
- * four floats: x, y, z in lanes 1 to 3, and anything finite in lane 0, so that a row of a mesh is one load. */
+ * four floats: x, y, z in lanes 1 to 3, anything finite in lane 0, so that a row of a mesh is one load. */
 typedef struct tbx_block {
     uint64_t first[TBX_BLOCK];
     uint64_t more[TBX_BLOCK];
@@ -11943,6 +11947,7 @@ TBX_FORCED void tbx_block_boxes(tbx_block *b, const tbx_quick *q, const tbx_corn
     tbx_s8 last_more = last_first;
     tbx_fixed f;
     int i;
+    TBX_KEEP_POINTER(corners); /* nothing is computed before they are known to be near */
     tbx_fixed_of(&f, q);
     for (i = 0; i < count; i += 4) {
         tbx_four four;
@@ -14673,10 +14678,10 @@ TBX_FN void tbx_ray_write(float *out, const float origin[3], const float dir[3],
 }
 
 /* Slabs in float, x, y, z in three lanes. Coordinates are below 2^40, so differences are at most 2^41, and
- * components of dir within [2^-64, 2^64), so every t in a box is at most 2^105; t_min and t_max are moved into
- * [-2^110, 2^110]. A difference errs by 2^-23 of itself, a reciprocal is checked to 2^-20, a product errs by
- * 2^-23: 2^-19 in all, and 2^-60 for what was flushed or read as zero (2^-125 * 2^64). The largest lower and
- * the least upper end are no farther from the exact ones than that. */
+ * components of dir within [2^-64, 2^64), so every t in a box is at most 2^105; t_min and t_max are moved
+ * into [-2^110, 2^110]. A difference errs by 2^-23 of itself, a reciprocal is checked to 2^-20, a product
+ * errs by 2^-23: 2^-19 in all, and 2^-60 for what was flushed or read as zero (2^-125 * 2^64). The largest
+ * lower and the least upper end are no farther from the exact ones than that. */
 TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float t[2], const float box_min[3],
                           const float box_max[3], float *out_t0, float *out_t1)
 {
@@ -14772,7 +14777,8 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
     TBX_KEEP_VECTOR(p1);
     TBX_KEEP_VECTOR(lo);
     TBX_KEEP_VECTOR(hi);
-    hit = tbx_segment4(p0, p1, tbx_max4(lo, tbx_min4(p0, p1)), tbx_min4(hi, tbx_max4(p0, p1)), &open, &refused);
+    hit = tbx_segment4(p0, p1, tbx_max4(lo, tbx_min4(p0, p1)), tbx_min4(hi, tbx_max4(p0, p1)), &open,
+                       &refused);
     if (TBX_RARELY(open | (refused != 8))) { /* one branch, hardly ever taken */
         if (open || (refused & 7) != 0 || tbx_may_flush(p) || tbx_may_flush(q) ||
             tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
@@ -14840,8 +14846,8 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
     return tbx_ball4(p - q, of_a + of_b);
 }
 
-/* Faces that seem equal but differ in their bits may be subnormals read as zero, of which the lower may be the
- * greater; to a distance they add nothing. */
+/* Faces that seem equal but differ in their bits may be subnormals read as zero, of which the lower may be
+ * the greater; to a distance they add nothing. */
 TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3],
                            const float box_max[3])
 {
@@ -14918,8 +14924,8 @@ TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3],
  * is not above 0, but seems so, B^2 is below 2^-40 A c, and D < 0.
  *
  * Numbers are below 2^28, r at least 2^-30. What is flushed or read as 0, 2^-125 of m and of dir, is 2^-94 of
- * c, and moves B by at most 2^-94 and A by 2^-124 or 2^-125 of its root: so A counts as 2^-60 less, B as 2^-90
- * less, which is nothing to A c u where A is above 2^-60. */
+ * c, and moves B by at most 2^-94 and A by 2^-124 or 2^-125 of its root: so A counts as 2^-60 less, B as
+ * 2^-90 less, which is nothing to A c u where A is above 2^-60. */
 #define TBX_PIERCE_ERROR4 (32.0f * TBX_U32)
 
 TBX_FN int tbx_pierce4(const float origin[3], const float dir[3], const float *from, const float center[3],
@@ -15410,8 +15416,9 @@ TBX_FN int tbx_gap_near_one(const float *const v[5], const float lo[3], const fl
 }
 
 /* Of several, where one is the greatest by more than their errors. */
-TBX_COLD int tbx_gap_near_several(const float *const v[5], const float lo[3], const float hi[3], unsigned mask,
-                                  const tbx_gap_roots *roots, double *out_s, double out_axis[3])
+TBX_COLD int tbx_gap_near_several(const float *const v[5], const float lo[3], const float hi[3],
+                                  unsigned mask, const tbx_gap_roots *roots, double *out_s,
+                                  double out_axis[3])
 {
     double axis[3];
     double s;
@@ -15554,7 +15561,7 @@ TBX_FN double tbx_solid_axis_init(tbx_solid_quick *q, int k)
     axis->rest = tbx_wide_all((float)(left + (double)TBX_SOLID_MARGIN));
     axis->rest_low = tbx_wide_all((float)(left + (double)TBX_SOLID_MARGIN - slack));
     axis->rest_high = tbx_wide_all((float)(left + (double)TBX_SOLID_MARGIN + slack));
-    axis->outside = tbx_wide_all((float)((source_middle + 4194304.0 * size)));
+    axis->outside = tbx_wide_all((float)(source_middle + 4194304.0 * size));
     axis->last = tbx_wide_int(TBX_SOLID_MARGIN + (int32_t)s->n[k] - 2);
     return slack;
 }
@@ -16252,12 +16259,16 @@ TBX_FORCED void tbx_solid_two_lines(tbx_solid_two *t, const tbx_solid *s, const 
                            (tbx_l2)(low[0] > tbx_twice(size[0] * (2.0 - (double)s->n[0]))));
 }
 
-/* The lines of triangle i of two. */
+/* The lines of triangle i of two, which is sure: its errors are below 0.1. */
 TBX_FORCED void tbx_solid_lines_set(tbx_solid_lines *l, const tbx_solid_two *t, int i, uint32_t n_y)
 {
+    double error = t->error[i];
+    double plane_error = t->plane_error[i];
     int lower = 0;
     int upper = 0;
     int k;
+    TBX_KEEP_SCALAR(error); /* not converted before the triangle is known to be sure */
+    TBX_KEEP_SCALAR(plane_error);
     for (k = 0; k < 3; k++) {
         tbx_solid_line line;
         line.at = t->edge_at[k][i];
@@ -16272,8 +16283,8 @@ TBX_FORCED void tbx_solid_lines_set(tbx_solid_lines *l, const tbx_solid_two *t, 
     l->plane.at = t->plane_at[i];
     l->plane.slope = t->plane_slope[i];
     l->plane_z = t->plane_z[i];
-    l->unsure = (uint32_t)(t->error[i] * 4294967296.0) + 32;
-    l->plane_unsure = (uint32_t)(t->plane_error[i] * 4294967296.0) + n_y + 34;
+    l->unsure = (uint32_t)(error * 4294967296.0) + 32;
+    l->plane_unsure = (uint32_t)(plane_error * 4294967296.0) + n_y + 34;
     l->inside = t->inside >> i & 1;
 }
 
