@@ -31,6 +31,7 @@
  *                  [AM01] and [SS10] with a proven bound of its error: sure values give HIT or MISS. What is
  *                  UNSURE goes to integers that are wide enough for every input (section 5), never to a
  *                  tolerance. Sections 4 to 10 say all of it in scalar code; section 11 only makes it faster.
+ *                  A list of what stands where follows the API.
  *
  * OPTIONS          Define before the #include; they need not agree across files.
  *                  TRIBOX_FN  linkage of the functions; default static inline
@@ -94,7 +95,8 @@ extern "C" {
  * Returns     1 = they share a point, 0 = they do not. NaN or an infinite corner: 0. box_min > box_max: 0.
  * Guarantees  Exact for every input; the same answer with any compiler, flags and rounding mode.
  * Cost        About 200 instructions (float), 380 (double). Within 2^-14 (2^-43) of touching, relative to
- *             the triangle's extent, integers decide; their time grows with the bits the coordinates span.
+ *             the triangle's extent, doubles are asked again (float), then integers, whose time grows with
+ *             the bits that the coordinates span.
  * Source      [AM01] for the axes; the bound is derived in section 6.
  */
 TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
@@ -351,7 +353,8 @@ TRIBOX_FN int tribox_mesh_contains_f64(const tribox_mesh_f64 *mesh, const double
 TRIBOX_FN int tribox_ray_crosses(const float v0[3], const float v1[3], const float v2[3],
                                  const double point[3]);
 
-/* Reads a bit array: 1 if voxel (x,y,z), in the grid's indices, is set; outside the region 0. */
+/* Reads a bit array: 1 if voxel (x,y,z), in the grid's indices, is set, else 0; 0 outside the region and for
+ * an invalid grid. */
 TRIBOX_FN int tribox_grid_get(const tribox_grid *grid, const uint64_t *bits, int x, int y, int z);
 
 /* Frames a mesh: cubic voxels, n along its longest side, flags 0, lo = 0.
@@ -373,7 +376,7 @@ TRIBOX_FN int tribox_grid_fit_f64(tribox_grid *grid, const tribox_mesh_f64 *mesh
  *
  *   out_index  its indices, clamped to int; not written if the grid or the point is not finite, or size <= 0
  *
- * Returns     1 if it lies in the region.
+ * Returns     1 if it lies in the region, else 0.
  * Guarantees  Exact: the one voxel that a point triangle sets under TRIBOX_HALF_OPEN.
  */
 TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3], int out_index[3]);
@@ -383,7 +386,8 @@ TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3],
  * The questions beside the question, with the same promise: every number is the exact real number it is,
  * sets are closed, and every yes or no is exact. Boxes may have infinite faces; a box with min > max, NaN,
  * or both faces at one infinity is empty. Versions in _f64 take and write doubles: where a float is written
- * that is the greatest <= (least >=, nearest) the exact number, they write such a double.
+ * that is the greatest <= (least >=, nearest) the exact number, they write such a double. Costs were measured
+ * with gcc 12 -O2 on a Xeon or an EPYC; "f64" is the version for doubles, whose ends are found in integers.
  * TRIBOX_NO_COMPANIONS leaves this section out. */
 
 #ifndef TRIBOX_NO_COMPANIONS
@@ -394,8 +398,7 @@ TRIBOX_FN int tribox_grid_locate(const tribox_grid *grid, const double point[3],
  *
  * Returns     1 = they share a point, 0 = they do not, or one of them is empty.
  * Guarantees  Exact.
- * Cost        Six comparisons: 5 ns with its checks, f64 35 (measured, as all below: gcc 12 -O2, a Xeon or an
- *             EPYC; of the versions for doubles, whose last digits are found in integers, "f64").
+ * Cost        Six comparisons: 5 ns with its checks, f64 35.
  */
 TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const float b_min[3],
                              const float b_max[3]);
@@ -494,7 +497,7 @@ TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[
 /* tribox_sweep under a touching rule: what a box at rest on a floor, or sliding along it, has to ask.
  *
  *   flags  TRIBOX_OPEN, with or without TRIBOX_HALF_OPEN: the box is its interior, so that touching does not
- *          count. TRIBOX_THIN, with whatever else, and everything else: closed, as tribox_sweep.
+ *          count. Everything else, TRIBOX_HALF_OPEN alone and TRIBOX_THIN with whatever else, means closed.
  *
  * Returns     OPEN: 1 = at some t in [0, 1] the triangle meets the interior; a flat box has none: 0.
  *             Otherwise as tribox_sweep.
@@ -529,7 +532,7 @@ TRIBOX_FN int tribox_sweep_box(const float a_min[3], const float a_max[3], const
  *   out_axis          unit vector, from triangle to box, along which that is measured; may be NULL
  *
  * Returns     s = the greatest, over unit vectors u along the axes of tribox_sweep and their opposites, of
- *             the least u.x in the box less the greatest in the triangle. s > 0: apart, by at least s. s = 0:
+ *             (min of u.x over the box) - (max of u.x over the triangle). s > 0: apart, by at least s. s = 0:
  *             they touch. s < 0: no shorter move than -s separates them, and the box moved by -s along
  *             out_axis only touches. +infinity if one of them is empty, also for NaN or an infinite corner;
  *             -infinity if all faces are infinite: then no axis is written.
@@ -646,23 +649,24 @@ TRIBOX_FN size_t tribox_grid_segment(const tribox_grid *grid, const double p[3],
  *
  * Returns     1 = they share a point, 0 = they do not, or one of them is empty. Spheres are closed.
  * Guarantees  Exact: squares are compared.
- * Cost        3 ns; within 2^-46 of touching, a microsecond. So below, but for what is said there.
+ * Cost        3 ns; within 2^-46 of touching, a microsecond. tribox_plane_sphere and _sphere_box alike.
  */
 TRIBOX_FN int tribox_sphere_sphere(const float a[3], float a_radius, const float b[3], float b_radius);
 
 /* On which side of the plane n.x + d = 0 does the sphere lie?
  *
  * Returns     -1 = it has n.x + d < 0 everywhere, +1 = n.x + d > 0, 0 = it meets the plane. In this order:
- *             NaN, an infinite n or an empty sphere: 2; infinite d, n = 0: the sign of d; r = +infinity: 0.
+ *             NaN, an infinite n or an empty sphere: 2; infinite d, n = 0: the sign of d; an infinite radius:
+ *             0.
  * Guarantees  Exact.
  */
 TRIBOX_FN int tribox_plane_sphere(const float n[3], float d, const float c[3], float radius);
 
-/* Does the sphere share a point with the box, which may have infinite faces? Exact. */
+/* Does the sphere share a point with the box, which may have infinite faces? 1 or 0. Exact. */
 TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_min[3],
                                 const float box_max[3]);
 
-/* Does the sphere share a point with the triangle, which may be a segment or a point? Exact.
+/* Does the sphere share a point with the triangle, which may be a segment or a point? 1 or 0. Exact.
  *
  * Cost        20 to 50 ns; within 2^-44 of touching, relative to all extents, 3 us.
  */
@@ -683,14 +687,17 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
                                 const float c[3], float radius, float *out_t0, float *out_t1);
 #endif /* TRIBOX_NO_COMPANIONS */
 
-/* ---- 3. Platform --------------------------------------------------------------------------------------- */
+/* ---- Where to find what, from here on ---------------------------------------------------------------------
+ *
+ * The conditions of [SS10] and [AM01]: exact, 5b, tbx_exact_axes; of one box, 6, tbx_filter; of a prepared
+ * triangle, 7, tbx_store_edges and tbx_store_plane; of a grid's rows, 8, tbx_walk_groups.
+ * The same in vectors, section 11, which is what runs by default: one box, tbx_filter4 (floats) and
+ * tbx_filter2; prepared, tbx_store_conditions and tbx_tri_test_simd; fill, boxes of up to 4^3 voxels in
+ * "Groups", larger ones in "Rows". Names there end in _simd, _lanes, or the number of lanes.
+ * The touching rule: 5b, tbx_lo_is_open and tbx_hi_is_open, and the list of those who ask them.
+ * A bound of rounding: in the comment before the macro that names it, TBX_..._ULPS or TBX_..._ERROR. */
 
-/* Where to find what, from here on.
- *   The conditions of [SS10] and [AM01]: exact, 5b, tbx_exact_axes; of one box, 6, tbx_filter; of a prepared
- *   triangle, 7, tbx_store_edges and tbx_store_plane; of a grid's rows, 8, tbx_walk_groups.
- *   The touching rule: 5b, tbx_lo_is_open and tbx_hi_is_open, and who asks them.
- *   A bound of rounding: derived in the comment before the macro TBX_..._ULPS or TBX_..._ERROR that names it.
- *   The same in vectors: section 11, under the same name with _simd, _lanes or a digit for the lanes. */
+/* ---- 3. Platform --------------------------------------------------------------------------------------- */
 
 #if defined(__CUDACC__) || defined(__HIPCC__)
 #define TBX_HD __host__ __device__
@@ -1590,7 +1597,9 @@ TBX_FN int tbx_orient3(const tbx_exact *f, const int q[3])
  * moves exact zeros only, so no bound of floating-point arithmetic sees it. Who asks these two: of one box
  * tbx_exact_overlap, tbx_clip_box and tbx_clip_axis; of prepared boxes tbx_tri_start, tbx_tri_test,
  * tbx_octant_faces and, in lanes, tbx_tri_init_simd; of a grid tbx_frame_init and, in lanes,
- * tbx_quick_init. */
+ * tbx_quick_init; of a sweep tbx_sweep_box_valid. tribox_grid_segment has an order of its own.
+ * All of these hold one answer for all three axes; a rule that differs by axis needs a mask in its place.
+ * A new flag must pass tbx_rule, too, or one box and grids would take it differently. */
 TBX_FN int tbx_lo_is_open(unsigned flags)
 {
     return (flags & (TRIBOX_THIN | TRIBOX_OPEN)) == TRIBOX_OPEN;
@@ -2016,7 +2025,7 @@ TBX_FN void tbx_filter(tbx_values *out, const double v0[3], const double v1[3], 
     out->bound[3] = out->bound[2] * x[2].x;
 }
 
-/* The power of two that maps an extent in (0, 2^301) to [2^14, 2^15). */
+/* The power of two that maps an extent in [2^-300, 2^301) to [2^14, 2^15). */
 TBX_FN double tbx_lattice_scale(double extent)
 {
     const uint64_t exponent = (tbx_bits64(&extent) >> 52) & 0x7ffu;
@@ -2074,8 +2083,9 @@ TBX_FN int tbx_clip_on_lattice(const double v0[3], const double v1[3], const dou
     return whole;
 }
 
-/* Do the projections of three usual corners lie on one line? So where they do not move along one of the axes,
- * or if they are whole numbers below 2^25 there, whose products are exact; else unknown, 0. */
+/* Do the projections of three usual corners lie on one line? They do if the corners agree in one of the two
+ * coordinates. Else it is found where differences are whole numbers below 2^25, since their products are
+ * exact; where they are not, the answer is 0, for unknown. */
 TBX_FN int tbx_is_line(const double v0[3], const double v1[3], const double v2[3], int b, int c)
 {
     const double x_b = tbx_extent64(v0, v1, v2, b);
@@ -2132,7 +2142,7 @@ TBX_NOINLINE void tbx_filter_segment(tbx_values *out, const double p[3], const d
     out->bound[3] = 0.0;
 }
 
-/* What the filter leaves open, by exact signs. */
+/* What the filter leaves unsure, by exact signs. */
 TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const double v2[3],
                                const tbx_clip *clip, unsigned unsure)
 {
@@ -2147,9 +2157,10 @@ TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const dou
     return tbx_exact_axes(&f, unsure, clip->open_lo, clip->open_hi);
 }
 
-/* The filter leaves conditions open. Values of whole numbers are exact, and 0 where the bound leaves no other
- * (an edge's is a multiple of the unit squared, its bound below 2^-15 of it); a triangle without area has no
- * plane. The rest is said by exact signs. */
+/* The filter leaves conditions unsure. On a lattice of whole units an edge's value is exact, a multiple of
+ * the unit squared; the bound is below 2^-15 of that, so an unsure one is 0. The plane's value is exact too,
+ * but may be unsure and not 0, so its sign is looked at. A triangle without area has no plane. What then
+ * remains goes to exact signs. */
 TBX_COLD int tbx_clipped_unsure(const double v0[3], const double v1[3], const double v2[3],
                                 const tbx_clip *clip, const tbx_values *filter)
 {
@@ -2173,8 +2184,8 @@ TBX_COLD int tbx_clipped_unsure(const double v0[3], const double v1[3], const do
 }
 
 /* The verdict for usual numbers: emptiness and the faces first, then the nine edges and the plane by the
- * filter, which is another for a segment, as corners that repeat are, and what that leaves open by exact
- * signs. */
+ * filter, and what that leaves unsure by exact signs. A triangle with two equal corners is a segment and has
+ * a filter of its own. */
 TBX_NOINLINE int tbx_overlap_usual(const double v0[3], const double v1[3], const double v2[3],
                                    const double box_min[3], const double box_max[3], unsigned flags)
 {
@@ -2223,7 +2234,7 @@ TBX_COLD int tbx_overlap_unusual(const double v0[3], const double v1[3], const d
     if (!tbx_corners_finite(v0, v1, v2) || !tbx_clip_box(&clip, v0, v1, v2, box_min, box_max, flags)) {
         return 0;
     }
-    /* a box that was infinite is usual once it is clipped, but then rules mean nothing to it */
+    /* a box that was infinite is usual once it is clipped; but clipping forgets which faces were open */
     lo = flags == 0 ? clip.lo : box_min;
     hi = flags == 0 ? clip.hi : box_max;
     if (tbx_all_usual(v0, v1, v2, lo, hi)) {
@@ -2397,6 +2408,8 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
  *
  *   value_1 = (d_0 + d_1 + d_2) - (value_0 + value_2).
  *
+ * In arrays edge 2 comes before edge 1: value[1] is value_2 and value[2] is value_1; d_e likewise.
+ *
  * Bound. X is the triangle's extent, R = X + size + |o| along an axis, or 2^-30 if that is more: no p that
  * the faces allow is farther from ref.
  * u bounds the error of an operation in every rounding mode, 2^-23. Edges, in units of u and of
@@ -2414,7 +2427,8 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
  *   together 30; the other side: 11, 6, the sum with value_2 2, the difference 2, d_0 + d_1: 2, d_1: 13,
  *   together 36.
  * TRI_ULPS = 60 serves both, and leaves room for terms of second order, for 1 and 2 that are added, and for
- * the rounding of the bound. Conditions are scaled by a power of two that brings their bound to 1/2..1, and 1
+ * the rounding of the bound. (tests/proofs/products.gappa counts each term's longest chain of roundings
+ * instead, 45 and 41.) Conditions are scaled by a power of two that brings their bound to 1/2..1, and 1
  * is added. Where n is made in double, its own error is below 2^-29 of that of floats: its |n_a| takes the
  * place of X_b X_c.
  *
@@ -2434,7 +2448,9 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
 #endif
 
 #define TBX_TRI_ULPS 60
-#define TBX_NORMAL_ULPS 8 /* n_a, in units of X_b X_c: the 7 above, and the rounding of what measures them */
+/* n_a, in units of X_b X_c here: the 7 above, and the rounding of what measures them; of |p| + |q|, where
+ * n_a = p - q is made of rounded edges, 3 + 3 and its own. */
+#define TBX_NORMAL_ULPS 8
 
 /* Orders as floats do; +0 and -0 are 0. */
 TBX_FN int32_t tbx_key32(const float *x)
@@ -2465,8 +2481,8 @@ TBX_FN double tbx_key32_value(int32_t key)
     return value;
 }
 
-/* Is s, a rounded a + b, their exact sum? It less the larger one is a double, in every rounding mode: it is
- * the other one if and only if nothing was rounded. */
+/* Is s, a rounded a + b, their exact sum? s minus the larger of the two is exact, in every rounding mode, and
+ * equals the smaller if and only if s was not rounded. */
 TBX_FN int tbx_is_sum(double s, double a, double b)
 {
     double without_a;
@@ -2479,7 +2495,8 @@ TBX_FN int tbx_is_sum(double s, double a, double b)
 }
 
 /* The sign of p + count*size - t, in real numbers; size >= 0, may be infinite, p and t are finite. Rounding
- * is monotone, in every mode: if p - t rounds to above the double -count*size, or to below, it is. */
+ * is monotone, in every mode: if the rounded p - t is above, or below, the double -count*size, so is the
+ * exact one. */
 TBX_FN int tbx_face_sign(const double *p, const double *size, int count, const double *t)
 {
     if (!tbx_is_finite(size)) {
@@ -2517,7 +2534,7 @@ TBX_FN int32_t tbx_least_key(const double *t, const double *size, int strict)
         double at = *t - *size;
         TBX_KEEP_SCALAR(at);
         if (tbx_in_range(&at, -100, 100)) {
-            /* floats on the other side of the rounded difference are on the other side of the true one */
+            /* a float below the rounded difference is below the exact one, and likewise above */
             float x = (float)at;
             TBX_KEEP_SCALAR(x);
             from = (int64_t)tbx_key32(&x);
@@ -2596,16 +2613,16 @@ TBX_FN void tbx_edges_init(tbx_edges *t, const double v0[3], const double v1[3],
 }
 
 /* The faces of axis k hold for floats with keys least..most. By its bits, read as an integer, a negative
- * float is -2^31 + its magnitude, so that positive floats above `most` are the largest integers. All other
- * integers to refuse follow one another, if -2^31 is taken to follow 2^31 - 1: `shift` moves the last of them
- * to 2^31 - 1, and they are what is above `span`. NaN and infinity are refused, too. */
+ * float is -2^31 + its magnitude, so that positive floats above `most` are the largest integers, which the
+ * test refuses first. What remains to refuse is one interval of integers, cyclically: adding `shift` moves
+ * its end to 2^31 - 1, so that it is exactly what is above `span`. NaN and infinity are refused, too. */
 TBX_FN void tbx_store_faces(tribox_tri *tri, int k, int32_t least, int32_t most)
 {
     const int32_t zero = -2147483647 - 1; /* -0 */
     int32_t shift = zero;
     int32_t span = -least;
     if (least > most) {
-        most = zero; /* leaves -0, moved to 1 above it */
+        most = zero; /* -0 alone is left, which `shift` moves above `span` */
         shift = 1;
         span = zero;
     } else if (least > 0) {
@@ -2653,7 +2670,7 @@ TBX_FN double tbx_distance(const tbx_setup *s, const double w[3])
     return s->thin ? d + 0.5 * largest : d;
 }
 
-/* The three edges as seen along axis a. */
+/* Writes lane a of n_e_b, n_e_c and d_e: the three edges as seen along axis a. */
 TBX_FN void tbx_store_edges(tribox_tri *tri, const tbx_setup *s, int a)
 {
     const int b = (a + 1) % 3;
@@ -2711,7 +2728,7 @@ TBX_FN void tbx_store_plane(tribox_tri *tri, const tbx_setup *s)
     tri->d_e[2][3] = (float)(d + (double)tri->d_e[1][3] + (tbx_distance(s, minus_n) + 1.0));
 }
 
-/* What the frame at ref knows. Returns 0 where the bounds do not hold. */
+/* Fills in *s from *tri: extents, size and offset in the frame at ref. Returns 0 where bounds do not hold. */
 TBX_FN int tbx_setup_start(tbx_setup *s, tribox_tri *tri)
 {
     const double least = TBX_POW2(-30);
@@ -2738,7 +2755,8 @@ TBX_FN int tbx_setup_start(tbx_setup *s, tribox_tri *tri)
     return in_range;
 }
 
-/* Emptiness, bounds, faces. Conditions that are unsure of every p. Returns 0 for the empty set. */
+/* Writes all of *tri: whether it is empty, its bounds, its faces, and conditions that are unsure of every p.
+ * Returns 0 for the empty set. */
 TBX_FN int tbx_tri_start(tribox_tri *tri, const double v[3][3], const double size[3], unsigned flags)
 {
     const double zero = 0.0;
@@ -2792,7 +2810,7 @@ TBX_NOINLINE void tbx_tri_init(tribox_tri *tri, const double v[3][3], const doub
     }
     s.thin = (tri->flags & TRIBOX_THIN) != 0;
     tbx_edges_init(&s.t, v[0], v[1], v[2]);
-    for (k = 0; k < 4; k++) { /* what holds by itself: 3, 3 and 9 - (3 + 3) */
+    for (k = 0; k < 4; k++) { /* conditions that always hold: values 3, 3 and 9 - (3 + 3) = 3 */
         tri->d_e[0][k] = tri->d_e[1][k] = 3.0f;
         tri->d_e[2][k] = 9.0f;
     }
@@ -2942,7 +2960,7 @@ TBX_COLD int tbx_tri_decide(const tribox_tri *tri, const double p[3], unsigned o
                    : tbx_tri_exact(tri, p, octant);
 }
 
-/* The specification of the test: faces, the conditions in float, what they leave open. */
+/* The specification of the test: faces, the conditions in float, and exactly what they leave unsure. */
 TBX_NOINLINE int tbx_tri_test(const tribox_tri *tri, const double p[3])
 {
     const int lo_is_open = tbx_lo_is_open(tri->flags);
@@ -3092,7 +3110,7 @@ TBX_FN unsigned tbx_octant_axis(const tribox_tri *tri, int k, const double *p, u
     return lower * ((faces & 1u) | (faces >> 1) << shift);
 }
 
-/* The specification of octants: faces, the conditions in float, what they leave open. */
+/* The specification of octants: faces, the conditions in float, and exactly what they leave unsure. */
 TBX_NOINLINE unsigned tbx_octants(const tribox_tri *tri, const double p[3])
 {
     unsigned hits = 0;
@@ -3344,30 +3362,31 @@ TBX_FN int tbx_source_triangle(const tbx_source *s, size_t t, double v[3][3])
  *
  * For a fixed row (y, z) every condition of [SS10] is a bound on x, so the voxels of a row are one span. The
  * edges in the plane xy bound x per y, those in xz bound x per z, those in yz bound y per z; only the
- * triangle's plane couples all three, and it is a slab: x within half of a middle that is linear in y and z.
+ * triangle's plane couples all three, and it is a slab: x within a half width of a middle that is linear in y
+ * and z.
  * These are four groups of lines: in row r, a line lets voxels begin, or end, at floor(at + slope*r).
  *
  * Lines are evaluated in double with a bound of their error. Where the floors of value - error and value +
- * error agree, the bound is certain. Where they do not, first the lattice is tried: if all corners lie on
- * places of which 2^12 make a voxel, values lie on a lattice, too, and moving a line by half its quantum, up
- * or down as touching counts or not, decides all ties at once. What is left is asked in integers: only the
- * few voxels between the floors, by the conditions of that group. Numbers out of range are the same case,
- * with all voxels of the row between the floors. So each bound is exact, and each span is.
+ * error agree, the bound is certain. Where they do not, first the lattice is tried: if on the line's two axes
+ * all corners lie on places of which 2^12 make a voxel, values lie on a lattice, too, and moving a line by
+ * half its quantum, up or down as touching counts or not, decides all ties at once. What is left is asked in
+ * integers: only the few voxels between the floors, by the conditions of that group. Numbers out of range are
+ * the same case, with all voxels of the row between the floors. So each bound is exact, and each span is.
  *
- * Coordinates are voxels from the region's minimum corner, y = (v - origin) * inverse - lo.
+ * Coordinates are voxels from the region's minimum corner, c = (v - origin) * inverse - lo.
  *   Error of a coordinate: u for v - origin, 4 u for the inverse (fast-math divides by approximation), u for
- *   the product, all of |y + lo|; u for the last difference, of |y|: at most 7 u (|y| + |lo|). With reach
- *   above the largest |y|, |lo| and |hi|,
+ *   the product, these of |c + lo|; u for the last difference, of |c|. With reach above the largest |c|, |lo|
+ *   and |hi| that is at most 6 u times 2 reach, and u reach: less than
  *       delta = COORDINATE_ERROR * reach.
- *   Error of a line, slope s, in row r: the coordinates' (1 + |s|) delta; s is off by 8 u of itself (its
- *   edges 6 u, as differences of inputs are rounded once, and each division 4 u: 16 u), times at most 2
+ *   Error of a line, slope s, in row r: the coordinates' (1 + |s|) delta; s is off by 16 u of itself (two
+ *   edges, 6 u each, as differences of inputs are rounded once, and the division, 4 u), times at most 2
  *   reach; the sum's roundings, three of at most (1 + 3 |s|) 2 u reach: all less than
  *       LINE_ERROR * delta * (1 + |s|).
  *   Error of the plane's line: the same with 1 + |s_y| + |s_z|; and normals: n = p - q is off by NORMAL_ERROR
  *   times |p| + |q|, which moves the plane, at most m voxels from its corner on each axis, by
  *       2 NORMAL_ERROR m (|p_y| + |q_y| + |p_z| + |q_z| + (|s_y| + |s_z|) (|p_x| + |q_x|)) / |n_x|.
  * tests/proofs/walk.gappa proves them, tests/errors.c looks for the largest errors there are. */
-#define TBX_COORDINATE_ERROR (10.0 * TBX_U64)
+#define TBX_COORDINATE_ERROR (14.0 * TBX_U64)
 #define TBX_LINE_ERROR 10.0
 #define TBX_NORMAL_ERROR (16.0 * TBX_U64)
 #define TBX_MOST_ERROR 0.0625       /* of what is evaluated in double at all */
@@ -3387,7 +3406,7 @@ TBX_FN double tbx_max3(double a, double b, double c)
 }
 
 /* A grid's numbers, in double. Faces of index boxes are found in fixed point: x*fixed + fixed_lo, truncated,
- * counts units of 2^-FIXED voxels from MARGIN voxels before the region.
+ * counts units of 2^-FIXED voxels from BEFORE voxels before the region.
  *
  * Error: with o = |origin / size| and l the largest of |lo|, |hi|, and the region's voxels, the product is
  * off by 6 u (o + l), fixed_lo by 8 u (o + l), the sum by 2 u l: in all less than FIXED_ERROR (o + l) voxels;
@@ -3516,8 +3535,8 @@ typedef struct tbx_walk {
     tbx_row row[TBX_CACHED];
 } tbx_walk;
 
-/* The sign behind a condition, at a voxel of the region: 3*axis + edge; 9 and 10, the two sides of the
- * plane. */
+/* Does condition id hold at a voxel of the region, by exact signs? id: 3*axis + edge; 9 and 10, the two sides
+ * of the plane. Returns 1 or 0. */
 TBX_COLD int tbx_walk_exact(const tbx_walk *w, int id, const int64_t index[3])
 {
     const tribox_grid *grid = w->frame->grid;
@@ -3651,7 +3670,7 @@ TBX_FN double tbx_line_set(tbx_walk *w, tbx_lines *l, int i, int b, int r, int a
     return steep;
 }
 
-/* The lines of a group, b over r. quantum: of the lattice on these axes, or 0. */
+/* The lines of a group, b over r. quantum: the product of the lattice's quanta on these two axes, or 0. */
 TBX_FN void tbx_lines_set(tbx_walk *w, int group, int b, int r, double quantum)
 {
     tbx_lines *l = &w->group[group];
@@ -3813,7 +3832,7 @@ TBX_COLD int tbx_walk_snap(tbx_walk *w)
     return 1;
 }
 
-/* Narrows first..last by so many lines in row r. Returns 0 where they are unsure: a bound lies in
+/* Narrows first..last by `count` lines in row r. Returns 0 where they are unsure: a bound lies in
  * *first..*first_most, the other in *last_least..*last. */
 TBX_FN int tbx_lines_narrow(const tbx_lines *l, int count, int64_t r, int64_t *first, int64_t *last,
                             int64_t *first_most, int64_t *last_least)
@@ -3842,7 +3861,7 @@ TBX_FN int tbx_lines_narrow(const tbx_lines *l, int count, int64_t r, int64_t *f
     return (((*first ^ *first_most) | (*last ^ *last_least)) == 0) | (*first > *last);
 }
 
-/* What double leaves open of a group in row (y, z), r in its lines. */
+/* What double leaves unsure of a group in row (y, z); r is the row as this group's lines count it. */
 TBX_COLD void tbx_walk_unsure(tbx_walk *w, int group, int64_t r, int64_t y, int64_t z, int64_t *first,
                               int64_t *last)
 {
@@ -4113,12 +4132,11 @@ typedef struct tbx_span {
 
 /* ---- Boxes of up to 4^3 voxels
  *
- * A triangle strictly inside its index box meets every grid plane that crosses the box, so that a voxel may
- * as well reach to infinity where it has a face in common with the box: what the triangle shares with it
- * stays the same. A separating axis then needs the support of such a voxel to be finite, which leaves these:
- * across an edge, in the plane of axes b and c, where an inner grid point p of that plane is the voxel's
- * corner nearest to the triangle; and along the normal, where an inner grid point of space is. With v
- * relative to p
+ * A triangle lies strictly inside its index box. Where a voxel has a face in common with that box, it may as
+ * well reach to infinity across the face: what it shares with the triangle stays the same. A separating axis
+ * exists only where the support of such a voxel is finite. That leaves two kinds: the normal of an edge in
+ * the plane of axes b and c, where the voxel's corner nearest to the triangle is an inner grid point p of
+ * that plane; and the triangle's normal, where it is an inner grid point of space. With v relative to p
  *
  *   E(p) = v_i x v_j    its sign against that of the area: outside of edge i, j?
  *   D(p) = n . v_0      its sign: on which side of the plane?

@@ -18,7 +18,7 @@ CHECK_PARTS      := test examples demo mpi verify golden-check platforms headers
 check: ## all checks below, one after the other, and their sum
 	@bash tests/check.sh $(CHECK_PARTS)
 
-$(B)/verify: tests/verify.c $(wildcard tests/verify_*.h tests/companions*.h) tribox.h
+$(B)/verify: tests/verify.c $(wildcard tests/verify_*.h tests/companions*.h tests/contact_*.h) tribox.h
 	@mkdir -p $(B)
 	$(CC_C99) -o $@ tests/verify.c -lgmp
 

@@ -45,6 +45,9 @@ fact "golden grids" "triangles and boxes, @ grids" "$(golden grids)"
 fact "golden questions to companions" "@ questions to companions" "$(golden "questions to companions")"
 fact "builds of make platforms" "@ builds" "$(PLATFORMS_COUNT=1 bash tests/check_platforms.sh)"
 fact "mutants" "@ mutants" "$(cat tests/mutants*.txt | grep -c '^# ')"
+broken=$(awk '/mutant_names\[.*\] = \{/ { on = 1 } on { count += gsub(/"[^"]*"/, "") } /\};/ { on = 0 } END { print count - 2 }' \
+    tests/verify_exact.h tests/companions_exact.h)
+fact "judges broken on purpose" "; @ judges" "$broken"
 fact "kilobytes of the header" "The header is @ KB" "$((($(wc -c <tribox.h) + 500) / 1000))"
 
 targets=$(sed -n 's/^FUZZ_TARGETS *:= //p' tests/check.mk)

@@ -15,7 +15,7 @@ while [ "${1:-}" = -m ] || [ "${1:-}" = -r ]; do
 done
 dir=${CHECK_DIR:-build/check}/golden_diff
 mkdir -p "$dir"
-judge=$dir/judge.$(cat tests/golden_cases.h tests/gen_golden.c tests/companions*.h tests/verify_exact.h | cksum | cut -d' ' -f1)
+judge=$dir/judge.$(cat tests/golden_cases.h tests/gen_golden.c tests/companions*.h tests/contact_exact.h tests/verify_*.h | cksum | cut -d' ' -f1)
 if [ ! -e "$judge" ]; then
     cc -O2 -w -I. -DGOLDEN_PRINT tests/gen_golden.c -o "$dir/gen" -lgmp && "$dir/gen" >"$judge.$$" &&
         mv "$judge.$$" "$judge" || exit 1

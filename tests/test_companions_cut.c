@@ -555,7 +555,6 @@ static weights closest_by_search(const lattice_case *s, const int64_t q[3])
 {
     weights best = {{1, 0, 0}, 1};
     weights w;
-    int64_t n[3];
     int     i;
     int     j;
     int     k;
@@ -590,7 +589,6 @@ static weights closest_by_search(const lattice_case *s, const int64_t q[3])
             best = w;
         }
     }
-    normal_of(s, n);
     return best;
 }
 
