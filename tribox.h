@@ -1597,7 +1597,7 @@ TBX_FN int tbx_orient3(const tbx_exact *f, const int q[3])
  * moves exact zeros only, so no bound of floating-point arithmetic sees it. Who asks these two: of one box
  * tbx_exact_overlap, tbx_clip_box and tbx_clip_axis; of prepared boxes tbx_tri_start, tbx_tri_test,
  * tbx_octant_faces and, in lanes, tbx_tri_init_simd; of a grid tbx_frame_init and, in lanes,
- * tbx_quick_init; of a sweep tbx_sweep_box_valid. tribox_grid_segment has an order of its own.
+ * tbx_quick_init; of a sweep tbx_sweep_box_valid; tribox_grid_segment.
  * All of these hold one answer for all three axes; a rule that differs by axis needs a mask in its place.
  * A new flag must pass tbx_rule, too, or one box and grids would take it differently. */
 TBX_FN int tbx_lo_is_open(unsigned flags)
@@ -8436,7 +8436,6 @@ TRIBOX_FN size_t tribox_mesh_query_f64(const tribox_mesh_f64 *mesh, const double
  *
  * The walk begins where the region does, at its last entry, and counts the planes that are left within region
  * and segment, so no end depends on a comparison of floating-point numbers. */
-enum { TBX_CLOSED, TBX_HALF_OPEN, TBX_OPEN }; /* rules */
 
 typedef struct tbx_segment {
     const tribox_grid *grid;
@@ -8444,7 +8443,8 @@ typedef struct tbx_segment {
     void *user;
     size_t count;
     int stopped;
-    int rule;
+    int lo_is_open; /* the touching rule */
+    int hi_is_open;
     double p[3];
     double q[3];
     int way[3];       /* 1, -1, or 0: q = p on this axis */
@@ -8563,7 +8563,7 @@ TBX_NOINLINE void tbx_segment_event(tbx_segment *s, unsigned crossed, int first,
     int64_t at[3];
     int64_t after[3];
     int k;
-    if (s->rule == TBX_CLOSED) {
+    if (!s->hi_is_open) {
         tbx_segment_closed(s, crossed, first);
     } else {
         for (k = 0; k < 3; k++) {
@@ -8572,10 +8572,10 @@ TBX_NOINLINE void tbx_segment_event(tbx_segment *s, unsigned crossed, int first,
             after[k] = s->voxel[k] + crosses * s->way[k];
             at[k] = s->way[k] > 0 ? after[k] : s->voxel[k];
         }
-        if (s->rule == TBX_HALF_OPEN && (first || up != 0)) {
+        if (!s->lo_is_open && (first || up != 0)) {
             tbx_segment_emit(s, at[0], at[1], at[2]);
         }
-        if (s->rule == TBX_HALF_OPEN ? crossed != up : !last || crossed == 0) {
+        if (s->lo_is_open ? !last || crossed == 0 : crossed != up) {
             tbx_segment_emit(s, after[0], after[1], after[2]);
         }
     }
@@ -8733,19 +8733,19 @@ TBX_FN int tbx_segment_axis(tbx_segment *s, int k, int *on)
     if (way == 0) {
         s->voxel[k] = up - 1;
         *on = 0;
-        if (at_p && s->rule == TBX_HALF_OPEN) {
+        if (at_p && s->hi_is_open && !s->lo_is_open) {
             s->voxel[k] = up;
         }
-        s->two[k] = at_p && s->rule == TBX_CLOSED;
-        return s->rule == TBX_CLOSED || (tbx_segment_inside(s, k) && !(at_p && s->rule == TBX_OPEN));
+        s->two[k] = at_p && !s->hi_is_open;
+        return !s->hi_is_open || (tbx_segment_inside(s, k) && !(at_p && s->lo_is_open));
     }
     if (way > 0) {
         s->voxel[k] = up - 1;
         last = at_q ? up_q : up_q - 1;
-        last -= at_q && s->rule == TBX_OPEN;
+        last -= at_q && s->lo_is_open;
     } else {
         s->voxel[k] = at_p ? up : up - 1;
-        last = up_q + (at_q && s->rule != TBX_CLOSED);
+        last = up_q + (at_q && s->hi_is_open);
     }
     s->left[k] = (last - tbx_segment_plane(s, k)) * way + 1;
     s->left[k] = s->left[k] > 0 ? s->left[k] : 0;
@@ -8821,10 +8821,8 @@ TRIBOX_FN size_t tribox_grid_segment(const tribox_grid *grid, const double p[3],
     s.count = 0;
     s.stopped = 0;
     s.error = 0.0;
-    s.rule = (grid->flags & TRIBOX_THIN) != 0        ? TBX_CLOSED
-             : (grid->flags & TRIBOX_OPEN) != 0      ? TBX_OPEN
-             : (grid->flags & TRIBOX_HALF_OPEN) != 0 ? TBX_HALF_OPEN
-                                                     : TBX_CLOSED;
+    s.lo_is_open = tbx_lo_is_open(grid->flags);
+    s.hi_is_open = tbx_hi_is_open(grid->flags);
     for (k = 0; k < 3; k++) {
         s.p[k] = p[k];
         s.q[k] = q[k];
