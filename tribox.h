@@ -11150,7 +11150,9 @@ TBX_FN float tbx_lattice_step(const tribox_grid *grid, int k, double spacing)
 
 /* Classes of boxes. */
 enum {
-    TBX_CLASS_SHORT,  /* one voxel or two */
+    TBX_CLASS_ONE,    /* voxel; two along x; two along y or z */
+    TBX_CLASS_RUN,
+    TBX_CLASS_PAIR,
     TBX_CLASS_FLAT_X, /* two on two axes, one on this */
     TBX_CLASS_FLAT_Y,
     TBX_CLASS_FLAT_Z,
@@ -11394,22 +11396,18 @@ TBX_FN tbx_later *tbx_fill_later(tbx_fill *fill, size_t triangle)
 
 /* ---- Blocks of triangles: their boxes, and lists of them by class
  *
- * Of a box there are the first voxel, from the region's first, and the extents, that is the voxels less 1: x,
- * y, z in 16 bits each from bit 16 on, below those of the extents flags. Of a box that is cut x, y and z are
- * signed. A key is the first voxel, and below it extents of up to 3 in two bits each. Corners are rows of
+ * Of a box there are the first voxel, from the region's first, x, y, z in 16 bits each from bit 16 on (signed
+ * if the box is cut); and in four bytes its flags, the lowest, and the extents, that is the voxels less 1, of
+ * x, y, z. A key is the first voxel, and below it extents of up to 3 in two bits each. Corners are rows of
  * four floats: x, y, z in lanes 1 to 3, anything finite in lane 0, so that a row of a mesh is one load. */
 typedef struct tbx_block {
-    uint64_t first[TBX_BLOCK];
-    uint64_t more[TBX_BLOCK];
+    uint64_t first[TBX_BLOCK + 2]; /* that each has a successor */
+    uint32_t more[TBX_BLOCK + 4];
     uint64_t word[TBX_BLOCK]; /* of the bits, in which the first voxel is */
     uint64_t of[TBX_CLASSES]; /* a bit for each triangle of a class, */
     uint64_t same;            /* and for each that has its predecessor's box, which is sure */
     size_t start;             /* the first triangle */
 } tbx_block;
-
-#define TBX_MORE_NOT_KNOWN 1
-#define TBX_MORE_CUT 2
-#define TBX_MORE_LATTICE 4
 
 typedef union tbx_corners {
     tbx_f4 row[3][TBX_BLOCK];
@@ -11418,10 +11416,19 @@ typedef union tbx_corners {
 
 typedef uint16_t tbx_hw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
 typedef int16_t tbx_sw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
+typedef uint64_t tbx_mw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
+typedef long long tbx_qw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
 typedef int16_t tbx_s8 __attribute__((vector_size(16)));
-typedef unsigned char tbx_b16 __attribute__((vector_size(16)));
+typedef uint16_t tbx_h8 __attribute__((vector_size(16)));
+typedef signed char tbx_b16 __attribute__((vector_size(16)));
 typedef char tbx_c16 __attribute__((vector_size(16)));
-typedef uint64_t tbx_m2 __attribute__((vector_size(16)));
+
+TBX_FORCED tbx_h8 tbx_load_words(const void *from)
+{
+    tbx_h8 r;
+    TBX_COPY(&r, from, sizeof r);
+    return r;
+}
 
 /* How far each word of a is above that of b, 0 where it is not. */
 TBX_FORCED tbx_uw tbx_words_above(tbx_uw a, tbx_uw b)
@@ -11436,13 +11443,20 @@ TBX_FORCED tbx_uw tbx_words_above(tbx_uw a, tbx_uw b)
 #endif
 }
 
-/* Eight words of 32-bit lanes; what is no 16-bit number becomes the one next to it. */
-TBX_FORCED tbx_s8 tbx_words_of(tbx_i4 a, tbx_i4 b)
+/* The words of a's lanes, then b's; what is no 16-bit number becomes the one next to it. */
+TBX_FORCED tbx_sw tbx_words_join(tbx_iw a, tbx_iw b)
 {
-#if defined(__SSE2__)
-    return (tbx_s8)__builtin_ia32_packssdw128(a, b);
+#if defined(__AVX2__) /* packs halves with halves */
+    const tbx_qw r = (tbx_qw)__builtin_ia32_packssdw256(a, b);
+#if defined(__clang__)
+    return (tbx_sw)__builtin_shufflevector(r, r, 0, 2, 1, 3);
 #else
-    tbx_s8 r = (tbx_s8)tbx_splat_int(0);
+    return (tbx_sw)__builtin_ia32_permdi256(r, 0xd8);
+#endif
+#elif defined(__SSE2__)
+    return (tbx_sw)__builtin_ia32_packssdw128(a, b);
+#else
+    tbx_sw r = (tbx_sw)tbx_wide_int(0);
     int i;
     for (i = 0; i < 4; i++) {
         r[i] = (int16_t)(a[i] > 32767 ? 32767 : a[i] < -32768 ? -32768 : a[i]);
@@ -11452,80 +11466,28 @@ TBX_FORCED tbx_s8 tbx_words_of(tbx_i4 a, tbx_i4 b)
 #endif
 }
 
-/* Of words the products, added in pairs. */
-TBX_FORCED tbx_i4 tbx_words_dot(tbx_s8 a, tbx_s8 b)
+/* Of words that are no less than -128, in fours, bytes of a number, from the lowest on; 127 at most. */
+TBX_FORCED tbx_i4 tbx_bytes_join(const tbx_sw words[8 / TBX_WIDE])
 {
-#if defined(__SSE2__)
-    return (tbx_i4)__builtin_ia32_pmaddwd128(a, b);
+#if defined(__AVX2__)
+    tbx_f4 part[2];
+    tbx_wide_parts(part, (tbx_fw)words[0]);
+    return (tbx_i4)__builtin_ia32_packsswb128((tbx_s8)part[0], (tbx_s8)part[1]);
+#elif defined(__SSE2__)
+    return (tbx_i4)__builtin_ia32_packsswb128(words[0], words[1]);
 #else
-    const tbx_i4 half = tbx_splat_int(16); /* which word of a lane is the upper one is all the same */
-    const tbx_i4 low = (((tbx_i4)a << half) >> half) * (((tbx_i4)b << half) >> half);
-    return low + ((tbx_i4)a >> half) * ((tbx_i4)b >> half);
-#endif
-}
-
-/* The cubes of words of extents, 4 at most. */
-TBX_FORCED tbx_i4 tbx_words_cubes(tbx_s8 extents)
-{
-    const tbx_s8 four = { 4, 4, 4, 4, 4, 4, 4, 4 };
-#if defined(__SSE2__) && !defined(__clang__)
-    const tbx_s8 most = __builtin_ia32_pminsw128(extents, four);
-#else
-    const tbx_s8 is_less = (tbx_s8)(extents < four);
-    const tbx_s8 most = (extents & is_less) | (four & ~is_less);
-#endif
-    return tbx_words_dot(most, most * most);
-}
-
-/* The products of numbers below 2^32. */
-TBX_FORCED tbx_m2 tbx_low_products(tbx_m2 a, tbx_m2 b)
-{
-#if defined(__SSE2__) && !defined(__clang__)
-    return (tbx_m2)__builtin_ia32_pmuludq128((tbx_i4)a, (tbx_i4)b);
-#else
-    return (a & 0xffffffffu) * (b & 0xffffffffu);
-#endif
-}
-
-/* Lanes of -1 for the vectors that are 0. */
-TBX_FORCED tbx_i4 tbx_lanes_zero(tbx_i4 a, tbx_i4 b, tbx_i4 c, tbx_i4 d)
-{
-#if defined(__SSE2__)
-    return (tbx_i4)__builtin_ia32_packsswb128(tbx_words_of(a, b), tbx_words_of(c, d)) == tbx_splat_int(0);
-#else
-    const tbx_i4 r = { -!tbx_any(a != tbx_splat_int(0)), -!tbx_any(b != tbx_splat_int(0)),
-                       -!tbx_any(c != tbx_splat_int(0)), -!tbx_any(d != tbx_splat_int(0)) };
-    return r;
-#endif
-}
-
-/* Of 64 bits each, those that are the same as those before. */
-TBX_FORCED tbx_i4 tbx_words_before(tbx_s8 before, tbx_s8 words)
-{
-    const tbx_f4 moved = TBX_LANES((tbx_f4)before, (tbx_f4)words, 2, 3, 4, 5);
-    return (tbx_i4)moved == (tbx_i4)words;
-}
-
-/* Lanes from 0 to 255, as bytes. */
-TBX_FORCED int32_t tbx_bytes_of(tbx_i4 a)
-{
-#if defined(__SSE2__)
-    const tbx_s8 words = tbx_words_of(a, a);
-    return ((tbx_i4)__builtin_ia32_packuswb128(words, words))[0];
-#else
-    unsigned char byte[4];
-    int32_t r;
+    tbx_i4 r = tbx_splat_int(0);
     int i;
-    for (i = 0; i < 4; i++) {
-        byte[i] = (unsigned char)a[i];
+    for (i = 0; i < 16; i++) {
+        const int word = words[i >> 3][i & 7];
+        r[i >> 2] |= (int32_t)((uint32_t)((word > 127 ? 127 : word) & 255) << 8 * (i & 3));
     }
-    TBX_COPY(&r, byte, sizeof r);
     return r;
 #endif
 }
 
-/* Words, in fours from the lowest of 64 bits. */
-TBX_FORCED void tbx_words_to(uint64_t out[2], tbx_s8 words)
+/* Numbers of 64 bits to memory, with the first word the lowest. */
+TBX_FORCED void tbx_words_to(uint64_t out[TBX_WIDE / 2], tbx_sw words)
 {
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
     int i;
@@ -11614,11 +11576,11 @@ TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
 
 /* Corner k, vertex number `at` of the mesh. */
 TBX_FORCED tbx_i4 tbx_block_corner(const tbx_source *source, const tbx_centre *centre, int indexed,
-                                   int packed, int is_double, size_t at)
+                                   int packed, size_t at)
 {
     const size_t vertex = indexed ? (size_t)source->indices[at] : at;
     const char *p = source->positions + vertex * (packed ? 3 * sizeof(float) : source->stride);
-    return is_double ? tbx_corner_at_f64(p, centre) : tbx_corner_at(p, packed);
+    return source->is_double ? tbx_corner_at_f64(p, centre) : tbx_corner_at(p, packed);
 }
 
 TBX_FORCED int tbx_all_near(const tbx_quick *q, tbx_i4 bits)
@@ -11642,27 +11604,38 @@ TBX_NOINLINE int tbx_block_is_near(const tbx_corners *corners, const tbx_quick *
     return !tbx_any(beyond);
 }
 
+/* The corners of triangle i of a block. Returns their bits, joined. */
+TBX_FORCED tbx_i4 tbx_block_triangle(tbx_corners *out, int i, const tbx_source *source,
+                                     const tbx_centre *centre, int indexed, int packed, size_t first)
+{
+    const size_t at = 3 * (first + (size_t)i);
+    const tbx_i4 v0 = tbx_block_corner(source, centre, indexed, packed, at);
+    const tbx_i4 v1 = tbx_block_corner(source, centre, indexed, packed, at + 1);
+    const tbx_i4 v2 = tbx_block_corner(source, centre, indexed, packed, at + 2);
+    out->row[0][i] = (tbx_f4)v0;
+    out->row[1][i] = (tbx_f4)v1;
+    out->row[2][i] = (tbx_f4)v2;
+    return v0 | v1 | v2;
+}
+
 /* The corners of so many triangles. Returns 1 if they are all near enough, and finite, for boxes without
  * care. No magnitude is greater than all of them with their bits joined, which mostly suffices. */
 TBX_FORCED int tbx_block_corners(tbx_corners *out, const tbx_quick *q, const tbx_source *from, int indexed,
-                                 int packed, int is_double, size_t first, int count)
+                                 int packed, size_t first, int count)
 {
     const tbx_source source = *from; /* what is stored does not change these */
     const tbx_centre centre = { { (double)q->centre[1], (double)q->centre[2] },
                                 { 0.0, (double)q->centre[3] } };
     tbx_i4 bits = tbx_splat_int(0);
-    size_t at = 3 * first;
-    int i;
-    for (i = 0; i < count; i++, at += 3) {
-        const tbx_i4 v0 = tbx_block_corner(&source, &centre, indexed, packed, is_double, at);
-        const tbx_i4 v1 = tbx_block_corner(&source, &centre, indexed, packed, is_double, at + 1);
-        const tbx_i4 v2 = tbx_block_corner(&source, &centre, indexed, packed, is_double, at + 2);
-        bits |= v0 | v1 | v2;
-        out->row[0][i] = (tbx_f4)v0;
-        out->row[1][i] = (tbx_f4)v1;
-        out->row[2][i] = (tbx_f4)v2;
+    int i = 0;
+    for (; packed && i + 1 < count; i += 2) {
+        bits |= tbx_block_triangle(out, i, &source, &centre, indexed, packed, first);
+        bits |= tbx_block_triangle(out, i + 1, &source, &centre, indexed, packed, first);
     }
-    for (i = count; i % 4 != 0; i++) {
+    for (; i < count; i++) {
+        bits |= tbx_block_triangle(out, i, &source, &centre, indexed, packed, first);
+    }
+    for (; i % 4 != 0; i++) {
         out->row[0][i] = out->row[1][i] = out->row[2][i] = out->row[0][count - 1];
     }
     return tbx_all_near(q, bits) || tbx_block_is_near(out, q, count);
@@ -11672,38 +11645,39 @@ TBX_FORCED int tbx_block_corners(tbx_corners *out, const tbx_quick *q, const tbx
 TBX_FORCED int tbx_block_has_first(const tbx_source *source, size_t first, int count)
 {
     const uint32_t *index = source->indices;
-    tbx_iw zero = tbx_wide_int(0);
-    int i;
+    int zero = 0;
+    int i = 0;
     if (index == NULL) {
         return first == 0;
     }
     index += 3 * first;
-    for (i = 0; i + 3 * TBX_WIDE <= 3 * count; i += 3 * TBX_WIDE) {
-        tbx_iw some[3];
-        TBX_COPY(&some[0], index + i, sizeof some[0]);
-        TBX_COPY(&some[1], index + i + TBX_WIDE, sizeof some[1]);
-        TBX_COPY(&some[2], index + i + 2 * TBX_WIDE, sizeof some[2]);
-        zero |= (some[0] == tbx_wide_int(0)) | (some[1] == tbx_wide_int(0)) | (some[2] == tbx_wide_int(0));
+#if defined(__SSE2__)
+    tbx_b16 none = (tbx_b16)tbx_splat_int(0);
+    for (; i + 16 <= 3 * count; i += 16) { /* bytes: of what is not 0, none becomes 0 */
+        const tbx_s8 low = __builtin_ia32_packssdw128((tbx_i4)tbx_load_words(index + i),
+                                                      (tbx_i4)tbx_load_words(index + i + 4));
+        const tbx_s8 high = __builtin_ia32_packssdw128((tbx_i4)tbx_load_words(index + i + 8),
+                                                       (tbx_i4)tbx_load_words(index + i + 12));
+        none |= (tbx_b16)((tbx_b16)__builtin_ia32_packsswb128(low, high) == (tbx_b16)tbx_splat_int(0));
     }
+    zero = tbx_any((tbx_i4)none);
+#endif
     for (; i < 3 * count; i++) {
-        zero |= tbx_wide_int(-(index[i] == 0));
+        zero |= index[i] == 0;
     }
-    return tbx_wide_any(zero);
+    return zero;
 }
 
 TBX_FN int tbx_block_load(tbx_corners *out, const tbx_quick *q, const tbx_source *source, size_t first,
                           int count)
 {
-    const int indexed = source->indices != NULL;
-    if (source->is_double) {
-        return indexed ? tbx_block_corners(out, q, source, 1, 0, 1, first, count)
-                       : tbx_block_corners(out, q, source, 0, 0, 1, first, count);
-    } else if (source->stride != 3 * sizeof(float) || tbx_block_has_first(source, first, count)) {
-        return tbx_block_corners(out, q, source, indexed, 0, 0, first, count);
-    } else if (indexed) {
-        return tbx_block_corners(out, q, source, 1, 1, 0, first, count);
+    if (source->is_double || source->stride != 3 * sizeof(float) ||
+        tbx_block_has_first(source, first, count)) {
+        return source->indices != NULL ? tbx_block_corners(out, q, source, 1, 0, first, count)
+                                       : tbx_block_corners(out, q, source, 0, 0, first, count);
     } else {
-        return tbx_block_corners(out, q, source, 0, 1, 0, first, count);
+        return source->indices != NULL ? tbx_block_corners(out, q, source, 1, 1, first, count)
+                                       : tbx_block_corners(out, q, source, 0, 1, first, count);
     }
 }
 
@@ -11713,8 +11687,8 @@ typedef struct tbx_fixed {
     tbx_fw steps;
     tbx_uw bias;
     tbx_uw limit;
-    tbx_s8 rows; /* y and z times these are a row's number */
-    tbx_m2 row_words;
+    tbx_sw rows; /* y and z times these are a row's number */
+    tbx_mw row_words;
 } TBX_ALIGNED tbx_fixed;
 
 TBX_FORCED tbx_iw tbx_wide_repeat(tbx_i4 a)
@@ -11729,104 +11703,106 @@ TBX_FORCED tbx_iw tbx_wide_repeat(tbx_i4 a)
 
 TBX_FORCED void tbx_fixed_of(tbx_fixed *f, const tbx_quick *q)
 {
+    const tbx_s8 rows = { 0, 0, 1, (int16_t)q->n[1], 0, 0, 1, (int16_t)q->n[1] };
+    const tbx_l2 row_words = { (int64_t)q->row_words, (int64_t)q->row_words };
     f->base = (tbx_fw)tbx_wide_repeat((tbx_i4)tbx_load4(q->subtrahend));
     f->steps = (tbx_fw)tbx_wide_repeat((tbx_i4)tbx_load4(q->steps));
     f->bias = (tbx_uw)tbx_wide_repeat(tbx_load4i(q->bias));
     f->limit = (tbx_uw)tbx_wide_repeat(tbx_load4i(q->limit));
-    f->rows[0] = f->rows[1] = f->rows[4] = f->rows[5] = 0;
-    f->rows[2] = f->rows[6] = 1;
-    f->rows[3] = f->rows[7] = (int16_t)q->n[1];
-    f->row_words[0] = f->row_words[1] = (uint64_t)q->row_words;
+    f->rows = (tbx_sw)tbx_wide_repeat((tbx_i4)rows);
+    f->row_words = (tbx_mw)tbx_wide_repeat((tbx_i4)row_words);
 }
 
-/* The least and the greatest place in fixed point, from the centre. */
-TBX_FORCED void tbx_box_fixed(tbx_iw out[2], const tbx_fixed *f, const tbx_fw v[3], int careful)
-{
-    tbx_fw low = tbx_wide_min(tbx_wide_min(v[0], v[1]), v[2]) - f->base;
-    tbx_fw high = tbx_wide_max(tbx_wide_max(v[0], v[1]), v[2]) - f->base;
-    TBX_KEEP_VECTOR(low);
-    TBX_KEEP_VECTOR(high);
-    low *= f->steps;
-    high *= f->steps;
-    if (careful) {
-        const tbx_fw most = tbx_wide_all(2147483392.0f); /* 2^31 - 2^8 */
-        low = tbx_wide_min(tbx_wide_max(low, -most), most);
-        high = tbx_wide_min(tbx_wide_max(high, -most), most);
-    }
-    out[0] = __builtin_convertvector(low, tbx_iw);
-    out[1] = __builtin_convertvector(high, tbx_iw);
-}
+/* Boxes of WIDE / 4 triangles, index by index: the first and the last voxel, what is above the limit, and -1
+ * where it is off the region. */
+typedef struct tbx_ends {
+    tbx_iw first;
+    tbx_iw last;
+    tbx_iw above;
+    tbx_iw off;
+} TBX_ALIGNED tbx_ends;
 
-/* Boxes of four triangles. The code is the extents' cubes, 4 at most, added up: it tells the class. */
-typedef struct tbx_four {
-    tbx_s8 first[2];
-    tbx_s8 more[2];
-    tbx_i4 code;
-    tbx_i4 sure;
-    tbx_i4 off;
-} TBX_ALIGNED tbx_four;
-
-/* Of four boxes, a row each, the first voxel, the extents, what is above the limit, and off the region. */
-typedef struct tbx_four_rows {
-    tbx_f4 first[4];
-    tbx_f4 more[4];
-    tbx_f4 above[4];
-    tbx_f4 off[4];
-} TBX_ALIGNED tbx_four_rows;
-
-/* The next WIDE / 4 of them, from number `part` on. */
-TBX_FORCED void tbx_four_next(tbx_four_rows *out, int part, const tbx_quick *q, const tbx_fixed *f,
+/* These, by the least and the greatest place in fixed point; number `at` of a block's vectors. */
+TBX_FORCED void tbx_ends_find(tbx_ends *out, const tbx_quick *q, const tbx_fixed *f,
                               const tbx_corners *corners, int at, int careful)
 {
     const tbx_iw half = tbx_wide_int(16);
-    tbx_iw place[2];
-    tbx_uw low;
-    tbx_uw high;
-    tbx_fw v[3];
-    v[0] = corners->some[0][(at + part) / (TBX_WIDE / 4)];
-    v[1] = corners->some[1][(at + part) / (TBX_WIDE / 4)];
-    v[2] = corners->some[2][(at + part) / (TBX_WIDE / 4)];
+    tbx_fw v0 = corners->some[0][at];
+    tbx_fw v1 = corners->some[1][at];
+    tbx_fw v2 = corners->some[2][at];
+    tbx_fw least;
+    tbx_fw most;
+    tbx_iw low;
+    tbx_iw high;
     if (careful) { /* nothing is computed before the question whether it may be */
-        TBX_KEEP_VECTOR(v[0]);
-        TBX_KEEP_VECTOR(v[1]);
-        TBX_KEEP_VECTOR(v[2]);
+        TBX_KEEP_VECTOR(v0);
+        TBX_KEEP_VECTOR(v1);
+        TBX_KEEP_VECTOR(v2);
     }
-    tbx_box_fixed(place, f, v, careful);
+    least = tbx_wide_min(tbx_wide_min(v0, v1), v2) - f->base;
+    most = tbx_wide_max(tbx_wide_max(v0, v1), v2) - f->base;
+    TBX_KEEP_VECTOR(least);
+    TBX_KEEP_VECTOR(most);
+    least *= f->steps;
+    most *= f->steps;
     if (careful) {
-        const tbx_iw below = tbx_wide_repeat(tbx_load4i(q->off_below));
-        const tbx_iw above = tbx_wide_repeat(tbx_load4i(q->off_above));
-        tbx_wide_parts(out->off + part, (tbx_fw)((place[1] < below) | (place[0] > above)));
+        const tbx_fw end = tbx_wide_all(2147483392.0f); /* 2^31 - 2^8 */
+        least = tbx_wide_min(tbx_wide_max(least, -end), end);
+        most = tbx_wide_min(tbx_wide_max(most, -end), end);
     }
-    low = (tbx_uw)place[0] + f->bias;
-    high = (tbx_uw)place[1] + f->bias;
-    tbx_wide_parts(out->above + part,
-                   (tbx_fw)(tbx_words_above(low, f->limit) | tbx_words_above(high, f->limit)));
-    tbx_wide_parts(out->more + part, (tbx_fw)((tbx_uw)((tbx_hw)high - (tbx_hw)low) >> (tbx_uw)half));
-    tbx_wide_parts(out->first + part, (tbx_fw)((tbx_iw)low >> half));
+    low = __builtin_convertvector(least, tbx_iw);
+    high = __builtin_convertvector(most, tbx_iw);
+    if (careful) {
+        out->off = (high < tbx_wide_repeat(tbx_load4i(q->off_below))) |
+                   (low > tbx_wide_repeat(tbx_load4i(q->off_above)));
+    }
+    low = (tbx_iw)((tbx_uw)low + f->bias);
+    high = (tbx_iw)((tbx_uw)high + f->bias);
+    out->above = (tbx_iw)(tbx_words_above((tbx_uw)low, f->limit) | tbx_words_above((tbx_uw)high, f->limit));
+    out->first = low >> half;
+    out->last = high >> half;
 }
 
-/* Of four triangles from `at` on; with care `off` is told. gcc -O2 unrolls no loop. */
+/* Boxes of four triangles, as in a block; -1 where they are sure, or not off the region. */
+typedef struct tbx_four {
+    tbx_sw first[8 / TBX_WIDE];
+    tbx_i4 more;
+    tbx_i4 sure;
+    tbx_i4 on;
+} TBX_ALIGNED tbx_four;
+
+/* Of four triangles from `at` on; with care `on` is told. gcc -O2 unrolls no loop. */
 TBX_FORCED void tbx_four_find(tbx_four *out, const tbx_quick *q, const tbx_fixed *f,
                               const tbx_corners *corners, int at, int careful)
 {
-    const tbx_s8 one = { 1, 1, 1, 1, 1, 1, 1, 1 };
-    tbx_four_rows r;
-    tbx_four_next(&r, 0, q, f, corners, at, careful);
-    tbx_four_next(&r, TBX_WIDE / 4, q, f, corners, at, careful);
-    if (TBX_WIDE == 4) {
-        tbx_four_next(&r, 2, q, f, corners, at, careful);
-        tbx_four_next(&r, 3, q, f, corners, at, careful);
-    }
-    out->first[0] = tbx_words_of((tbx_i4)r.first[0], (tbx_i4)r.first[1]);
-    out->first[1] = tbx_words_of((tbx_i4)r.first[2], (tbx_i4)r.first[3]);
-    out->more[0] = tbx_words_of((tbx_i4)r.more[0], (tbx_i4)r.more[1]);
-    out->more[1] = tbx_words_of((tbx_i4)r.more[2], (tbx_i4)r.more[3]);
-    out->code =
-        tbx_words_dot(tbx_words_of(tbx_words_cubes(out->more[0]), tbx_words_cubes(out->more[1])), one);
-    out->sure =
-        tbx_lanes_zero((tbx_i4)r.above[0], (tbx_i4)r.above[1], (tbx_i4)r.above[2], (tbx_i4)r.above[3]);
+    tbx_sw more[8 / TBX_WIDE];
+    tbx_sw above[8 / TBX_WIDE];
+    tbx_sw off[8 / TBX_WIDE];
+    tbx_ends a;
+    tbx_ends b;
+    at /= TBX_WIDE / 4;
+    tbx_ends_find(&a, q, f, corners, at, careful);
+    tbx_ends_find(&b, q, f, corners, at + 1, careful);
+    out->first[0] = tbx_words_join(a.first, b.first);
+    more[0] = tbx_words_join(a.last, b.last) - out->first[0];
+    above[0] = tbx_words_join(a.above, b.above);
     if (careful) {
-        out->off = ~tbx_lanes_zero((tbx_i4)r.off[0], (tbx_i4)r.off[1], (tbx_i4)r.off[2], (tbx_i4)r.off[3]);
+        off[0] = tbx_words_join(a.off, b.off);
+    }
+#if TBX_WIDE == 4
+    tbx_ends_find(&a, q, f, corners, at + 2, careful);
+    tbx_ends_find(&b, q, f, corners, at + 3, careful);
+    out->first[1] = tbx_words_join(a.first, b.first);
+    more[1] = tbx_words_join(a.last, b.last) - out->first[1];
+    above[1] = tbx_words_join(a.above, b.above);
+    if (careful) {
+        off[1] = tbx_words_join(a.off, b.off);
+    }
+#endif
+    out->more = tbx_bytes_join(more);
+    out->sure = tbx_bytes_join(above) == tbx_splat_int(0);
+    if (careful) {
+        out->on = tbx_bytes_join(off) == tbx_splat_int(0);
     }
 }
 
@@ -11837,33 +11813,45 @@ TBX_FORCED uint64_t tbx_first_word(const tbx_quick *q, uint64_t first)
            (uint64_t)tbx_key_axis(first, 1) * q->row_words + (uint64_t)(tbx_key_axis(first, 0) >> 6);
 }
 
-/* Two of them, where all axes are below 2^15. */
-TBX_FORCED void tbx_first_words(uint64_t out[2], const tbx_quick *q, const tbx_fixed *f, tbx_s8 first)
+/* Those of WIDE / 2 boxes, where all axes are below 2^15. */
+TBX_FORCED void tbx_first_words(uint64_t out[TBX_WIDE / 2], const tbx_quick *q, const tbx_fixed *f,
+                                tbx_sw first)
 {
-#if defined(__SSE2__)
-    const tbx_m2 row = (tbx_m2)tbx_words_dot(first, f->rows) >> 32;
-    const tbx_m2 x = ((tbx_m2)first >> 22) & 1023;
-    const tbx_m2 word = tbx_low_products(row, f->row_words) + x;
+#if defined(__AVX2__)
+    tbx_mw word = (tbx_mw)__builtin_ia32_pmaddwd256(first, f->rows) >> 32;
+#elif defined(__SSE2__)
+    tbx_mw word = (tbx_mw)__builtin_ia32_pmaddwd128(first, f->rows) >> 32;
+#endif
+#if !defined(__SSE2__)
+    uint64_t at[2];
+    (void)f;
+    tbx_words_to(at, first);
+    out[0] = tbx_first_word(q, at[0]);
+    out[1] = tbx_first_word(q, at[1]);
+#else
+#if defined(__clang__)
+    word = (word & 0xffffffffu) * (f->row_words & 0xffffffffu);
+#elif defined(__AVX2__)
+    word = (tbx_mw)__builtin_ia32_pmuludq256((tbx_iw)word, (tbx_iw)f->row_words);
+#else
+    word = (tbx_mw)__builtin_ia32_pmuludq128((tbx_iw)word, (tbx_iw)f->row_words);
+#endif
+    word += ((tbx_mw)first >> 22) & 1023;
     (void)q;
     TBX_COPY(out, &word, sizeof word);
-#else
-    uint64_t two[2];
-    (void)f;
-    tbx_words_to(two, first);
-    out[0] = tbx_first_word(q, two[0]);
-    out[1] = tbx_first_word(q, two[1]);
 #endif
 }
 
 TBX_FORCED void tbx_four_store(tbx_block *b, int at, const tbx_quick *q, const tbx_fixed *f,
                                const tbx_four *four)
 {
+    TBX_COPY(&b->more[at], &four->more, sizeof four->more);
     tbx_words_to(&b->first[at], four->first[0]);
-    tbx_words_to(&b->first[at + 2], four->first[1]);
-    tbx_words_to(&b->more[at], four->more[0]);
-    tbx_words_to(&b->more[at + 2], four->more[1]);
     tbx_first_words(&b->word[at], q, f, four->first[0]);
+#if TBX_WIDE == 4
+    tbx_words_to(&b->first[at + 2], four->first[1]);
     tbx_first_words(&b->word[at + 2], q, f, four->first[1]);
+#endif
 }
 
 /* The words, where an axis is longer. */
@@ -11875,70 +11863,153 @@ TBX_NOINLINE void tbx_block_words(tbx_block *b, const tbx_quick *q, int count)
     }
 }
 
-/* A bit for each of a block's codes that is at most `most`. */
-TBX_FORCED uint64_t tbx_codes_up_to(const unsigned char *code, int most)
+/* The class of a box, by its extents. */
+TBX_FORCED unsigned tbx_class_of(uint32_t more)
 {
-    uint64_t r = 0;
-    int i;
-#if defined(__SSE2__)
-    const tbx_b16 all = (tbx_b16)tbx_splat_int(most * 0x01010101);
-    for (i = 0; i < TBX_BLOCK; i += 16) {
-        tbx_b16 some;
-        TBX_COPY(&some, code + i, sizeof some);
-        r |= (uint64_t)(unsigned)__builtin_ia32_pmovmskb128((tbx_c16)(some <= all)) << i;
-    }
-#else
-    for (i = 0; i < TBX_BLOCK; i++) {
-        r |= (uint64_t)(code[i] <= most) << i;
-    }
-#endif
-    return r;
-}
-
-/* The class of a box of 2x2x1 voxels. */
-TBX_FORCED unsigned tbx_class_flat(uint64_t more)
-{
-    const unsigned x = (unsigned)(more >> 16);
-    const unsigned y = (unsigned)(more >> 32);
-    return TBX_CLASS_FLAT_X + (x & 1u) + (x & y & 1u);
-}
-
-/* The class of a box. */
-TBX_FORCED unsigned tbx_class_of(unsigned code, uint64_t more)
-{
-    if (code == 2) {
-        return tbx_class_flat(more);
+    const unsigned x = more >> 8 & 255;
+    const unsigned y = more >> 16 & 255;
+    const unsigned z = more >> 24;
+    const unsigned most = x | y | z;
+    if (most > 3) {
+        return TBX_CLASS_LARGE;
+    } else if (most > 1) {
+        return x == 3 || y == 3 || z == 3 ? TBX_CLASS_4 : TBX_CLASS_3;
+    } else if (x + y + z < 2) {
+        return x != 0 ? TBX_CLASS_RUN : most != 0 ? TBX_CLASS_PAIR : TBX_CLASS_ONE;
     } else {
-        const unsigned up =
-            (unsigned)((code > 1) + (code > 3) + (code > 24)); /* 0 SHORT, 1 up to 2^3, and on */
-        return code > 81 || (code > 62 && code != 81) ? (unsigned)TBX_CLASS_LARGE
-               : up > 0                               ? (unsigned)TBX_CLASS_2 + up - 1
-                                                      : (unsigned)TBX_CLASS_SHORT;
+        return x == 0   ? TBX_CLASS_FLAT_X
+               : y == 0 ? TBX_CLASS_FLAT_Y
+               : z == 0 ? TBX_CLASS_FLAT_Z
+                        : TBX_CLASS_2;
     }
 }
 
-/* The classes by codes, of the triangles in `some`: 0 and 1 are one voxel and two, 2 and 3 are 2x2x1 and 2^3
- * voxels, boxes of up to 3^3 have 8 to 24, of 4^3 27 to 62, or 81, larger ones 64 to 192. */
-TBX_FORCED void tbx_block_classes(tbx_block *b, const unsigned char *code, uint64_t some)
+#if defined(__SSE2__)
+/* Words below 256 as bytes. */
+TBX_FORCED tbx_h8 tbx_bytes_of(tbx_h8 a, tbx_h8 b)
 {
-    const uint64_t up_to_1 = tbx_codes_up_to(code, 1) & some;
-    const uint64_t up_to_2 = tbx_codes_up_to(code, 2) & some;
-    const uint64_t up_to_3 = tbx_codes_up_to(code, 3) & some;
-    uint64_t flat;
-    b->of[TBX_CLASS_SHORT] = up_to_1;
-    for (flat = up_to_2 ^ up_to_1; flat != 0; flat &= flat - 1) {
-        b->of[tbx_class_flat(b->more[__builtin_ctzll(flat)])] |= flat & (0 - flat);
-    }
-    b->of[TBX_CLASS_2] = up_to_3 ^ up_to_2;
-    if (up_to_3 != some) {
-        const uint64_t up_to_24 = tbx_codes_up_to(code, 24) & some;
-        uint64_t four = tbx_codes_up_to(code, 62) & some;
-        four |= (tbx_codes_up_to(code, 81) ^ tbx_codes_up_to(code, 80)) & some;
-        b->of[TBX_CLASS_3] = up_to_24 ^ up_to_3;
-        b->of[TBX_CLASS_4] = four ^ up_to_24;
-        b->of[TBX_CLASS_LARGE] = some ^ four;
-    }
+    return (tbx_h8)__builtin_ia32_packuswb128((tbx_s8)a, (tbx_s8)b);
 }
+
+/* A bit for each of 16 bytes that is negative, as -1 is. */
+TBX_FORCED uint64_t tbx_bytes_signs(tbx_b16 bytes)
+{
+    return (uint64_t)(unsigned)__builtin_ia32_pmovmskb128((tbx_c16)bytes);
+}
+
+/* A bit for each of 16 boxes from number `at` on that is the successor's. */
+TBX_FORCED tbx_i4 tbx_four_alike(const tbx_block *b, int at)
+{
+    const tbx_i4 low = (tbx_i4)tbx_load_words(&b->first[at]) == (tbx_i4)tbx_load_words(&b->first[at + 1]);
+    const tbx_i4 high =
+        (tbx_i4)tbx_load_words(&b->first[at + 2]) == (tbx_i4)tbx_load_words(&b->first[at + 3]);
+    const tbx_i4 more = (tbx_i4)tbx_load_words(&b->more[at]) == (tbx_i4)tbx_load_words(&b->more[at + 1]);
+    return ((tbx_i4)__builtin_ia32_packssdw128(low, high) == tbx_splat_int(-1)) & more;
+}
+
+TBX_FORCED uint64_t tbx_boxes_alike(const tbx_block *b, int at)
+{
+    const tbx_i4 a0 = tbx_four_alike(b, at);
+    const tbx_i4 a1 = tbx_four_alike(b, at + 4);
+    const tbx_i4 a2 = tbx_four_alike(b, at + 8);
+    const tbx_i4 a3 = tbx_four_alike(b, at + 12);
+    return tbx_bytes_signs((tbx_b16)__builtin_ia32_packsswb128(__builtin_ia32_packssdw128(a0, a1),
+                                                               __builtin_ia32_packssdw128(a2, a3)));
+}
+
+/* The extents of boxes, x, y and z apart. */
+typedef struct tbx_sizes {
+    tbx_b16 x[TBX_BLOCK / 16];
+    tbx_b16 y[TBX_BLOCK / 16];
+    tbx_b16 z[TBX_BLOCK / 16];
+} TBX_ALIGNED tbx_sizes;
+
+/* Of 16 boxes from number `at` on, flags being 0. */
+TBX_FORCED void tbx_sizes_of(tbx_b16 *x, tbx_b16 *y, tbx_b16 *z, const uint32_t *more)
+{
+    const tbx_h8 low = (tbx_h8)tbx_splat_int(0x00ff00ff);
+    const tbx_h8 m0 = tbx_load_words(more);
+    const tbx_h8 m1 = tbx_load_words(more + 4);
+    const tbx_h8 m2 = tbx_load_words(more + 8);
+    const tbx_h8 m3 = tbx_load_words(more + 12);
+    const tbx_h8 y0 = tbx_bytes_of(m0 & low, m1 & low);
+    const tbx_h8 y1 = tbx_bytes_of(m2 & low, m3 & low);
+    const tbx_h8 xz0 = tbx_bytes_of(m0 >> 8, m1 >> 8);
+    const tbx_h8 xz1 = tbx_bytes_of(m2 >> 8, m3 >> 8);
+    *x = (tbx_b16)tbx_bytes_of(xz0 & low, xz1 & low);
+    *y = (tbx_b16)tbx_bytes_of(y0 >> 8, y1 >> 8);
+    *z = (tbx_b16)tbx_bytes_of(xz0 >> 8, xz1 >> 8);
+}
+
+/* The classes of the boxes in `some`, which are larger than 2^3 voxels. */
+TBX_FORCED void tbx_block_larger(tbx_block *b, const tbx_sizes *e, uint64_t some)
+{
+    const tbx_b16 three = (tbx_b16)tbx_splat_int(0x03030303);
+    uint64_t above = 0;
+    uint64_t has = 0;
+    int i;
+    for (i = TBX_BLOCK / 16 - 1; i >= 0; i--) {
+        const tbx_b16 any = e->x[i] | e->y[i] | e->z[i];
+        above = above << 16 | tbx_bytes_signs(any | (tbx_b16)(any > three));
+        has = has << 16 | tbx_bytes_signs((tbx_b16)(e->x[i] == three) | (tbx_b16)(e->y[i] == three) |
+                                          (tbx_b16)(e->z[i] == three));
+    }
+    b->of[TBX_CLASS_3] = some & ~(above | has);
+    b->of[TBX_CLASS_4] = some & has & ~above;
+    b->of[TBX_CLASS_LARGE] = some & above;
+}
+
+/* The classes of the boxes in `some`. Returns which are the same as their successors. */
+TBX_FORCED uint64_t tbx_block_classes(tbx_block *b, uint64_t some)
+{
+    const tbx_b16 none = (tbx_b16)tbx_splat_int(0);
+    const tbx_b16 one = (tbx_b16)tbx_splat_int(0x01010101);
+    tbx_sizes e;
+    uint64_t larger = 0;
+    uint64_t alike = 0;
+    uint64_t x = 0;
+    uint64_t y = 0;
+    uint64_t z = 0;
+    uint64_t flat;
+    int i;
+    for (i = TBX_BLOCK / 16 - 1; i >= 0; i--) {
+        tbx_b16 any;
+        tbx_sizes_of(&e.x[i], &e.y[i], &e.z[i], &b->more[16 * i]);
+        any = e.x[i] | e.y[i] | e.z[i];
+        x = x << 16 | tbx_bytes_signs((tbx_b16)(e.x[i] > none));
+        y = y << 16 | tbx_bytes_signs((tbx_b16)(e.y[i] > none));
+        z = z << 16 | tbx_bytes_signs((tbx_b16)(e.z[i] > none));
+        larger = larger << 16 | tbx_bytes_signs(any | (tbx_b16)(any > one));
+        alike = alike << 16 | tbx_boxes_alike(b, 16 * i);
+    }
+    larger &= some;
+    some ^= larger;
+    b->of[TBX_CLASS_ONE] = some & ~(x | y | z);
+    b->of[TBX_CLASS_RUN] = some & x & ~(y | z);
+    b->of[TBX_CLASS_PAIR] = some & ~x & (y ^ z);
+    flat = some & ((x & (y ^ z)) | (y & z & ~x));
+    b->of[TBX_CLASS_FLAT_X] = flat & ~x;
+    b->of[TBX_CLASS_FLAT_Y] = flat & ~y;
+    b->of[TBX_CLASS_FLAT_Z] = flat & ~z;
+    b->of[TBX_CLASS_2] = some & x & y & z;
+    if (larger != 0) {
+        tbx_block_larger(b, &e, larger);
+    }
+    return alike;
+}
+#else
+TBX_FORCED uint64_t tbx_block_classes(tbx_block *b, uint64_t some)
+{
+    uint64_t rest;
+    uint64_t alike = 0;
+    for (rest = some; rest != 0; rest &= rest - 1) {
+        const int i = __builtin_ctzll(rest);
+        b->of[tbx_class_of(b->more[i])] |= rest & (0 - rest);
+        alike |= (uint64_t)(b->first[i] == b->first[i + 1] && b->more[i] == b->more[i + 1]) << i;
+    }
+    return alike;
+}
+#endif
 
 /* Asks for the memory of boxes' voxels. */
 TBX_FORCED void tbx_block_fetch(const tbx_block *b, const tbx_quick *q, int count)
@@ -11956,45 +12027,30 @@ TBX_FORCED void tbx_block_fetch(const tbx_block *b, const tbx_quick *q, int coun
 TBX_FORCED void tbx_block_boxes(tbx_block *b, const tbx_quick *q, const tbx_corners *corners, int count)
 {
     const uint64_t all = ~(uint64_t)0 >> (64 - count);
-    unsigned char code[TBX_BLOCK] TBX_ALIGNED;
     uint64_t sure = 0;
-    uint64_t same = 0;
-    tbx_s8 last_first = (tbx_s8)tbx_splat_int(-1); /* no box */
-    tbx_s8 last_more = last_first;
     tbx_fixed f;
     int i;
     TBX_KEEP_POINTER(corners); /* nothing is computed before they are known to be near */
     tbx_fixed_of(&f, q);
     for (i = 0; i < count; i += 4) {
         tbx_four four;
-        tbx_i4 alike[2];
-        int32_t codes;
         tbx_four_find(&four, q, &f, corners, i, 0);
         tbx_four_store(b, i, q, &f, &four);
-        alike[0] = tbx_words_before(last_first, four.first[0]) & tbx_words_before(last_more, four.more[0]);
-        alike[1] =
-            tbx_words_before(four.first[0], four.first[1]) & tbx_words_before(four.more[0], four.more[1]);
-        last_first = four.first[1];
-        last_more = four.more[1];
         sure = sure >> 4 | (uint64_t)(unsigned)tbx_signs(four.sure) << 60;
-        same = same >> 4 |
-               (uint64_t)(unsigned)tbx_signs((tbx_i4)tbx_words_of(alike[0], alike[1]) == tbx_splat_int(-1))
-                   << 60;
-        codes = tbx_bytes_of(four.code);
-        TBX_COPY(code + i, &codes, sizeof codes);
     }
-    for (; i < TBX_BLOCK; i += 4) {
-        sure >>= 4;
-        same >>= 4;
-        code[i] = code[i + 1] = code[i + 2] = code[i + 3] = 0;
+    for (; i < TBX_BLOCK; i++) {
+        b->first[i] = b->more[i] = 0;
+        sure >>= 1;
     }
+    b->first[TBX_BLOCK] = b->first[TBX_BLOCK + 1] = 0;
+    b->more[TBX_BLOCK] = b->more[TBX_BLOCK + 1] = b->more[TBX_BLOCK + 2] = b->more[TBX_BLOCK + 3] = 0;
     sure &= all;
-    b->same = same & sure & sure << 1; /* others will have other boxes */
     b->of[TBX_CLASS_OTHER] = all ^ sure;
     if (q->thin) {
         b->of[TBX_CLASS_LARGE] = sure;
     } else {
-        tbx_block_classes(b, code, sure);
+        const uint64_t same = tbx_block_classes(b, sure) << 1;
+        b->same = same & sure & sure << 1; /* others will have other boxes */
     }
     if (!q->short_axes) {
         tbx_block_words(b, q, count);
@@ -12024,26 +12080,16 @@ TBX_FORCED tbx_i4 tbx_key_box(uint64_t key, int32_t more)
     return r;
 }
 
-/* The key of a box of up to 4^3: words of extents are moved to two bits each. */
+/* The key of a box of up to 4^3. */
 TBX_FORCED uint64_t tbx_block_key(const tbx_block *b, int i)
 {
-    const uint64_t gather = (uint64_t)1 << 42 | 1 << 28 | 1 << 14; /* to bits 58.. */
-    return b->first[i] | (b->more[i] * gather) >> 58;
+    return b->first[i] | (uint32_t)((b->more[i] & 0x03030300u) * 0x041040u) >> 26;
 }
 
-/* `more` of a box of any kind. */
+/* `more` of a box of any kind; extents above 63 are there as such. */
 TBX_FORCED int32_t tbx_block_more(const tbx_block *b, int i)
 {
-    const uint64_t more = b->more[i];
-    const uint32_t x = tbx_key_axis(more, 0);
-    const uint32_t y = tbx_key_axis(more, 1);
-    const uint32_t z = tbx_key_axis(more, 2);
-    if ((more & TBX_MORE_NOT_KNOWN) != 0 || (x | y | z) > 63) {
-        return TBX_NOT_KNOWN;
-    } else {
-        return (int32_t)(x | y << 8 | z << 16) | ((more & TBX_MORE_CUT) != 0 ? TBX_IS_CUT : 0) |
-               ((more & TBX_MORE_LATTICE) != 0 ? TBX_ON_LATTICE : 0);
-    }
+    return (int32_t)(b->more[i] >> 8 | b->more[i] << 24);
 }
 
 TBX_FORCED int32_t tbx_key_more(uint64_t key)
@@ -12063,24 +12109,17 @@ TBX_FORCED uint64_t tbx_key_voxels(uint64_t key)
 /* Puts triangle i of the block, with its box, into its class. */
 TBX_FORCED void tbx_block_add(tbx_block *b, const tbx_quick *q, int i, tbx_i4 box)
 {
-    const uint32_t x = (uint32_t)box[3] & 255;
-    const uint32_t y = (uint32_t)box[3] >> 8 & 255;
-    const uint32_t z = (uint32_t)box[3] >> 16 & 255;
-    unsigned c = TBX_CLASS_LARGE;
-    b->first[i] = tbx_key_set(box) & ~(uint64_t)65535;
-    b->more[i] = (uint64_t)x << 16 | (uint64_t)y << 32 | (uint64_t)z << 48;
-    if (box[3] != TBX_NOT_KNOWN && (box[3] & TBX_IS_CUT) == 0 && (x | y | z) < 4 && !q->thin) {
-        c = tbx_class_of(x * x * x + y * y * y + z * z * z, b->more[i]);
-    }
-    if ((box[3] & TBX_ON_LATTICE) != 0 && c != TBX_CLASS_SHORT) {
+    const uint32_t more = (uint32_t)box[3] << 8 | (uint32_t)box[3] >> 24;
+    const unsigned not_whole = TBX_ON_LATTICE >> 24 ^ 255; /* flags but that one: cut, or not known */
+    unsigned c = q->thin || (more & not_whole) != 0 ? (unsigned)TBX_CLASS_LARGE : tbx_class_of(more);
+    if ((box[3] & TBX_ON_LATTICE) != 0 && c > TBX_CLASS_PAIR) {
         c = c < TBX_CLASS_2 ? (unsigned)TBX_CLASS_2 : c;
         c = q->upper_open || c == TBX_CLASS_LARGE ? (unsigned)TBX_CLASS_LARGE
                                                   : c + (TBX_CLASS_ON_2 - TBX_CLASS_2);
     }
+    b->first[i] = tbx_key_set(box) & ~(uint64_t)65535;
+    b->more[i] = more;
     b->word[i] = tbx_first_word(q, b->first[i]);
-    b->more[i] |= box[3] == TBX_NOT_KNOWN ? TBX_MORE_NOT_KNOWN : 0;
-    b->more[i] |= (box[3] & TBX_IS_CUT) != 0 ? TBX_MORE_CUT : 0;
-    b->more[i] |= (box[3] & TBX_ON_LATTICE) != 0 ? TBX_MORE_LATTICE : 0;
     b->of[c] |= (uint64_t)1 << i;
 }
 
@@ -12111,7 +12150,7 @@ TBX_NOINLINE void tbx_block_careful(tbx_block *b, const tbx_quick *q, const tbx_
             continue;
         }
         tbx_four_find(&four, q, &f, corners, i, 1);
-        off = (unsigned)tbx_signs(four.off) & some;
+        off = ~(unsigned)tbx_signs(four.on) & some;
         if (off == some) {
             *other ^= (uint64_t)some << i;
             continue;
@@ -12119,10 +12158,9 @@ TBX_NOINLINE void tbx_block_careful(tbx_block *b, const tbx_quick *q, const tbx_
         tbx_four_store(b, i, q, &f, &four);
         sure = (unsigned)tbx_signs(four.sure) & some;
         *other ^= (uint64_t)(sure | off) << i;
-        for (j = 0; j < 4; j++) {
-            if ((sure >> j & 1u) != 0) {
-                c = q->thin ? TBX_CLASS_LARGE : (int)tbx_class_of((unsigned)four.code[j], b->more[i + j]);
-                b->of[c] |= (uint64_t)1 << (i + j);
+        for (j = i; sure != 0; j++, sure >>= 1) {
+            if ((sure & 1u) != 0) {
+                b->of[q->thin ? (unsigned)TBX_CLASS_LARGE : tbx_class_of(b->more[j])] |= (uint64_t)1 << j;
             }
         }
     }
@@ -14394,21 +14432,24 @@ TBX_FN void tbx_block_decide(tbx_fill *fill, const tbx_block *b, const tbx_corne
 TBX_FN void tbx_block_short(const tbx_block *b, const tbx_fill *fill)
 {
     const tbx_bits to = tbx_bits_of(fill);
-    uint64_t rest = b->of[TBX_CLASS_SHORT] & ~b->same;
-    size_t up[17];
-    up[0] = up[1] = 0;
-    up[4] = to.row_words;
-    up[16] = to.layer_words;
-    for (; rest != 0; rest &= rest - 1) {
+    uint64_t rest;
+    for (rest = b->of[TBX_CLASS_ONE] & ~b->same; rest != 0; rest &= rest - 1) {
         const int i = __builtin_ctzll(rest);
-        const uint64_t key = tbx_block_key(b, i);
-        const unsigned x = (unsigned)(key >> 16) & 63u;
-        const unsigned more_x = (unsigned)key & 1u;
-        const uint64_t run = (uint64_t)(1 + 2 * more_x) << x;
+        to.bits[b->word[i]] |= (uint64_t)1 << (b->first[i] >> 16 & 63);
+    }
+    for (rest = b->of[TBX_CLASS_PAIR] & ~b->same; rest != 0; rest &= rest - 1) {
+        const int i = __builtin_ctzll(rest);
+        const uint64_t bit = (uint64_t)1 << (b->first[i] >> 16 & 63);
         uint64_t *row = to.bits + b->word[i];
-        row[0] |= run;
-        row[up[key & 63]] |= run;
-        if (TBX_RARELY(x + more_x > 63)) {
+        row[0] |= bit;
+        row[b->more[i] >> 24 != 0 ? to.layer_words : to.row_words] |= bit;
+    }
+    for (rest = b->of[TBX_CLASS_RUN] & ~b->same; rest != 0; rest &= rest - 1) {
+        const int i = __builtin_ctzll(rest);
+        const unsigned x = (unsigned)(b->first[i] >> 16) & 63u;
+        uint64_t *row = to.bits + b->word[i];
+        row[0] |= (uint64_t)3 << x;
+        if (TBX_RARELY(x == 63)) {
             row[1] |= 1;
         }
     }
@@ -14583,7 +14624,9 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
         unsigned c;
         int j;
         tbx_decide_block(&u.decided, &q, f->grid, source, t, in_block, &habit);
-        for (rest_of = u.decided.block.of[TBX_CLASS_SHORT]; rest_of != 0; rest_of &= rest_of - 1) {
+        rest_of = u.decided.block.of[TBX_CLASS_ONE] | u.decided.block.of[TBX_CLASS_RUN] |
+                  u.decided.block.of[TBX_CLASS_PAIR];
+        for (; rest_of != 0; rest_of &= rest_of - 1) {
             const int i = __builtin_ctzll(rest_of);
             const uint64_t key = tbx_block_key(&u.decided.block, i);
             span[0].x0 = span[1].x0 = span[1].x1 = lo[0] + (int)tbx_key_axis(key, 0);
@@ -16901,9 +16944,6 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_HIGH_WORDS
 #undef TBX_LOW_WORDS
 #undef TBX_LIST
-#undef TBX_MORE_NOT_KNOWN
-#undef TBX_MORE_CUT
-#undef TBX_MORE_LATTICE
 #undef TBX_JOIN
 #undef TBX_PAIR
 #undef TBX_KEY32_MAX
