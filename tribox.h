@@ -11466,7 +11466,7 @@ TBX_FORCED tbx_sw tbx_words_join(tbx_iw a, tbx_iw b)
 #endif
 }
 
-/* Of words that are no less than -128, in fours, bytes of a number, from the lowest on; 127 at most. */
+/* Words in fours as bytes of a number, from the lowest on; what is no byte becomes the one next to it. */
 TBX_FORCED tbx_i4 tbx_bytes_join(const tbx_sw words[8 / TBX_WIDE])
 {
 #if defined(__AVX2__)
@@ -11480,7 +11480,8 @@ TBX_FORCED tbx_i4 tbx_bytes_join(const tbx_sw words[8 / TBX_WIDE])
     int i;
     for (i = 0; i < 16; i++) {
         const int word = words[i >> 3][i & 7];
-        r[i >> 2] |= (int32_t)((uint32_t)((word > 127 ? 127 : word) & 255) << 8 * (i & 3));
+        const int byte = word > 127 ? 127 : word < -128 ? -128 : word;
+        r[i >> 2] |= (int32_t)((uint32_t)(byte & 255) << 8 * (i & 3));
     }
     return r;
 #endif
