@@ -9557,13 +9557,14 @@ TBX_FN int tbx_pierce_ends(const float t[2], double out[2])
     return 1;
 }
 
-/* Where the ray enters (e = 0) or leaves (1), as a key: at t, or at its own end. */
+/* Where the ray enters (e = 0) or leaves (1), as a key: at t, or at its own end, a float. Which one comes
+ * first needs no test of its own: a float nearer to t than error leaves no single key to round to. */
 TBX_FN int64_t tbx_pierce_end(double t, double error, int e, double own, const float *own_float, int *unsure)
 {
     const double beyond = e == 0 ? own - t : t - own;
     const int64_t key = tbx_round_outward(t, error, e);
-    const int64_t is_own = -(int64_t)(beyond > error); /* a coin toss: no branch */
-    *unsure |= (tbx_abs(beyond) <= error) | ((key | is_own) == 0);
+    const int64_t is_own = -(int64_t)(beyond >= error); /* a coin toss: no branch */
+    *unsure |= (key | is_own) == 0;
     return (key & ~is_own) | ((int64_t)tbx_key32(own_float) & is_own);
 }
 

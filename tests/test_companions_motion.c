@@ -90,6 +90,10 @@ static void boxes_at_the_ends_of_the_number_line(void)
             b_min[a] = not_a_number();
             CHECK(tribox_box_box(a_min, a_max, b_min, b_max) == 0);
             CHECK(tribox_box_box(b_min, b_max, a_min, a_max) == 0);
+            b_max[a] = b_min[a]; /* both faces one NaN, and one of the other sign */
+            CHECK(tribox_box_box(b_min, b_max, b_min, b_max) == 0);
+            b_max[a] = b_min[a] = -b_min[a];
+            CHECK(tribox_box_box(b_min, b_max, b_min, b_max) == 0);
             a_min[a] = b_min[a] = -5;
             a_max[a] = b_max[a] = 5;
         }
