@@ -781,6 +781,14 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #error "TRIBOX_SIMD=1 needs the vector extensions of gcc (9 or later) or clang, and no device code"
 #endif
 
+/* Before a short loop of scalar code: unrolled where that is what answers, kept short where section 11 leaves
+ * little to it. */
+#if TBX_GNU && !defined(__clang__) && __GNUC__ >= 8 && !TRIBOX_SIMD
+#define TBX_UNROLL _Pragma("GCC unroll 8")
+#else
+#define TBX_UNROLL
+#endif
+
 /* How to get at the processor's square root, which calls no library: 0 not at all, 1 and 2 by builtins. */
 #if !TBX_HAS_VECTORS || !defined(__SSE2_MATH__)
 #define TBX_ROOT 0
@@ -997,18 +1005,13 @@ TBX_FN int tbx_no_more(double a, double b)
 /* A float subnormal is mantissa * 2^-149, a normal double. NaN stays a quiet NaN, infinity infinity. */
 TBX_COLD void tbx_widen_unusual(double *out, uint32_t bits)
 {
-    uint64_t wide = (uint64_t)(bits & 0x80000000u) << 32;
-    uint64_t mantissa = bits & 0x007fffffu;
-    uint64_t exponent = 1023 - 126;
-    if ((bits & 0x7f800000u) != 0) {
-        wide |= mantissa != 0 ? 0x7ff8000000000000u : 0x7ff0000000000000u;
-    } else {
-        while (mantissa < 0x00800000u) {
-            mantissa <<= 1;
-            exponent--;
-        }
-        wide |= (exponent << 52) | ((mantissa & 0x007fffffu) << 29);
+    const uint32_t mantissa = bits & 0x007fffffu;
+    const double subnormal = (double)(int32_t)mantissa * TBX_POW2(-149);
+    uint64_t wide = mantissa != 0 ? 0x7ff8000000000000u : 0x7ff0000000000000u;
+    if ((bits & 0x7f800000u) == 0) {
+        TBX_COPY(&wide, &subnormal, sizeof wide);
     }
+    wide |= (uint64_t)(bits & 0x80000000u) << 32;
     TBX_COPY(out, &wide, sizeof wide);
 }
 
@@ -1056,9 +1059,14 @@ TBX_FN int tbx_finite3(const double x[3])
 TBX_COLD int tbx_read_unusual(double out[3], const void *from)
 {
     float x[3];
+    int finite = 1;
+    int k;
     TBX_COPY(x, from, sizeof x);
-    tbx_widen3(out, x);
-    return tbx_finite3(out);
+    for (k = 0; k < 3; k++) {
+        tbx_widen(&out[k], &x[k]);
+        finite &= tbx_is_finite(&out[k]);
+    }
+    return finite;
 }
 
 /* Two floats' bits in one word: is one of them neither 0 nor normal? Bits 31 and 63 say so, without a carry
@@ -1110,6 +1118,12 @@ TBX_FN uint64_t tbx_magnitude64(int64_t key)
     return key < 0 ? (uint64_t)0 - (uint64_t)key : (uint64_t)key;
 }
 
+/* The finite number with this key. */
+TBX_FN double tbx_from_key64(int64_t key)
+{
+    return tbx_from_bits64(tbx_magnitude64(key) | (uint64_t)(key < 0) << 63);
+}
+
 TBX_FN int64_t tbx_key64(const double *x)
 {
     return tbx_key_of_bits(tbx_bits64(x));
@@ -1139,154 +1153,45 @@ TBX_FN double tbx_max(double a, double b)
 
 /* ---- 5. Exact integers ------------------------------------------------------------------------------------
  *
- * Integers of any length, for the signs asked below and, in section 10, for all that companions compute. */
+ * Integers of n limbs, the lowest first, in two's complement, for the signs asked below. Section 10 has
+ * numbers of any length for all that companions compute. */
 
+/* WebAssembly multiplies 128 bits by a function of a library, which there need not be. */
 #if TBX_GNU && defined(__SIZEOF_INT128__) && !defined(__CUDACC__) && !defined(__HIP__) && !defined(__wasm__)
 typedef uint64_t tbx_limb;
+typedef int64_t tbx_signed_limb;
 __extension__ typedef unsigned __int128 tbx_two_limbs;
+__extension__ typedef __int128 tbx_two_signed;
 #define TBX_LIMB_BITS 64
 #else
 typedef uint32_t tbx_limb;
+typedef int32_t tbx_signed_limb;
 typedef uint64_t tbx_two_limbs;
+typedef int64_t tbx_two_signed;
 #define TBX_LIMB_BITS 32
 #endif
 
-/* Where the limbs of a calculation's numbers lie, one behind the other. */
-typedef struct tbx_calc {
-    int exact;       /* 1: in integers; 0, in section 10 only: in double */
-    int unsure;      /* in double: some sign was not certain, what follows means nothing */
-    int used;        /* limbs of the store */
-    tbx_limb *store; /* in integers */
-} tbx_calc;
-
-/* A value of either kind. Limbs are never changed once they are written, so numbers may be copied. */
-typedef struct tbx_num {
-    double mid; /* in double: see section 10 */
-    double rad;
-    int sign; /* in integers: sign * sum of store[at + i] * base^(exponent + i), i < n, base 2^LIMB_BITS */
-    int exponent;
-    int at;
-    int n; /* the first and the last limb are not 0; no limbs, no sign, for 0 */
-} tbx_num;
-
-/* Ends a number whose n limbs were written at the end of the store: drops zeros at both ends. */
-TBX_FN void tbx_num_end(tbx_calc *c, tbx_num *r, int n, int exponent, int sign)
+/* to = x + y, or x - y where flip has all bits set, not 0: -y is ~y + 1. */
+TBX_NOINLINE void tbx_limbs_add(tbx_limb *to, const tbx_limb *x, const tbx_limb *y, int n, tbx_limb flip)
 {
-    r->at = c->used;
-    c->used += n;
-    while (n > 0 && c->store[r->at + n - 1] == 0) {
-        n--;
-    }
-    while (n > 0 && c->store[r->at] == 0) {
-        r->at++;
-        exponent++;
-        n--;
-    }
-    r->mid = 0.0; /* unused; compilers warn of what they cannot see */
-    r->rad = 0.0;
-    r->n = n;
-    r->exponent = exponent;
-    r->sign = n == 0 ? 0 : sign;
-}
-
-/* Moves a number's limbs. */
-TBX_FN void tbx_num_move(const tbx_calc *c, tbx_num *r, int at)
-{
+    tbx_two_limbs carry = flip & 1u;
     int i;
-    for (i = 0; i < r->n; i++) {
-        c->store[at + i] = c->store[r->at + i];
-    }
-    r->at = at;
-}
-
-/* Gives back what was used since `mark`, but for the numbers r, in the order in which they were made, whose
- * limbs are moved there. */
-TBX_FN void tbx_num_keep(tbx_calc *c, int mark, tbx_num *r, int count)
-{
-    int i;
-    for (i = 0; i < count && c->exact; i++) {
-        tbx_num_move(c, &r[i], mark);
-        mark += r[i].n;
-    }
-    c->used = mark;
-}
-
-/* r = mantissa * 2^exponent */
-TBX_NOINLINE void tbx_num_set_exact(tbx_calc *c, tbx_num *r, int64_t mantissa, int exponent)
-{
-    uint64_t rest = tbx_magnitude64(mantissa);
-    const int limb = (exponent + 128 * TBX_LIMB_BITS) / TBX_LIMB_BITS - 128; /* rounded down */
-    const int shift = exponent - limb * TBX_LIMB_BITS;
-    tbx_limb *to = c->store + c->used;
-    tbx_two_limbs carry = 0;
-    int n = 0;
-    while (rest != 0 || carry != 0) {
-        carry += (tbx_two_limbs)(tbx_limb)rest << shift;
-        to[n++] = (tbx_limb)carry;
-        carry >>= TBX_LIMB_BITS;
-        rest = TBX_LIMB_BITS < 64 ? rest >> (TBX_LIMB_BITS & 63) : 0;
-    }
-    tbx_num_end(c, r, n, limb, mantissa < 0 ? -1 : 1);
-}
-
-/* The limb worth base^i. */
-TBX_FN tbx_limb tbx_num_limb(const tbx_calc *c, const tbx_num *a, int i)
-{
-    return i >= a->exponent && i - a->exponent < a->n ? c->store[a->at + i - a->exponent] : 0;
-}
-
-/* r = a + sign * b. Where signs differ, the magnitudes' difference in two's complement, negated if it is
- * below 0. */
-TBX_NOINLINE void tbx_num_add_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
-{
-    const int b_sign = sign * b->sign;
-    const int a_hi = a->exponent + a->n;
-    const int b_hi = b->exponent + b->n;
-    const int lo = a->exponent < b->exponent ? a->exponent : b->exponent;
-    const int n = (a_hi > b_hi ? a_hi : b_hi) - lo + 1;
-    const int opposite = a->sign != b_sign;
-    const tbx_limb flip = (tbx_limb)0 - (tbx_limb)opposite;
-    tbx_limb *to = c->store + c->used;
-    tbx_two_limbs carry = (tbx_two_limbs)opposite;
-    int i;
-    if (a->sign == 0 || b_sign == 0) {
-        const int r_sign = a->sign + b_sign;
-        *r = a->sign != 0 ? *a : *b;
-        r->sign = r_sign;
-        return;
-    }
     for (i = 0; i < n; i++) {
-        carry += (tbx_two_limbs)tbx_num_limb(c, a, lo + i) + (tbx_num_limb(c, b, lo + i) ^ flip);
+        carry += (tbx_two_limbs)x[i] + (y[i] ^ flip);
         to[i] = (tbx_limb)carry;
         carry >>= TBX_LIMB_BITS;
     }
-    if (opposite && to[n - 1] != 0) {
-        carry = 1;
-        for (i = 0; i < n; i++) {
-            carry += (tbx_limb)~to[i];
-            to[i] = (tbx_limb)carry;
-            carry >>= TBX_LIMB_BITS;
-        }
-        tbx_num_end(c, r, n, lo, b_sign);
-    } else {
-        tbx_num_end(c, r, n, lo, a->sign);
-    }
 }
 
-/* r = a * b */
-TBX_NOINLINE void tbx_num_mul_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b)
+/* to = x * y, of n and m limbs without signs, m > 0 */
+TBX_FN void tbx_limbs_mul(tbx_limb *to, const tbx_limb *x, int n, const tbx_limb *y, int m)
 {
-    const tbx_limb *x = c->store + a->at;
-    const tbx_limb *y = c->store + b->at;
-    tbx_limb *to = c->store + c->used;
-    const int n = a->n;
-    const int m = b->n;
     int i;
     int j;
     for (i = 0; i < m; i++) {
         to[i] = 0;
     }
-    for (i = 0; i < n && m > 0; i++) {
+    for (i = 0; i < n; i++) {
         tbx_two_limbs carry = 0;
         for (j = 0; j < m; j++) {
             carry += (tbx_two_limbs)x[i] * y[j] + to[i + j];
@@ -1295,7 +1200,57 @@ TBX_NOINLINE void tbx_num_mul_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, c
         }
         to[i + m] = (tbx_limb)carry;
     }
-    tbx_num_end(c, r, n > 0 && m > 0 ? n + m : 0, a->exponent + b->exponent, a->sign * b->sign);
+}
+
+/* All bits set where x is below 0, else 0. */
+TBX_FN tbx_limb tbx_limbs_flip(const tbx_limb *x, int n)
+{
+    return (tbx_limb)0 - (x[n - 1] >> (TBX_LIMB_BITS - 1));
+}
+
+/* to = x * y: without signs a number below 0 is too large by 2^(its bits), and the product by that times the
+ * other one. */
+TBX_FN void tbx_limbs_product(tbx_limb *to, const tbx_limb *x, int n, const tbx_limb *y, int m)
+{
+    tbx_limbs_mul(to, x, n, y, m);
+    if (tbx_limbs_flip(x, n) != 0) {
+        tbx_limbs_add(to + n, to + n, y, m, ~(tbx_limb)0);
+    }
+    if (tbx_limbs_flip(y, m) != 0) {
+        tbx_limbs_add(to + m, to + m, x, n, ~(tbx_limb)0);
+    }
+}
+
+TBX_FN int tbx_limbs_sign(const tbx_limb *x, int n)
+{
+    tbx_limb some = 0;
+    int i;
+    for (i = 0; i < n; i++) {
+        some |= x[i];
+    }
+    return tbx_limbs_flip(x, n) != 0 ? -1 : some != 0;
+}
+
+/* to += value * 2^shift */
+TBX_FN void tbx_limbs_place(tbx_limb *to, int n, int64_t value, int shift)
+{
+    const tbx_limb flip = (tbx_limb)0 - (tbx_limb)(value < 0);
+    uint64_t rest = tbx_magnitude64(value);
+    tbx_two_limbs carry = flip & 1u;
+    tbx_two_limbs part = 0;
+    int i = shift / TBX_LIMB_BITS;
+    if (i == n - 1) { /* for speed: the limbs of a short number are one */
+        to[i] += (tbx_limb)(uint64_t)value << (shift % TBX_LIMB_BITS);
+        return;
+    }
+    for (; i < n; i++) {
+        part += (tbx_two_limbs)(tbx_limb)rest << (shift % TBX_LIMB_BITS);
+        carry += (tbx_two_limbs)to[i] + ((tbx_limb)part ^ flip);
+        to[i] = (tbx_limb)carry;
+        carry >>= TBX_LIMB_BITS;
+        part >>= TBX_LIMB_BITS;
+        rest = TBX_LIMB_BITS < 64 ? rest >> (TBX_LIMB_BITS & 63) : 0;
+    }
 }
 
 /* ---- Coordinates
@@ -1304,13 +1259,13 @@ TBX_NOINLINE void tbx_num_mul_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, c
  * origin + i*size (half = 2i), or the centre of a voxel (half = 2i + 1). All coordinates of one question are
  * multiples of one power of two 2^e, so every sign asked below is the sign of an integer.
  *
- * Width: a finite double is a multiple of 2^-1074 below 2^1024. |half| <= 2^32, so a coordinate times 2^1075
- * is below 2^(1024 + 33 + 1075) = 2^2132. A difference of two has at most 2133 bits, R with two limbs for its
- * unaligned ends; a determinant of degree d takes at most d R. A question keeps 15 differences. Besides,
- * tbx_orient3_long holds the sum, 3 R, and either what tbx_num_orient2 needs, 6 R (a product, 2 R, with two
- * differences, R each, and their product, 2 R, or with that and the difference of products, 2 R), or the next
- * term and the new sum, 6 R: 15 R + 9 R. */
-#define TBX_SIGN_STORE(count) ((count) * (2133 + 128) / TBX_LIMB_BITS + 1)
+ * Width: where all are below 2^t, differences are below 2^(t+1), differences of their products below
+ * 2^(2t+3), and the sum of three products of those with a difference below 2^(3t+6). In units of 2^e, with a
+ * sign, n = t - e + ROOM bits, 2n, and 3n hold them. A finite double is a multiple of 2^-1074, its half of
+ * 2^-1075, and below 2^1024; |half| <= 2^32, which has 33 bits. So t is at most 1025, as infinity is read as
+ * 2^1024, and with steps 1 + (1025 - 1 + 33) = 1058. */
+#define TBX_COORD_ROOM 3
+#define TBX_COORD_LIMBS ((1058 + 1075 + TBX_COORD_ROOM + TBX_LIMB_BITS - 1) / TBX_LIMB_BITS)
 
 typedef struct tbx_coord {
     int64_t base; /* as odd integers times powers of two */
@@ -1319,6 +1274,7 @@ typedef struct tbx_coord {
     int64_t key; /* of the base */
     int base_exponent;
     int step_exponent;
+    int top; /* the magnitude is below 2^top */
 } tbx_coord;
 
 #define TBX_NO_EXPONENT 4096 /* above every exponent: of zero */
@@ -1339,16 +1295,24 @@ TBX_FN int tbx_split(uint64_t bits, int64_t *out_mantissa)
         return TBX_NO_EXPONENT;
     }
     exponent -= 1075;
-    while ((mantissa & 0xffu) == 0) {
-        mantissa >>= 8;
-        exponent += 8;
-    }
+#if TBX_HAS_ASM
+    exponent += __builtin_ctzll(mantissa);
+    mantissa >>= __builtin_ctzll(mantissa);
+#else
     while ((mantissa & 1u) == 0) {
         mantissa >>= 1;
         exponent++;
     }
+#endif
     *out_mantissa = (bits >> 63) != 0 ? -(int64_t)mantissa : (int64_t)mantissa;
     return exponent;
+}
+
+/* Numbers with these bits are below 2^(what this returns). */
+TBX_FN int tbx_top(uint64_t bits)
+{
+    const int exponent = (int)((bits >> 52) & 0x7ffu);
+    return (exponent != 0 ? exponent : 1) - 1022;
 }
 
 /* The coordinate base + half*(step/2); an infinite number is read as 2^1024. */
@@ -1357,69 +1321,22 @@ TBX_NOINLINE tbx_coord tbx_at(const double *base, const double *step, int64_t ha
     const uint64_t bits = tbx_bits64(base);
     tbx_coord x;
     x.base_exponent = tbx_split(bits, &x.base);
+    x.top = tbx_top(bits);
     x.key = tbx_key_of_bits(bits);
     x.half = half;
     x.step = 0;
     x.step_exponent = TBX_NO_EXPONENT;
     if (half != 0) {
-        x.step_exponent = tbx_split(tbx_bits64(step), &x.step) - 1;
+        const uint64_t step_bits = tbx_bits64(step);
+        int top = tbx_top(step_bits) - 1;
+        uint64_t rest;
+        x.step_exponent = tbx_split(step_bits, &x.step) - 1;
+        for (rest = tbx_magnitude64(half); rest != 0; rest >>= 1) {
+            top++;
+        }
+        x.top = 1 + (top > x.top ? top : x.top);
     }
     return x;
-}
-
-/* The least power of two that divides both base and step/2. */
-TBX_FN int tbx_coord_exponent(const tbx_coord *x)
-{
-    return x->base_exponent < x->step_exponent ? x->base_exponent : x->step_exponent;
-}
-
-/* r = b - a */
-TBX_NOINLINE void tbx_coord_difference(tbx_calc *c, tbx_num *r, const tbx_coord *b, const tbx_coord *a)
-{
-    const int mark = c->used;
-    int sign;
-    tbx_num_set_exact(c, r, 0, 0);
-    for (sign = 1; sign >= -1; sign -= 2) {
-        const tbx_coord *x = sign > 0 ? b : a;
-        tbx_num base;
-        tbx_num step;
-        tbx_num half;
-        tbx_num_set_exact(c, &base, x->base, x->base_exponent);
-        tbx_num_add_exact(c, r, r, &base, sign);
-        if (x->half != 0) {
-            tbx_num_set_exact(c, &step, x->step, x->step_exponent);
-            tbx_num_set_exact(c, &half, x->half, 0);
-            tbx_num_mul_exact(c, &step, &step, &half);
-            tbx_num_add_exact(c, r, r, &step, sign);
-        }
-    }
-    tbx_num_keep(c, mark, r, 1);
-}
-
-/* The short path: x / 2^e as a 62-bit integer. Returns 0 where it needs more. */
-TBX_FN int tbx_short(const tbx_coord *x, int e, int64_t *out)
-{
-    const int64_t limit = (int64_t)1 << 61;
-    int64_t value = x->base;
-    int shift = x->base_exponent - e;
-    if (value != 0) {
-        if (shift > 60 || value > (limit >> shift) || value < -(limit >> shift)) {
-            return 0;
-        }
-        value *= (int64_t)1 << shift;
-    }
-    if (x->half != 0) {
-        const int64_t half = x->half < 0 ? -x->half : x->half;
-        shift = x->step_exponent - e;
-        if (x->step != 0) {
-            if (shift > 60 || (x->step < 0 ? -x->step : x->step) > (limit >> shift) / half) {
-                return 0;
-            }
-            value += x->step * ((int64_t)1 << shift) * x->half;
-        }
-    }
-    *out = value;
-    return 1;
 }
 
 /* Points of one question: the corners, and the box's faces and centre planes per axis. */
@@ -1427,168 +1344,114 @@ enum { TBX_LO = 3, TBX_MID = 4, TBX_HI = 5, TBX_ROWS = 6 };
 
 typedef struct tbx_exact {
     tbx_coord x[TBX_ROWS][3]; /* rows 0..2: corners; LO, MID, HI */
-    int64_t s[TBX_ROWS][3];   /* x / 2^e - (v0 / 2^e), if is_short: |s| < 2^28 */
-    tbx_num d[TBX_ROWS][3];   /* x - v0, if not */
-    tbx_calc calc;
-    int e;
-    int is_short;
-    tbx_limb store[TBX_SIGN_STORE(24)];
+    int limbs;
+    tbx_limb d[TBX_ROWS][3][TBX_COORD_LIMBS]; /* x / 2^e, of so many limbs */
 } tbx_exact;
 
-/* The differences of the long path. */
-TBX_COLD void tbx_exact_long(tbx_exact *f)
+/* The coordinates x as integers, in the greatest unit that they have in common. Returns their limbs. */
+TBX_COLD int tbx_coords_place(tbx_limb (*to)[TBX_COORD_LIMBS], const tbx_coord *x, int count)
 {
-    int row;
-    int a;
-    f->is_short = 0;
-    f->calc.exact = 1;
-    f->calc.unsure = 0;
-    f->calc.used = 0;
-    f->calc.store = f->store;
-    for (row = 0; row < TBX_ROWS; row++) {
-        for (a = 0; a < 3; a++) {
-            tbx_coord_difference(&f->calc, &f->d[row][a], &f->x[row][a], &f->x[0][a]);
+    int e = TBX_NO_EXPONENT;
+    int top = -TBX_NO_EXPONENT;
+    int n = 1;
+    int i;
+    int j;
+    for (i = 0; i < count; i++) {
+        e = x[i].base_exponent < e ? x[i].base_exponent : e;
+        e = x[i].step_exponent < e ? x[i].step_exponent : e;
+        top = x[i].top > top ? x[i].top : top;
+    }
+    if (e < top) { /* else all are 0 */
+        n = (top - e + TBX_COORD_ROOM + TBX_LIMB_BITS - 1) / TBX_LIMB_BITS;
+    }
+    for (i = 0; i < count; i++) {
+        for (j = 0; j < n; j++) {
+            to[i][j] = 0;
+        }
+        for (j = 0; j < (x[i].half != 0 ? 3 : 1); j++) {
+            /* |step| < 2^53: both products are below 2^60 */
+            const int64_t part = j == 1 ? x[i].step % ((int64_t)1 << 27) : x[i].step / ((int64_t)1 << 27);
+            const int exponent = j == 0 ? x[i].base_exponent : x[i].step_exponent + (j == 2 ? 27 : 0);
+            tbx_limbs_place(to[i], n, j == 0 ? x[i].base : x[i].half * part, exponent - e);
         }
     }
+    return n;
 }
 
-/* Finds the common unit of all rows, and whether the short path can carry them. */
 TBX_FN void tbx_exact_finish(tbx_exact *f)
 {
-    const int64_t limit = (int64_t)1 << 28;
-    int row;
-    int a;
-    f->e = TBX_NO_EXPONENT;
-    for (row = 0; row < TBX_ROWS; row++) {
-        for (a = 0; a < 3; a++) {
-            const int e = tbx_coord_exponent(&f->x[row][a]);
-            f->e = e < f->e ? e : f->e;
-        }
-    }
-    f->is_short = 1;
-    for (a = 0; a < 3; a++) {
-        int64_t v0;
-        if (!tbx_short(&f->x[0][a], f->e, &v0)) {
-            tbx_exact_long(f);
-            return;
-        }
-        f->s[0][a] = 0;
-        for (row = 1; row < TBX_ROWS; row++) {
-            int64_t s;
-            if (!tbx_short(&f->x[row][a], f->e, &s) || s - v0 >= limit || s - v0 <= -limit) {
-                tbx_exact_long(f);
-                return;
-            }
-            f->s[row][a] = s - v0;
-        }
-    }
+    f->limbs = tbx_coords_place(f->d[0], f->x[0], 3 * TBX_ROWS);
 }
 
 /* The sign of a - b. */
 TBX_COLD int tbx_compare(const tbx_coord *a, const tbx_coord *b)
 {
-    const int ea = tbx_coord_exponent(a);
-    const int eb = tbx_coord_exponent(b);
-    const int e = ea < eb ? ea : eb;
-    int64_t sa;
-    int64_t sb;
-    if (tbx_short(a, e, &sa) && tbx_short(b, e, &sb)) {
-        return (sa > sb) - (sa < sb);
-    } else {
-        tbx_limb store[TBX_SIGN_STORE(3)];
-        tbx_calc c = { 1, 0, 0, NULL };
-        tbx_num d;
-        c.store = store;
-        tbx_coord_difference(&c, &d, a, b);
-        return d.sign;
+    tbx_coord x[2];
+    tbx_limb d[2][TBX_COORD_LIMBS];
+    int n;
+    x[0] = *a;
+    x[1] = *b;
+    n = tbx_coords_place(d, x, 2);
+    tbx_limbs_add(d[0], d[0], d[1], n, ~(tbx_limb)0);
+    return tbx_limbs_sign(d[0], n);
+}
+
+/* out = (b - a) x (q - a) in the plane of axes x, y, twice f->limbs long; a, b are corners, q is (x of row
+ * qx, y of row qy). Of one limb: differences below 2^62, so that nothing overflows. */
+TBX_NOINLINE void tbx_cross(const tbx_exact *f, tbx_limb *out, int x, int y, int a, int b, int qx, int qy)
+{
+    const int n = f->limbs;
+    tbx_limb u[TBX_COORD_LIMBS];
+    tbx_limb v[TBX_COORD_LIMBS];
+    tbx_limb second[2 * TBX_COORD_LIMBS];
+    if (n == 1) {
+        const tbx_signed_limb from_x = (tbx_signed_limb)f->d[a][x][0];
+        const tbx_signed_limb from_y = (tbx_signed_limb)f->d[a][y][0];
+        const tbx_two_signed r =
+            (tbx_two_signed)((tbx_signed_limb)f->d[b][x][0] - from_x) *
+                ((tbx_signed_limb)f->d[qy][y][0] - from_y) -
+            (tbx_two_signed)((tbx_signed_limb)f->d[b][y][0] - from_y) *
+                ((tbx_signed_limb)f->d[qx][x][0] - from_x);
+        out[0] = (tbx_limb)r;
+        out[1] = (tbx_limb)((tbx_two_limbs)r >> TBX_LIMB_BITS);
+        return;
     }
-}
-
-/* (b - a) x (q - a) in the plane of axes x, y; a, b are corners, q is (x of row qx, y of row qy) */
-TBX_NOINLINE tbx_num tbx_num_orient2(tbx_calc *c, const tbx_exact *f, int x, int y, int a, int b, int qx,
-                                     int qy)
-{
-    const int mark = c->used;
-    tbx_num r;
-    int sign;
-    tbx_num_set_exact(c, &r, 0, 0);
-    for (sign = 1; sign >= -1; sign -= 2) {
-        const int k = sign > 0 ? x : y;
-        const int l = sign > 0 ? y : x;
-        const int mark_u = c->used;
-        tbx_num u;
-        tbx_num v;
-        tbx_num_add_exact(c, &u, &f->d[b][k], &f->d[a][k], -1);
-        tbx_num_add_exact(c, &v, &f->d[sign > 0 ? qy : qx][l], &f->d[a][l], -1);
-        tbx_num_mul_exact(c, &u, &u, &v);
-        tbx_num_keep(c, mark_u, &u, 1);
-        tbx_num_add_exact(c, &r, &r, &u, sign);
-        tbx_num_keep(c, mark, &r, 1);
-    }
-    return r;
-}
-
-TBX_COLD int tbx_orient2_long(const tbx_exact *f, int x, int y, int a, int b, int qx, int qy)
-{
-    tbx_calc c = f->calc;
-    return tbx_num_orient2(&c, f, x, y, a, b, qx, qy).sign;
-}
-
-TBX_COLD int tbx_orient3_long(const tbx_exact *f, const int q[3])
-{
-    tbx_calc c = f->calc;
-    tbx_num sum;
-    int a;
-    tbx_num_set_exact(&c, &sum, 0, 0);
-    for (a = 0; a < 3; a++) {
-        const int mark = c.used;
-        tbx_num n = tbx_num_orient2(&c, f, (a + 1) % 3, (a + 2) % 3, 0, 1, 2, 2);
-        tbx_num_mul_exact(&c, &n, &n, &f->d[q[a]][a]);
-        tbx_num_keep(&c, mark, &n, 1);
-        tbx_num_add_exact(&c, &sum, &sum, &n, 1);
-        tbx_num_keep(&c, f->calc.used, &sum, 1);
-    }
-    return sum.sign;
-}
-
-/* |s| < 2^28, differences < 2^29, products < 2^58, their difference < 2^59: no overflow */
-TBX_FN int64_t tbx_orient2_short(const tbx_exact *f, int x, int y, int a, int b, int qx, int qy)
-{
-    return (f->s[b][x] - f->s[a][x]) * (f->s[qy][y] - f->s[a][y]) -
-           (f->s[b][y] - f->s[a][y]) * (f->s[qx][x] - f->s[a][x]);
+    tbx_limbs_add(u, f->d[b][x], f->d[a][x], n, ~(tbx_limb)0);
+    tbx_limbs_add(v, f->d[qy][y], f->d[a][y], n, ~(tbx_limb)0);
+    tbx_limbs_product(out, u, n, v, n);
+    tbx_limbs_add(u, f->d[b][y], f->d[a][y], n, ~(tbx_limb)0);
+    tbx_limbs_add(v, f->d[qx][x], f->d[a][x], n, ~(tbx_limb)0);
+    tbx_limbs_product(second, u, n, v, n);
+    tbx_limbs_add(out, out, second, 2 * n, ~(tbx_limb)0);
 }
 
 /* The sign of (b - a) x (q - a). */
-TBX_FN int tbx_orient2(const tbx_exact *f, int x, int y, int a, int b, int qx, int qy)
+TBX_COLD int tbx_orient2(const tbx_exact *f, int x, int y, int a, int b, int qx, int qy)
 {
-    if (f->is_short) {
-        const int64_t r = tbx_orient2_short(f, x, y, a, b, qx, qy);
-        return (r > 0) - (r < 0);
-    }
-    return tbx_orient2_long(f, x, y, a, b, qx, qy);
+    tbx_limb r[2 * TBX_COORD_LIMBS];
+    tbx_cross(f, r, x, y, a, b, qx, qy);
+    return tbx_limbs_sign(r, 2 * f->limbs);
 }
 
 /* The sign of n.(q - v0), q_k being row q[k] of axis k. */
-TBX_FN int tbx_orient3(const tbx_exact *f, const int q[3])
+TBX_COLD int tbx_orient3(const tbx_exact *f, const int q[3])
 {
-    if (f->is_short) {
-        /* n < 2^59 = high * 2^32 + low; |q| < 2^28: both sums below 3 * 2^60 */
-        int64_t high = 0;
-        int64_t low = 0;
-        int a;
-        for (a = 0; a < 3; a++) {
-            const int64_t n = tbx_orient2_short(f, (a + 1) % 3, (a + 2) % 3, 0, 1, 2, 2);
-            const int64_t n_low = (int64_t)((uint64_t)n & 0xffffffffu);
-            high += (n - n_low) / ((int64_t)1 << 32) * f->s[q[a]][a];
-            low += n_low * f->s[q[a]][a];
-        }
-        {
-            const int64_t rest = (int64_t)((uint64_t)low & 0xffffffffu);
-            high += (low - rest) / ((int64_t)1 << 32);
-            return high != 0 ? (high > 0) - (high < 0) : rest > 0;
-        }
+    const int n = f->limbs;
+    tbx_limb sum[3 * TBX_COORD_LIMBS];
+    int a;
+    for (a = 0; a < 3 * n; a++) {
+        sum[a] = 0;
     }
-    return tbx_orient3_long(f, q);
+    for (a = 0; a < 3; a++) {
+        tbx_limb normal[2 * TBX_COORD_LIMBS];
+        tbx_limb d[TBX_COORD_LIMBS];
+        tbx_limb product[3 * TBX_COORD_LIMBS];
+        tbx_cross(f, normal, (a + 1) % 3, (a + 2) % 3, 0, 1, 2, 2);
+        tbx_limbs_add(d, f->d[q[a]][a], f->d[0][a], n, ~(tbx_limb)0);
+        tbx_limbs_product(product, normal, 2 * n, d, n);
+        tbx_limbs_add(sum, sum, product, 3 * n, 0);
+    }
+    return tbx_limbs_sign(sum, 3 * n);
 }
 
 /* ---- 5b. The exact test -------------------------------------------------------------------------------- */
@@ -1693,8 +1556,12 @@ TBX_FN int tbx_exact_axes(const tbx_exact *f, unsigned asked, unsigned open_lo, 
             }
         }
     }
-    return (asked & 8u) == 0 || (tbx_exact_plane(f, n_sign, 1, open_lo, open_hi) &&
-                                 tbx_exact_plane(f, n_sign, -1, open_lo, open_hi));
+    for (i = 1; i >= -1 && (asked & 8u) != 0; i -= 2) {
+        if (!tbx_exact_plane(f, n_sign, i, open_lo, open_hi)) {
+            return 0;
+        }
+    }
+    return 1;
 }
 
 /* [SS10] 6-separating: max |n_k| h_k in place of the sum, so the critical point is the farthest of
@@ -1788,16 +1655,21 @@ TBX_COLD int tbx_exact_overlap(tbx_exact *f, unsigned flags)
     return tbx_exact_axes(f, TBX_ALL_AXES, open_lo, open_hi);
 }
 
+/* The corners and two opposite corners of the box; its centre is v0 until it is set. */
+TBX_COLD void tbx_exact_points(tbx_exact *f, const double v0[3], const double v1[3], const double v2[3],
+                               const double lo[3], const double hi[3])
+{
+    const double *const x[TBX_ROWS] = { v0, v1, v2, lo, v0, hi };
+    int i;
+    for (i = 0; i < 3 * TBX_ROWS; i++) {
+        f->x[i / 3][i % 3] = tbx_at(&x[i / 3][i % 3], NULL, 0);
+    }
+}
+
 /* The corners; the box's rows are v0 until they are set. */
 TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[3], const double v2[3])
 {
-    int k;
-    for (k = 0; k < 3; k++) {
-        f->x[0][k] = tbx_at(&v0[k], NULL, 0);
-        f->x[1][k] = tbx_at(&v1[k], NULL, 0);
-        f->x[2][k] = tbx_at(&v2[k], NULL, 0);
-        f->x[TBX_LO][k] = f->x[TBX_MID][k] = f->x[TBX_HI][k] = f->x[0][k];
-    }
+    tbx_exact_points(f, v0, v1, v2, v0, v0);
 }
 
 /* ---- 6. One box -------------------------------------------------------------------------------------------
@@ -1889,8 +1761,14 @@ TBX_FN int tbx_is_usual3(const double x[3])
 TBX_NOINLINE int tbx_all_usual(const double v0[3], const double v1[3], const double v2[3],
                                const double box_min[3], const double box_max[3])
 {
-    return tbx_is_usual3(v0) & tbx_is_usual3(v1) & tbx_is_usual3(v2) & tbx_is_usual3(box_min) &
-           tbx_is_usual3(box_max);
+    const double *const x[5] = { v0, v1, v2, box_min, box_max };
+    int usual = 1;
+    int i;
+    TBX_UNROLL
+    for (i = 0; i < 5; i++) {
+        usual &= tbx_is_usual3(x[i]);
+    }
+    return usual;
 }
 
 /* The box, clipped to the triangle's bounding box. Bit k of open_lo, open_hi: that face is not in the box. */
@@ -1901,41 +1779,46 @@ typedef struct tbx_clip {
     unsigned open_hi;
 } tbx_clip;
 
-/* Decides emptiness and the faces of finite corners and any box, on integer keys. Returns 0 if there is
- * nothing left of the box. A face is replaced by the triangle's extent, and then closed, only where it lies
- * strictly outside. */
-TBX_FN int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3], const double v2[3],
+/* Decides emptiness and the faces of any numbers, on integer keys: those of NaN are beyond infinity's.
+ * Returns 0 if the triangle is no set of points or nothing is left of the box. A face is replaced by the
+ * triangle's extent, and then closed, only where it lies strictly outside. */
+TBX_COLD int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3], const double v2[3],
                         const double box_min[3], const double box_max[3], unsigned flags)
 {
     const int lo_is_open = tbx_lo_is_open(flags);
     const int hi_is_open = tbx_hi_is_open(flags);
+    const int64_t infinity = (int64_t)0x7ff0000000000000u;
     int k;
     clip->open_lo = 0;
     clip->open_hi = 0;
     for (k = 0; k < 3; k++) {
-        const double t_min = tbx_min(tbx_min(v0[k], v1[k]), v2[k]);
-        const double t_max = tbx_max(tbx_max(v0[k], v1[k]), v2[k]);
+        const int64_t a = tbx_key64(&v0[k]);
+        const int64_t b = tbx_key64(&v1[k]);
+        const int64_t c = tbx_key64(&v2[k]);
         const int64_t lo = tbx_key64(&box_min[k]);
         const int64_t hi = tbx_key64(&box_max[k]);
-        const int64_t key_min = tbx_key64(&t_min);
-        const int64_t key_max = tbx_key64(&t_max);
-        if (tbx_is_nan(&box_min[k]) || tbx_is_nan(&box_max[k]) || lo + hi_is_open > hi ||
-            lo + lo_is_open > key_max || hi - hi_is_open < key_min) {
+        const int64_t ab_min = a < b ? a : b;
+        const int64_t ab_max = a < b ? b : a;
+        const int64_t t_min = ab_min < c ? ab_min : c;
+        const int64_t t_max = ab_max > c ? ab_max : c;
+        if (t_min <= -infinity || t_max >= infinity || lo < -infinity || hi > infinity ||
+            lo + hi_is_open > hi || lo + lo_is_open > t_max || hi - hi_is_open < t_min) {
             return 0;
         }
-        clip->lo[k] = lo < key_min ? t_min : box_min[k];
-        clip->hi[k] = hi > key_max ? t_max : box_max[k];
-        clip->open_lo |= (unsigned)(lo_is_open && lo >= key_min) << k;
-        clip->open_hi |= (unsigned)(hi_is_open && hi <= key_max) << k;
+        clip->lo[k] = tbx_from_key64(lo < t_min ? t_min : lo);
+        clip->hi[k] = tbx_from_key64(hi > t_max ? t_max : hi);
+        clip->open_lo |= (unsigned)(lo_is_open && lo >= t_min) << k;
+        clip->open_hi |= (unsigned)(hi_is_open && hi <= t_max) << k;
     }
     return 1;
 }
 
 /* The same of usual numbers, which can be compared as they are, on axis k. */
-TBX_FN int tbx_clip_axis(tbx_clip *clip, int k, const double v[3], double lo, double hi, unsigned flags)
+TBX_FN int tbx_clip_axis(tbx_clip *clip, int k, double v0, double v1, double v2, double lo, double hi,
+                         unsigned flags)
 {
-    const double t_min = tbx_lesser(tbx_lesser(v[0], v[1]), v[2]);
-    const double t_max = tbx_greater(tbx_greater(v[0], v[1]), v[2]);
+    const double t_min = tbx_lesser(tbx_lesser(v0, v1), v2);
+    const double t_max = tbx_greater(tbx_greater(v0, v1), v2);
     const double lower = tbx_greater(lo, t_min);
     const double upper = tbx_lesser(hi, t_max);
     int parted = lower > upper; /* also where lo > hi */
@@ -1954,6 +1837,7 @@ TBX_FN int tbx_clip_axis(tbx_clip *clip, int k, const double v[3], double lo, do
 typedef struct tbx_values {
     double value[4];
     double bound[4];
+    double support; /* |n|.h */
 } tbx_values;
 
 /* One axis of a question: a_1, a_2, m, h, the lengths of the edges, and x >= X. */
@@ -2008,21 +1892,28 @@ TBX_FN double tbx_filter_edges(const tbx_axis *b, const tbx_axis *c, double *out
 TBX_FN void tbx_filter(tbx_values *out, const double v0[3], const double v1[3], const double v2[3],
                        const tbx_clip *clip)
 {
-    const double ulps = TBX_ULPS * TBX_U64;
     tbx_axis x[3];
-    double n[3];
-    tbx_axis_set(&x[0], v0[0], v1[0], v2[0], clip->lo[0], clip->hi[0]);
-    tbx_axis_set(&x[1], v0[1], v1[1], v2[1], clip->lo[1], clip->hi[1]);
-    tbx_axis_set(&x[2], v0[2], v1[2], v2[2], clip->lo[2], clip->hi[2]);
-    out->value[0] = tbx_filter_edges(&x[1], &x[2], &n[0]);
-    out->value[1] = tbx_filter_edges(&x[2], &x[0], &n[1]);
-    out->value[2] = tbx_filter_edges(&x[0], &x[1], &n[2]);
-    out->value[3] = (tbx_abs(n[0]) * x[0].h + tbx_abs(n[1]) * x[1].h + tbx_abs(n[2]) * x[2].h) -
-                    tbx_abs(n[0] * x[0].m + n[1] * x[1].m + n[2] * x[2].m);
-    out->bound[0] = ulps * x[1].x * x[2].x;
-    out->bound[1] = ulps * x[2].x * x[0].x;
-    out->bound[2] = ulps * x[0].x * x[1].x;
-    out->bound[3] = out->bound[2] * x[2].x;
+    double along = 0.0;
+    double volume = TBX_ULPS * TBX_U64;
+    int k;
+    out->support = 0.0;
+    TBX_UNROLL
+    for (k = 0; k < 3; k++) {
+        tbx_axis_set(&x[k], v0[k], v1[k], v2[k], clip->lo[k], clip->hi[k]);
+        volume *= x[k].x;
+    }
+    TBX_UNROLL
+    for (k = 0; k < 3; k++) {
+        const tbx_axis *b = &x[(k + 1) % 3];
+        const tbx_axis *c = &x[(k + 2) % 3];
+        double n;
+        out->value[k] = tbx_filter_edges(b, c, &n);
+        out->bound[k] = TBX_ULPS * TBX_U64 * b->x * c->x;
+        out->support += tbx_abs(n) * x[k].h;
+        along += n * x[k].m;
+    }
+    out->value[3] = out->support - tbx_abs(along);
+    out->bound[3] = volume;
 }
 
 /* The power of two that maps an extent in [2^-300, 2^301) to [2^14, 2^15). */
@@ -2074,57 +1965,21 @@ TBX_FN int tbx_clip_on_lattice(const double v0[3], const double v1[3], const dou
     const double longest = tbx_greater(tbx_greater(tbx_extent64(v0, v1, v2, 0), tbx_extent64(v0, v1, v2, 1)),
                                        tbx_extent64(v0, v1, v2, 2));
     const double unit = tbx_lattice_unit(longest);
-    int whole = 1;
+    const double *const x[5] = { v0, v1, v2, clip->lo, clip->hi };
+    int i;
     int k;
-    for (k = 0; k < 3; k++) {
-        whole &= tbx_is_whole(v0[k], unit) & tbx_is_whole(v1[k], unit) & tbx_is_whole(v2[k], unit) &
-                 tbx_is_whole(clip->lo[k], unit) & tbx_is_whole(clip->hi[k], unit);
+    for (i = 0; i < 5; i++) {
+        for (k = 0; k < 3; k++) {
+            if (!tbx_is_whole(x[i][k], unit)) {
+                return 0;
+            }
+        }
     }
-    return whole;
-}
-
-/* Do the projections of three usual corners lie on one line? They do if the corners agree in one of the two
- * coordinates. Else it is found where differences are whole numbers below 2^25, since their products are
- * exact; where they are not, the answer is 0, for unknown. */
-TBX_FN int tbx_is_line(const double v0[3], const double v1[3], const double v2[3], int b, int c)
-{
-    const double x_b = tbx_extent64(v0, v1, v2, b);
-    const double x_c = tbx_extent64(v0, v1, v2, c);
-    double u_b;
-    double u_c;
-    double p;
-    double q;
-    if (!(x_b > 0.0) || !(x_c > 0.0)) {
-        return 1;
-    }
-    u_b = tbx_lattice_unit(x_b) * 0.0009765625; /* 2^-10 */
-    u_c = tbx_lattice_unit(x_c) * 0.0009765625;
-    if (!(tbx_is_whole(v0[b], u_b) & tbx_is_whole(v1[b], u_b) & tbx_is_whole(v2[b], u_b) &
-          tbx_is_whole(v0[c], u_c) & tbx_is_whole(v1[c], u_c) & tbx_is_whole(v2[c], u_c))) {
-        return 0;
-    }
-    p = (v1[b] - v0[b]) * (v2[c] - v0[c]);
-    q = (v1[c] - v0[c]) * (v2[b] - v0[b]);
-    return tbx_no_more(q, p) & tbx_no_more(p, q);
-}
-
-/* Have two points the same x and y? By their bits, which is quick; -0 and 0 are then not the same. */
-TBX_FN int tbx_may_repeat(const double a[3], const double b[3])
-{
-    return ((tbx_bits64(&a[0]) ^ tbx_bits64(&b[0])) | (tbx_bits64(&a[1]) ^ tbx_bits64(&b[1]))) == 0;
-}
-
-/* Do two of three usual points coincide? Then the other end of the segment from v0, else NULL. */
-TBX_COLD const double *tbx_segment_end(const double v0[3], const double v1[3], const double v2[3])
-{
-    const int v01 = v0[0] == v1[0] && v0[1] == v1[1] && v0[2] == v1[2];
-    const int v02 = v0[0] == v2[0] && v0[1] == v2[1] && v0[2] == v2[2];
-    const int v12 = v1[0] == v2[0] && v1[1] == v2[1] && v1[2] == v2[2];
-    return v01 ? v2 : v02 || v12 ? v1 : NULL;
+    return 1;
 }
 
 /* The values of a segment, whose edges are one, and which has no plane. */
-TBX_NOINLINE void tbx_filter_segment(tbx_values *out, const double p[3], const double q[3],
+TBX_FN void tbx_filter_segment(tbx_values *out, const double p[3], const double q[3],
                                      const tbx_clip *clip)
 {
     tbx_axis x[3];
@@ -2147,26 +2002,70 @@ TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const dou
                                const tbx_clip *clip, unsigned unsure)
 {
     tbx_exact f;
-    int k;
-    tbx_exact_corners(&f, v0, v1, v2);
-    for (k = 0; k < 3; k++) {
-        f.x[TBX_LO][k] = tbx_at(&clip->lo[k], NULL, 0);
-        f.x[TBX_HI][k] = tbx_at(&clip->hi[k], NULL, 0);
-    }
+    tbx_exact_points(&f, v0, v1, v2, clip->lo, clip->hi);
     tbx_exact_finish(&f);
     return tbx_exact_axes(&f, unsure, clip->open_lo, clip->open_hi);
 }
 
+/* Does t surpass p and q on some axis? */
+TBX_FN int tbx_is_outside(const double t[3], const double p[3], const double q[3])
+{
+    int outside = 0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        outside |= tbx_more(tbx_lesser(p[k], q[k]), t[k]) | tbx_more(t[k], tbx_greater(p[k], q[k]));
+    }
+    return outside;
+}
+
+/* Triangles without area, whose plane the filter never decides: corners on a line, or that repeat. An edge
+ * with the same bounding box as the triangle is asked alone: where it is surely hit, so is the triangle, and
+ * where the third corner is an end of it, they are one. */
+TBX_COLD int tbx_clipped_edge(const double v0[3], const double v1[3], const double v2[3],
+                              const tbx_clip *clip)
+{
+    const double *p = v0;
+    const double *q = v1;
+    const double *t = v2;
+    tbx_values edge;
+    int hit = 1;
+    int miss = 0;
+    int i;
+    for (i = 0; tbx_is_outside(t, p, q); i++) {
+        const double *const next = p;
+        if (i == 2) {
+            return TBX_UNSURE;
+        }
+        p = q;
+        q = t;
+        t = next;
+    }
+    tbx_filter_segment(&edge, p, q, clip);
+    for (i = 0; i < 3; i++) {
+        hit &= edge.value[i] >= edge.bound[i];
+        miss |= edge.value[i] < -edge.bound[i];
+    }
+    if (hit) {
+        return TBX_HIT;
+    }
+    return miss && !(tbx_is_outside(p, t, t) & tbx_is_outside(q, t, t)) ? TBX_MISS : TBX_UNSURE;
+}
+
 /* The filter leaves conditions unsure. On a lattice of whole units an edge's value is exact, a multiple of
  * the unit squared; the bound is below 2^-15 of that, so an unsure one is 0. The plane's value is exact too,
- * but may be unsure and not 0, so its sign is looked at. A triangle without area has no plane. What then
- * remains goes to exact signs. */
+ * but may be unsure and not 0, so its sign is looked at. What then remains goes to exact signs. */
 TBX_COLD int tbx_clipped_unsure(const double v0[3], const double v1[3], const double v2[3],
                                 const tbx_clip *clip, const tbx_values *filter)
 {
     const unsigned open = clip->open_lo | clip->open_hi;
     unsigned unsure = 0;
     int k;
+    if (filter->support <= filter->bound[3]) {
+        const int verdict = tbx_clipped_edge(v0, v1, v2, clip);
+        if (verdict != TBX_UNSURE) {
+            return verdict;
+        }
+    }
     for (k = 0; k < 4; k++) {
         unsure |= (unsigned)!(filter->value[k] >= filter->bound[k]) << k;
     }
@@ -2176,52 +2075,47 @@ TBX_COLD int tbx_clipped_unsure(const double v0[3], const double v1[3], const do
         }
         unsure &= open == 0 ? 0u : filter->value[3] > 0.0 ? 7u : 15u;
     }
-    if ((unsure & 8u) != 0 && tbx_is_line(v0, v1, v2, 0, 1) && tbx_is_line(v0, v1, v2, 1, 2) &&
-        tbx_is_line(v0, v1, v2, 2, 0)) {
-        unsure &= 7u;
-    }
     return unsure == 0 || tbx_clipped_exact(v0, v1, v2, clip, unsure);
 }
 
-/* The verdict for usual numbers: emptiness and the faces first, then the nine edges and the plane by the
- * filter, and what that leaves unsure by exact signs. A triangle with two equal corners is a segment and has
- * a filter of its own. */
-TBX_NOINLINE int tbx_overlap_usual(const double v0[3], const double v1[3], const double v2[3],
-                                   const double box_min[3], const double box_max[3], unsigned flags)
+/* The verdict of the nine edges and the plane, of usual numbers: by the filter, and what that leaves unsure
+ * by other means. */
+TBX_NOINLINE int tbx_clipped_usual(const double v0[3], const double v1[3], const double v2[3],
+                                   const tbx_clip *clip)
 {
-    const double x[3] = { v0[0], v1[0], v2[0] };
-    const double y[3] = { v0[1], v1[1], v2[1] };
-    const double z[3] = { v0[2], v1[2], v2[2] };
-    tbx_clip clip;
     tbx_values filter;
     double least;
     double most;
-    const double *end = NULL;
-    clip.open_lo = 0;
-    clip.open_hi = 0;
-    if (tbx_clip_axis(&clip, 0, x, box_min[0], box_max[0], flags) |
-        tbx_clip_axis(&clip, 1, y, box_min[1], box_max[1], flags) |
-        tbx_clip_axis(&clip, 2, z, box_min[2], box_max[2], flags)) {
-        return 0;
+    int k;
+    tbx_filter(&filter, v0, v1, v2, clip);
+    least = filter.value[3] - filter.bound[3];
+    most = filter.value[3] + filter.bound[3];
+    TBX_UNROLL
+    for (k = 0; k < 3; k++) {
+        least = tbx_lesser(least, filter.value[k] - filter.bound[k]);
+        most = tbx_lesser(most, filter.value[k] + filter.bound[k]);
     }
-    /* one branch, on two axes: on one alone corners often meet */
-    if (TBX_RARELY(tbx_may_repeat(v0, v1) | tbx_may_repeat(v0, v2) | tbx_may_repeat(v1, v2))) {
-        end = tbx_segment_end(v0, v1, v2);
-    }
-    if (TBX_RARELY(end != NULL)) {
-        tbx_filter_segment(&filter, v0, end, &clip);
-    } else {
-        tbx_filter(&filter, v0, v1, v2, &clip);
-    }
-    least = tbx_lesser(tbx_lesser(filter.value[0] - filter.bound[0], filter.value[1] - filter.bound[1]),
-                       tbx_lesser(filter.value[2] - filter.bound[2], filter.value[3] - filter.bound[3]));
-    most = tbx_lesser(tbx_lesser(filter.value[0] + filter.bound[0], filter.value[1] + filter.bound[1]),
-                      tbx_lesser(filter.value[2] + filter.bound[2], filter.value[3] + filter.bound[3]));
     /* one branch, hardly ever missed: a hit alone is a coin toss, and compilers would branch on it */
     if (tbx_more(0.0, most) | tbx_no_more(0.0, least)) {
         return least >= 0.0;
     }
-    return tbx_clipped_unsure(v0, v1, v2, &clip, &filter);
+    return tbx_clipped_unsure(v0, v1, v2, clip, &filter);
+}
+
+/* The verdict for usual numbers: emptiness and the faces first. */
+TBX_NOINLINE int tbx_overlap_usual(const double v0[3], const double v1[3], const double v2[3],
+                                   const double box_min[3], const double box_max[3], unsigned flags)
+{
+    tbx_clip clip;
+    int parted = 0;
+    int k;
+    clip.open_lo = 0;
+    clip.open_hi = 0;
+    TBX_UNROLL
+    for (k = 0; k < 3; k++) {
+        parted |= tbx_clip_axis(&clip, k, v0[k], v1[k], v2[k], box_min[k], box_max[k], flags);
+    }
+    return !parted && tbx_clipped_usual(v0, v1, v2, &clip);
 }
 
 /* Numbers that are not usual: clipped by their keys, then decided by the filter where that is possible. */
@@ -2229,16 +2123,12 @@ TBX_COLD int tbx_overlap_unusual(const double v0[3], const double v1[3], const d
                                  const double box_min[3], const double box_max[3], unsigned flags)
 {
     tbx_clip clip;
-    const double *lo;
-    const double *hi;
-    if (!tbx_corners_finite(v0, v1, v2) || !tbx_clip_box(&clip, v0, v1, v2, box_min, box_max, flags)) {
+    if (!tbx_clip_box(&clip, v0, v1, v2, box_min, box_max, flags)) {
         return 0;
     }
-    /* a box that was infinite is usual once it is clipped; but clipping forgets which faces were open */
-    lo = flags == 0 ? clip.lo : box_min;
-    hi = flags == 0 ? clip.hi : box_max;
-    if (tbx_all_usual(v0, v1, v2, lo, hi)) {
-        return tbx_overlap_usual(v0, v1, v2, lo, hi, flags);
+    /* a box that was infinite is usual once it is clipped */
+    if (tbx_all_usual(v0, v1, v2, clip.lo, clip.hi)) {
+        return tbx_clipped_usual(v0, v1, v2, &clip);
     }
     return tbx_clipped_exact(v0, v1, v2, &clip, TBX_ALL_AXES);
 }
@@ -2308,12 +2198,21 @@ TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const d
 TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
                                      const float box_min[3], const float box_max[3], unsigned rule)
 {
+    const void *const from[5] = { v0, v1, v2, box_min, box_max };
     double wide[5][3];
-    if (tbx_read_floats(wide[0], v0) & tbx_read_floats(wide[1], v1) & tbx_read_floats(wide[2], v2) &
-        tbx_read_floats(wide[3], box_min) & tbx_read_floats(wide[4], box_max)) {
+    tbx_clip clip;
+    int finite = 1;
+    int i;
+    TBX_UNROLL
+    for (i = 0; i < 5; i++) {
+        finite &= tbx_read_floats(wide[i], from[i]);
+    }
+    if (finite) {
         return tbx_overlap_usual(wide[0], wide[1], wide[2], wide[3], wide[4], rule);
     }
-    return tbx_overlap_unusual(wide[0], wide[1], wide[2], wide[3], wide[4], rule);
+    /* what is left of an infinite box is finite */
+    return tbx_clip_box(&clip, wide[0], wide[1], wide[2], wide[3], wide[4], rule) &&
+           tbx_clipped_usual(wide[0], wide[1], wide[2], &clip);
 }
 
 TBX_FN int tbx_overlap_float(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
@@ -5767,14 +5666,145 @@ TBX_FN int tbx_box_valid(const tbx_real lo[3], const tbx_real hi[3])
     return valid;
 }
 
-/* ---- numbers of the two runs: tbx_num, whose integers are those of section 5 */
+/* ---- numbers of the two runs: tbx_num */
+
+/* Where the limbs of a calculation's numbers lie, one behind the other. */
+typedef struct tbx_calc {
+    int exact;       /* 1: in integers; 0: in double */
+    int unsure;      /* in double: some sign was not certain, what follows means nothing */
+    int used;        /* limbs of the store */
+    tbx_limb *store; /* in integers */
+} tbx_calc;
+
+/* A value of either kind. Limbs are never changed once they are written, so numbers may be copied. */
+typedef struct tbx_num {
+    double mid; /* in double: see above */
+    double rad;
+    int sign; /* in integers: sign * sum of store[at + i] * base^(exponent + i), i < n, base 2^LIMB_BITS */
+    int exponent;
+    int at;
+    int n; /* the first and the last limb are not 0; no limbs, no sign, for 0 */
+} tbx_num;
+
+/* Ends a number whose n limbs were written at the end of the store: drops zeros at both ends. */
+TBX_FN void tbx_num_end(tbx_calc *c, tbx_num *r, int n, int exponent, int sign)
+{
+    r->at = c->used;
+    c->used += n;
+    while (n > 0 && c->store[r->at + n - 1] == 0) {
+        n--;
+    }
+    while (n > 0 && c->store[r->at] == 0) {
+        r->at++;
+        exponent++;
+        n--;
+    }
+    r->mid = 0.0; /* unused; compilers warn of what they cannot see */
+    r->rad = 0.0;
+    r->n = n;
+    r->exponent = exponent;
+    r->sign = n == 0 ? 0 : sign;
+}
+
+/* Moves a number's limbs. */
+TBX_FN void tbx_num_move(const tbx_calc *c, tbx_num *r, int at)
+{
+    int i;
+    for (i = 0; i < r->n; i++) {
+        c->store[at + i] = c->store[r->at + i];
+    }
+    r->at = at;
+}
+
+/* Gives back what was used since `mark`, but for the numbers r, in the order in which they were made, whose
+ * limbs are moved there. */
+TBX_FN void tbx_num_keep(tbx_calc *c, int mark, tbx_num *r, int count)
+{
+    int i;
+    for (i = 0; i < count && c->exact; i++) {
+        tbx_num_move(c, &r[i], mark);
+        mark += r[i].n;
+    }
+    c->used = mark;
+}
+
+/* r = mantissa * 2^exponent */
+TBX_NOINLINE void tbx_num_set_exact(tbx_calc *c, tbx_num *r, int64_t mantissa, int exponent)
+{
+    uint64_t rest = tbx_magnitude64(mantissa);
+    const int limb = (exponent + 128 * TBX_LIMB_BITS) / TBX_LIMB_BITS - 128; /* rounded down */
+    const int shift = exponent - limb * TBX_LIMB_BITS;
+    tbx_limb *to = c->store + c->used;
+    tbx_two_limbs carry = 0;
+    int n = 0;
+    while (rest != 0 || carry != 0) {
+        carry += (tbx_two_limbs)(tbx_limb)rest << shift;
+        to[n++] = (tbx_limb)carry;
+        carry >>= TBX_LIMB_BITS;
+        rest = TBX_LIMB_BITS < 64 ? rest >> (TBX_LIMB_BITS & 63) : 0;
+    }
+    tbx_num_end(c, r, n, limb, mantissa < 0 ? -1 : 1);
+}
+
+/* The limb worth base^i. */
+TBX_FN tbx_limb tbx_num_limb(const tbx_calc *c, const tbx_num *a, int i)
+{
+    return i >= a->exponent && i - a->exponent < a->n ? c->store[a->at + i - a->exponent] : 0;
+}
+
+/* r = a + sign * b. Where signs differ, the magnitudes' difference in two's complement, negated if it is
+ * below 0. */
+TBX_NOINLINE void tbx_num_add_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b, int sign)
+{
+    const int b_sign = sign * b->sign;
+    const int a_hi = a->exponent + a->n;
+    const int b_hi = b->exponent + b->n;
+    const int lo = a->exponent < b->exponent ? a->exponent : b->exponent;
+    const int n = (a_hi > b_hi ? a_hi : b_hi) - lo + 1;
+    const int opposite = a->sign != b_sign;
+    const tbx_limb flip = (tbx_limb)0 - (tbx_limb)opposite;
+    tbx_limb *to = c->store + c->used;
+    tbx_two_limbs carry = (tbx_two_limbs)opposite;
+    int i;
+    if (a->sign == 0 || b_sign == 0) {
+        const int r_sign = a->sign + b_sign;
+        *r = a->sign != 0 ? *a : *b;
+        r->sign = r_sign;
+        return;
+    }
+    for (i = 0; i < n; i++) {
+        carry += (tbx_two_limbs)tbx_num_limb(c, a, lo + i) + (tbx_num_limb(c, b, lo + i) ^ flip);
+        to[i] = (tbx_limb)carry;
+        carry >>= TBX_LIMB_BITS;
+    }
+    if (opposite && to[n - 1] != 0) {
+        carry = 1;
+        for (i = 0; i < n; i++) {
+            carry += (tbx_limb)~to[i];
+            to[i] = (tbx_limb)carry;
+            carry >>= TBX_LIMB_BITS;
+        }
+        tbx_num_end(c, r, n, lo, b_sign);
+    } else {
+        tbx_num_end(c, r, n, lo, a->sign);
+    }
+}
+
+/* r = a * b */
+TBX_NOINLINE void tbx_num_mul_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, const tbx_num *b)
+{
+    const int sign = a->sign * b->sign;
+    if (sign != 0) {
+        tbx_limbs_mul(c->store + c->used, c->store + a->at, a->n, c->store + b->at, b->n);
+    }
+    tbx_num_end(c, r, sign != 0 ? a->n + b->n : 0, a->exponent + b->exponent, sign);
+}
 
 /* The limbs of the numbers of one run in integers; at most 12 KiB are ever used (the tests look). A number of
  * degree d takes at most 280 d + 8 bits from floats, 2100 d + 8 from doubles, and two limbs for its unaligned
  * ends. */
 #define TBX_STORE (98304 / TBX_LIMB_BITS)
 
-/* WebAssembly multiplies 128 bits by a function of a library, which there need not be. */
 /* |a|, not 0, as out_value * 2^(the exponent returned), out_value in [1, 2^33), to within 2^-32 (2^-20 where
  * double arithmetic has 24 bits) of itself: its highest 96 bits. */
 TBX_COLD int tbx_num_value_exact(const tbx_calc *c, const tbx_num *a, double *out_value)
@@ -9886,11 +9916,16 @@ TBX_FN tbx_i4 tbx_below(tbx_f4 magnitude, int32_t least)
     return (tbx_i4)((bits - (tbx_u4)tbx_splat_int(least)) & (0u - bits));
 }
 
-/* Floats of at least 2^-100 are multiples of 2^-123, and so are their differences:
- * none is flushed to zero. */
+/* Floats of at least 2^-100 are multiples of 2^-123, and so are their differences: none is flushed to zero.
+ * Sign bits: those that may be. */
+TBX_FN tbx_i4 tbx_flushes(tbx_f4 v)
+{
+    return tbx_below(tbx_abs4(v), 0x0d800000);
+}
+
 TBX_FN int tbx_may_flush(const float v[3])
 {
-    return tbx_any(tbx_below(tbx_abs4(tbx_load3(v)), 0x0d800000));
+    return tbx_any(tbx_flushes(tbx_load3(v)));
 }
 
 /* An edge's value less |n|, as z, x, y: |e_b| h_c + |e_c| h_b - |s|. e: absolute. */
@@ -9954,28 +9989,41 @@ TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper, int *out
     }
 }
 
+/* Does t surpass p and q on some axis? */
+TBX_FN int tbx_is_outside4(tbx_f4 t, tbx_f4 p, tbx_f4 q)
+{
+    return tbx_any((t < tbx_min4(p, q)) | (t > tbx_max4(p, q)));
+}
+
 /* The rare cases of the float filter. found: UNSURE, where the box's faces are known to hold, or the verdict
  * where subnormals may have been read as zero. */
 TBX_COLD int tbx_filter4_rare(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
                               const float box_max[3], int found)
 {
-    const tbx_f4 p0 = tbx_load3(v0);
-    const tbx_f4 p1 = tbx_load3(v1);
-    const tbx_f4 p2 = tbx_load3(v2);
-    const int apart01 = tbx_any((p0 < p1) | (p0 > p1));
-    if (tbx_may_flush(v0) || tbx_may_flush(v1) || tbx_may_flush(v2) || tbx_may_flush(box_min) ||
-        tbx_may_flush(box_max)) {
+    tbx_f4 p = tbx_load3(v0);
+    tbx_f4 q = tbx_load3(v1);
+    tbx_f4 t = tbx_load3(v2);
+    const tbx_f4 lo = tbx_load3(box_min);
+    const tbx_f4 hi = tbx_load3(box_max);
+    int i;
+    if (tbx_any(tbx_flushes(p) | tbx_flushes(q) | tbx_flushes(t) | tbx_flushes(lo) | tbx_flushes(hi))) {
         return TBX_UNSURE;
     }
-    if (found == TBX_UNSURE &&
-        !(apart01 && tbx_any((p0 < p2) | (p0 > p2)) && tbx_any((p1 < p2) | (p1 > p2)))) {
-        /* corners that repeat: a segment */
-        const tbx_f4 q = apart01 ? p1 : p2;
-        int open;
-        int refused;
-        const int hit = tbx_segment4(p0, q, tbx_max4(tbx_load3(box_min), tbx_min4(p0, q)),
-                                     tbx_min4(tbx_load3(box_max), tbx_max4(p0, q)), &open, &refused);
-        return open || (refused & 7) != 0 ? TBX_UNSURE : hit;
+    for (i = 0; i < 3 && found == TBX_UNSURE; i++) {
+        if (!tbx_is_outside4(t, p, q)) {
+            /* An edge with the triangle's bounding box: as in tbx_clipped_edge. */
+            const int is_end = !tbx_any((t < p) | (t > p)) | !tbx_any((t < q) | (t > q));
+            int open;
+            int refused;
+            const int hit = tbx_segment4(p, q, tbx_max4(lo, tbx_min4(p, q)), tbx_min4(hi, tbx_max4(p, q)),
+                                         &open, &refused);
+            return open || (refused & 7) != 0 || (!hit && !is_end) ? TBX_UNSURE : hit;
+        } else {
+            const tbx_f4 next = p;
+            p = q;
+            q = t;
+            t = next;
+        }
     }
     return found;
 }
@@ -10238,6 +10286,18 @@ TBX_FN tbx_d2 tbx_edges2(const tbx_side *b, const tbx_side *c, tbx_d2 *out_n)
     return tbx_min2(g, g1) + tbx_abs2(n);
 }
 
+/* The plane is unsure, of a box whose faces hold. */
+TBX_COLD int tbx_filter2_flat(const double v0[3], const double v1[3], const double v2[3],
+                              const double box_min[3], const double box_max[3])
+{
+    tbx_clip clip;
+    int k;
+    for (k = 0; k < 3; k++) {
+        tbx_clip_axis(&clip, k, v0[k], v1[k], v2[k], box_min[k], box_max[k], 0);
+    }
+    return tbx_clipped_edge(v0, v1, v2, &clip);
+}
+
 /* The verdict of the double filter. rule as in tbx_filter4. Coordinates of 2^300 and more are refused. */
 TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3], const double box_min[3],
                        const double box_max[3], int rule)
@@ -10311,6 +10371,9 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
         const int unsure = (tbx_signs2(below) | at_face) != 0;
         const int open = unsure & !miss;
         if (TBX_RARELY((refused != 2) | open)) {
+            if ((refused == 2) & !at_face & tbx_signs2((tbx_l2)(support <= ulps * volume))) {
+                return tbx_filter2_flat(v0, v1, v2, box_min, box_max);
+            }
             if (open || (refused & ~2) != 0 || !tbx_all_usual(v0, v1, v2, box_min, box_max)) {
                 return TBX_UNSURE;
             }
@@ -16913,6 +16976,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_COLD
 #undef TBX_NOINLINE
 #undef TBX_RARELY
+#undef TBX_UNROLL
 #undef TBX_PREFETCH
 #undef TBX_ROOT
 #undef TBX_COPY
@@ -16929,7 +16993,8 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_EVAL_METHOD
 #undef TBX_DOUBLE_IS_53_BITS
 #undef TBX_POW2
-#undef TBX_SIGN_STORE
+#undef TBX_COORD_ROOM
+#undef TBX_COORD_LIMBS
 #undef TBX_OCTANTS_UNSURE
 #undef TBX_TRI_ULPS
 #undef TBX_NORMAL_ULPS
