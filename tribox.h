@@ -3107,6 +3107,86 @@ TBX_FN int tbx_is_ordinary(const double *x, int e)
 
 /* ---- Grid planes */
 
+/* A double's upper 26 bits. */
+TBX_FN double tbx_high_half(double x)
+{
+    return tbx_from_bits64(tbx_bits64(&x) & ~(uint64_t)0x7ffffff);
+}
+
+/* a + b, and what rounding took off: exactly where it is to nearest, else right to 2^-52 of itself. */
+TBX_FN double tbx_sum_exact(double a, double b, double *out_lost)
+{
+    double sum = a + b;
+    double of_a;
+    double of_b;
+    TBX_KEEP_SCALAR(sum);
+    of_a = sum - b;
+    TBX_KEEP_SCALAR(of_a);
+    of_b = sum - of_a;
+    TBX_KEEP_SCALAR(of_b);
+    of_a = a - of_a;
+    of_b = b - of_b;
+    TBX_KEEP_SCALAR(of_a);
+    TBX_KEEP_SCALAR(of_b);
+    *out_lost = of_a + of_b;
+    return sum;
+}
+
+/* How far x is above place `at` of axis k, whole, |at| < 2^26, in units of size / PIECES: decimals that were
+ * rounded lie that little beside the places of a grid of decimals that a difference of doubles loses it.
+ *
+ * With halves of 26 and 27 bits the products are exact. So is the difference of the upper halves where both
+ * numbers come back from it. Less at * size they leave what is of the order of the lower halves or, far from
+ * the place, of the rest: that difference is exact or right to u of the rest. Three lower parts are added
+ * with what rounding takes, off by 2^-104 of their magnitudes where it is not to nearest; a rest of 2^-50 of
+ * these is right to 2^-54 and 3 u then, and with the factor 1 / size, in voxels, to 8 u: REST_ERROR. What is
+ * less is not known, but that it is 0 where there is one lower part. Returns 0 if it is not known; the
+ * numbers are ordinary. tests/errors.c looks for its error. */
+#define TBX_PIECES 40.0 /* of a voxel: eighths, tenths, twentieths, fortieths */
+#define TBX_REST_ERROR (1.0 / 281474976710656.0)  /* 2^-48 */
+#define TBX_REST_LEAST (1.0 / 1125899906842624.0) /* 2^-50 */
+
+TBX_FN int tbx_rest(const tribox_grid *grid, int k, double x, double at, double *out_rest)
+{
+    const double size_high = tbx_high_half(grid->size[k]);
+    const double origin_high = tbx_high_half(grid->origin[k]);
+    const double x_high = tbx_high_half(x);
+    const double above_origin = (x - x_high) * TBX_PIECES;
+    const double origin_low = (grid->origin[k] - origin_high) * TBX_PIECES;
+    const double part = at * (grid->size[k] - size_high);
+    const double from = origin_high * TBX_PIECES;
+    const double to = x_high * TBX_PIECES;
+    double along = to - from;
+    double taken;
+    double back;
+    double lost[2];
+    double lows;
+    double rest;
+    double least;
+    TBX_KEEP_SCALAR(along);
+    taken = to - along;
+    TBX_KEEP_SCALAR(taken);
+    back = along + from;
+    TBX_KEEP_SCALAR(back);
+    along -= at * size_high;
+    TBX_KEEP_SCALAR(along);
+    if (!(TBX_DOUBLE_IS_53_BITS & (back == to) & (taken == from))) {
+        return 0;
+    }
+    if (origin_low == 0.0 && above_origin == 0.0) {
+        *out_rest = along - part;
+        return 1;
+    }
+    lows = tbx_sum_exact(origin_low, -above_origin, &lost[0]);
+    lows = tbx_sum_exact(lows, part, &lost[1]);
+    rest = along - lows;
+    TBX_KEEP_SCALAR(rest);
+    rest = (rest - lost[1]) - lost[0];
+    *out_rest = rest;
+    least = (tbx_abs(origin_low) + tbx_abs(above_origin) + tbx_abs(part)) * TBX_REST_LEAST;
+    return tbx_abs(rest) > least;
+}
+
 /* The sign of grid plane i of axis k against x, |i| < 2^33: in double where that is certain.
  *
  * Error: i*size, origin - x and their sum are rounded once each, by u of themselves: three u of the sum of
@@ -3134,6 +3214,9 @@ TBX_FN int tbx_plane_compare(const tribox_grid *grid, int k, int64_t i, double x
         error = (tbx_abs(base) + tbx_abs(to) + tbx_abs(along)) * TBX_PLANE_ERROR;
         if (value > error || value < -error) {
             return value > 0.0 ? 1 : -1;
+        }
+        if (i < 1048576 && i > -1048576 && tbx_rest(grid, k, to, (double)i * TBX_PIECES, &value)) {
+            return (value < 0.0) - (value > 0.0);
         }
     }
     {
@@ -3415,6 +3498,9 @@ typedef struct tbx_walk {
     int box_is_strict; /* the triangle lies strictly inside that, by more than rounding */
     int light;         /* 0: nothing is certain in double */
     int snapped;       /* the lattice has been tried */
+    int placed;        /* corners are known as places and rests: 1; not asked yet: 0; they are not: -1 */
+    double place[3][3]; /* the nearest, in PIECES from plane 0, */
+    double rest[3][3];  /* and what is left, in PIECES, right to REST_ERROR */
     int uses[4];       /* groups whose conditions the index box does not imply */
     int n_sign[3];     /* of those */
     double x[3][3];    /* corners, and */
@@ -3433,6 +3519,169 @@ typedef struct tbx_walk {
     int64_t layer_last;
     tbx_row row[TBX_CACHED];
 } tbx_walk;
+
+/* Corners as places and rests. Returns 0 where they are not known. */
+TBX_FN int tbx_walk_place(tbx_walk *w)
+{
+    const tribox_grid *grid = w->frame->grid;
+    int i;
+    int k;
+    if (w->placed != 0) {
+        return w->placed > 0;
+    }
+    w->placed = -1;
+    for (k = 0; k < 3 && w->light; k++) {
+        const double units = w->frame->inverse[k] * TBX_PIECES;
+        for (i = 0; i < 3; i++) {
+            double at = (w->corner[i][k] - w->frame->origin[k]) * units;
+            if (!(at < 67108000.0 && at > -67108000.0)) {
+                return 0;
+            }
+            TBX_KEEP_SCALAR(at);
+            at = (double)tbx_to_long(at < 0.0 ? at - 0.5 : at + 0.5);
+            if (!tbx_rest(grid, k, w->corner[i][k], at, &w->rest[i][k])) {
+                return 0;
+            }
+            w->place[i][k] = at;
+            w->rest[i][k] *= w->frame->inverse[k];
+        }
+    }
+    w->placed = w->light ? 1 : -1;
+    return w->light;
+}
+
+/* E and D of "Boxes of up to 4^3 voxels", whose coordinates are places P and rests r here, from a grid point:
+ *
+ *   E = P_i x P_j + G,  G = P_bi r_cj - r_ci v_bj + r_bi v_cj - P_ci r_bj,  v = P + r
+ *   D = N . P + (N . r + M . v)
+ *
+ * N and M the whole and the other part of the normal. The whole parts are exact: places are less than 2^15
+ * from the point here, so that N is below 2^33, and N . P below 2^50.
+ *
+ * Error of G: rests are right to REST_ERROR, 16 u; v, products and sums add 6 u of the magnitudes: less than
+ * FINE_ERROR of them. M is made of differences of rests, off by 17 u of both magnitudes, and D of M and v: 30
+ * u, less than 2 FINE_ERROR of magnitudes. */
+#define TBX_FINE_ERROR (1.0 / 35184372088832.0) /* 2^-45, 128 u */
+#define TBX_FINE_REACH 32768.0
+
+/* E or D, and what `rest` may be off by. */
+typedef struct tbx_fine {
+    double whole;
+    double rest;
+    double error;
+} tbx_fine;
+
+/* Its sign; 0: not known. */
+TBX_FN int tbx_fine_sign(const tbx_fine *f)
+{
+    double sum = f->whole + f->rest;
+    double error;
+    TBX_KEEP_SCALAR(sum);
+    error = f->error + tbx_abs(sum) * TBX_FINE_ERROR;
+    return (sum > error) - (sum < -error);
+}
+
+/* E of edge i in the plane across axis a, at grid point p. */
+TBX_FN void tbx_fine_edge(tbx_fine *out, const tbx_walk *w, int i, int a, const double p[3])
+{
+    const int j = i < 2 ? i + 1 : 0;
+    const int b = a < 2 ? a + 1 : 0;
+    const int c = a > 0 ? a - 1 : 2;
+    const double b_i = w->place[i][b] - p[b];
+    const double b_j = w->place[j][b] - p[b];
+    const double c_i = w->place[i][c] - p[c];
+    const double c_j = w->place[j][c] - p[c];
+    const double g0 = b_i * w->rest[j][c];
+    const double g1 = w->rest[i][c] * (b_j + w->rest[j][b]);
+    const double h0 = w->rest[i][b] * (c_j + w->rest[j][c]);
+    const double h1 = c_i * w->rest[j][b];
+    double whole = b_i * c_j - c_i * b_j;
+    double rest = (g0 - g1) + (h0 - h1);
+    TBX_KEEP_SCALAR(whole);
+    TBX_KEEP_SCALAR(rest);
+    out->whole = whole;
+    out->rest = rest;
+    out->error = (tbx_abs(g0) + tbx_abs(g1) + tbx_abs(h0) + tbx_abs(h1)) * TBX_FINE_ERROR;
+}
+
+/* D at grid point p. */
+TBX_FN void tbx_fine_plane(tbx_fine *out, const tbx_walk *w, const double p[3])
+{
+    double whole = 0.0;
+    double rest = 0.0;
+    double bound = 0.0;
+    int a;
+    for (a = 0; a < 3; a++) {
+        const int b = a < 2 ? a + 1 : 0;
+        const int c = a > 0 ? a - 1 : 2;
+        const double at = w->place[0][a] - p[a];
+        const double b_1 = w->place[1][b] - w->place[0][b];
+        const double b_2 = w->place[2][b] - w->place[0][b];
+        const double c_1 = w->place[1][c] - w->place[0][c];
+        const double c_2 = w->place[2][c] - w->place[0][c];
+        const double rb_1 = w->rest[1][b] - w->rest[0][b];
+        const double rb_2 = w->rest[2][b] - w->rest[0][b];
+        const double rc_1 = w->rest[1][c] - w->rest[0][c];
+        const double rc_2 = w->rest[2][c] - w->rest[0][c];
+        const double most_b = tbx_abs(w->rest[0][b]) + tbx_abs(w->rest[1][b]) + tbx_abs(w->rest[2][b]);
+        const double most_c = tbx_abs(w->rest[0][c]) + tbx_abs(w->rest[1][c]) + tbx_abs(w->rest[2][c]);
+        const double n = b_1 * c_2 - c_1 * b_2;
+        const double m = (b_1 * rc_2 - rc_1 * (b_2 + rb_2)) + (rb_1 * (c_2 + rc_2) - c_1 * rb_2);
+        const double most = (tbx_abs(b_1) + tbx_abs(b_2) + most_b) * most_c +
+                            (tbx_abs(c_1) + tbx_abs(c_2) + most_c) * most_b;
+        const double v = at + w->rest[0][a];
+        whole += n * at;
+        rest += n * w->rest[0][a] + m * v;
+        bound += tbx_abs(n * w->rest[0][a]) + most * tbx_abs(v);
+    }
+    TBX_KEEP_SCALAR(whole);
+    TBX_KEEP_SCALAR(rest);
+    out->whole = whole;
+    out->rest = rest;
+    out->error = bound * (2.0 * TBX_FINE_ERROR);
+}
+
+/* The sign behind a condition as below, in double; 0: not known. */
+TBX_FN int tbx_walk_fine(tbx_walk *w, int id, const int64_t index[3])
+{
+    const tribox_grid *grid = w->frame->grid;
+    const int a = id / 3;
+    const int i = id < 9 ? id % 3 : 0;
+    const int j = i < 2 ? i + 1 : 0;
+    const int b = a < 2 ? a + 1 : 0;
+    const int c = a > 0 ? a - 1 : 2;
+    const int w_sign = id < 9 ? (w->n_sign[a] >= 0 ? 1 : -1) : id == 9 ? 1 : -1;
+    tbx_fine f;
+    double p[3];
+    int k;
+    if (w->frame->thin || !tbx_walk_place(w)) {
+        return 0;
+    }
+    for (k = 0; k < 3; k++) {
+        int up;
+        if (id >= 9) {
+            up = w_sign * w->n_sign[k] > 0;
+        } else if (k == b) {
+            up = tbx_less(w_sign < 0 ? &w->corner[i][c] : &w->corner[j][c],
+                          w_sign < 0 ? &w->corner[j][c] : &w->corner[i][c]);
+        } else {
+            up = tbx_less(w_sign < 0 ? &w->corner[j][b] : &w->corner[i][b],
+                          w_sign < 0 ? &w->corner[i][b] : &w->corner[j][b]);
+        }
+        p[k] = (double)(grid->lo[k] + index[k] + up) * TBX_PIECES;
+        if ((id >= 9 || k != a) &&
+            !(tbx_max3(tbx_abs(w->place[0][k] - p[k]), tbx_abs(w->place[1][k] - p[k]),
+                       tbx_abs(w->place[2][k] - p[k])) < TBX_FINE_REACH)) {
+            return 0;
+        }
+    }
+    if (id < 9) {
+        tbx_fine_edge(&f, w, i, a, p);
+        return w_sign * tbx_fine_sign(&f);
+    }
+    tbx_fine_plane(&f, w, p);
+    return -w_sign * tbx_fine_sign(&f);
+}
 
 /* Does condition id hold at a voxel of the region, by exact signs? id: 3*axis + edge; 9 and 10, the two sides
  * of the plane. Returns 1 or 0. */
@@ -3489,7 +3738,7 @@ typedef struct tbx_bracket {
 } tbx_bracket;
 
 /* Brings the bounds of a group in row (y, z) to single voxels, by exact signs. */
-TBX_COLD void tbx_walk_bisect(const tbx_walk *w, int group, int64_t y, int64_t z, tbx_bracket *first,
+TBX_COLD void tbx_walk_bisect(tbx_walk *w, int group, int64_t y, int64_t z, tbx_bracket *first,
                               tbx_bracket *last)
 {
     const int axis = group == TBX_YZ ? 1 : 0;
@@ -3507,8 +3756,10 @@ TBX_COLD void tbx_walk_bisect(const tbx_walk *w, int group, int64_t y, int64_t z
         while (sign != 0 && least < most) {
             /* first: the least voxel at which it holds, `most` if none before; last: the greatest */
             const int64_t mid = least + (most - least + (sign < 0)) / 2;
+            int value;
             index[axis] = mid;
-            if (tbx_walk_exact(w, id, index)) {
+            value = tbx_walk_fine(w, id, index);
+            if (value > 0 || (value == 0 && tbx_walk_exact(w, id, index))) {
                 most = sign > 0 ? mid : most;
                 least = sign > 0 ? least : mid;
             } else {
@@ -3876,6 +4127,7 @@ TBX_FN int tbx_walk_box(tbx_walk *w, const tbx_frame *f, double v[3][3], int kin
     w->corner[1] = v[1];
     w->corner[2] = v[2];
     w->snapped = 0;
+    w->placed = 0;
     w->light = f->on & (kind == TBX_ALL_ORDINARY);
     w->box_is_strict = w->light;
     if (TBX_RARELY(!w->light)) {
@@ -11178,7 +11430,11 @@ typedef struct tbx_quick {
     double high[3];
     double low[3];
     int32_t lo[3];
+    double box_origin[4]; /* of the region, in lanes 1 to 3; lane 0 lies on nothing */
+    double box_units[4];
+    double beside[4]; /* what is so near to a grid plane is unsure in fixed point */
     int precise; /* all of these are in range */
+    int is_double;
     float delta_low;
     size_t layer_words;
     int on; /* 0: this grid's numbers are out of range */
@@ -11192,7 +11448,6 @@ typedef struct tbx_quick {
     size_t row_words;
 } tbx_quick;
 
-#define TBX_PIECES 40.0f /* of a voxel: eighths, tenths, twentieths, fortieths */
 #define TBX_MARGIN 16    /* voxels beyond the region in which X is still used */
 #define TBX_PARTS_LOG2 4
 #define TBX_PARTS (1 << TBX_PARTS_LOG2) /* of a voxel, in the lattice */
@@ -11227,15 +11482,10 @@ enum {
     TBX_CLASS_ON_3,
     TBX_CLASS_ON_4,
     TBX_CLASS_LARGE,
+    TBX_CLASS_AGAIN, /* up to FEW^3, with a corner beside a grid plane */
     TBX_CLASS_OTHER, /* not known yet */
     TBX_CLASSES
 };
-
-/* A double's upper 26 bits. */
-TBX_FN double tbx_high_half(double x)
-{
-    return tbx_from_bits64(tbx_bits64(&x) & ~(uint64_t)0x7ffffff);
-}
 
 /* Of what lies beyond the fixed point's numbers the last one, that none is beyond. */
 TBX_FN int32_t tbx_off_place(double x)
@@ -11282,6 +11532,9 @@ TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
     TBX_KEEP_SCALAR(near_by);
     near_float = (float)(near_by * 0.999);
     q->near_bits[k + 1] = (int32_t)tbx_bits32(&near_float);
+    q->box_origin[k + 1] = q->origin[k];
+    q->box_units[k + 1] = q->units[k];
+    q->beside[k + 1] = (2.0 * slack + 2.0) / TBX_STEPS;
     q->limit[k + 1] = (int32_t)(((uint32_t)q->n[k] - 1u) << 16 | (65535u - 2u * (uint32_t)slack));
     return error < 0.125;
 }
@@ -11333,12 +11586,14 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
 {
     int k;
     q->on = TBX_DOUBLE_IS_53_BITS;
+    q->is_double = is_double;
     q->thin = (grid->flags & TRIBOX_THIN) != 0;
     q->upper_open = tbx_hi_is_open(grid->flags);
     q->lower_open = tbx_lo_is_open(grid->flags);
     q->layer_words = t->ny * t->row_words;
     q->delta = 0.0;
     q->delta_low = 0.0f;
+    q->box_origin[0] = q->box_units[0] = q->beside[0] = 0.0;
     q->centre[0] = q->subtrahend[0] = q->steps[0] = q->inverse[0] = 0.0f;
     q->base_high[0] = q->base_low[0] = q->size_high[0] = q->size_low[0] = 0.0f;
     q->near_bits[0] = 0x7f7fffff;
@@ -11373,7 +11628,7 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
     for (k = 0; k < 3 && q->on; k++) {
         tbx_quick_axis(q, grid, k, is_double);
     }
-    q->precise = q->on && !is_double; /* the precise way and the lattice take corners for floats */
+    q->precise = q->on;
     for (k = 0; k < 3; k++) {
         const double origin = tbx_high_half(grid->origin[k]);
         q->whole_origin[k] = grid->origin[k];
@@ -11391,6 +11646,7 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
  * last lane a byte for each extent, that is the voxels less 1, and these: */
 #define TBX_ON_LATTICE (1 << 24)
 #define TBX_IS_CUT (1 << 25) /* not all of it is in the region */
+#define TBX_BESIDE (1 << 26) /* a corner is beside a grid plane */
 #define TBX_OFF (-2)         /* none of it is */
 #define TBX_NOT_KNOWN (-1)   /* or it is too large, or too far off the region */
 
@@ -11436,7 +11692,7 @@ typedef struct tbx_later {
 /* What the ways of a fill share. What is unsure waits until the stack is free of all else. */
 typedef struct tbx_fill {
     tbx_group rows[2]; /* boxes of up to FEW^3, ROWS^3 */
-    tbx_group again;   /* of up to 4^3, unsure in floats */
+    tbx_group again;   /* of up to FEW^3, unsure in floats */
     const tbx_frame *frame;
     const tbx_source *source;
     const tbx_target *target;
@@ -12174,10 +12430,14 @@ TBX_FORCED uint64_t tbx_key_voxels(uint64_t key)
 /* Puts triangle i of the block, with its box, into its class. */
 TBX_FORCED void tbx_block_add(tbx_block *b, const tbx_quick *q, int i, tbx_i4 box)
 {
-    const uint32_t more = (uint32_t)box[3] << 8 | (uint32_t)box[3] >> 24;
+    const uint32_t flags = (uint32_t)box[3] >> 24;
+    const uint32_t more = (uint32_t)box[3] << 8 | (flags & (255u ^ TBX_BESIDE >> 24)); /* it has its class */
     const unsigned not_whole = TBX_ON_LATTICE >> 24 ^ 255; /* flags but that one: cut, or not known */
+    const int is_again = (box[3] & (TBX_BESIDE | TBX_ON_LATTICE | TBX_IS_CUT | 0xf8f8f8)) == TBX_BESIDE;
     unsigned c = q->thin || (more & not_whole) != 0 ? (unsigned)TBX_CLASS_LARGE : tbx_class_of(more);
-    if ((box[3] & TBX_ON_LATTICE) != 0 && c > TBX_CLASS_PAIR) {
+    if (is_again && q->precise && c > TBX_CLASS_PAIR && !q->thin) {
+        c = TBX_CLASS_AGAIN;
+    } else if ((box[3] & TBX_ON_LATTICE) != 0 && c > TBX_CLASS_PAIR) {
         c = c < TBX_CLASS_2 ? (unsigned)TBX_CLASS_2 : c;
         c = q->upper_open || c == TBX_CLASS_LARGE ? (unsigned)TBX_CLASS_LARGE
                                                   : c + (TBX_CLASS_ON_2 - TBX_CLASS_2);
@@ -12434,128 +12694,207 @@ TBX_FN int tbx_is_hair(double x, double hair)
     return (x != 0.0) & tbx_more(hair, x) & tbx_more(x, -hair);
 }
 
-/* The sign of grid plane i of axis k, from the region's first, against x, which is near: as in "Groups again"
- * what is left of their distance is right to a rounding, where it can be. */
-TBX_FN int tbx_plane_beside(const tribox_grid *grid, const tbx_quick *q, int k, int64_t i, double x)
+/* Voxels of a box's faces on the axes of lanes 1 to 3, faces that are beside a grid plane, and those that are
+ * not sure: a bit for each lane. */
+typedef struct tbx_faces {
+    tbx_i4 voxel;
+    unsigned beside;
+    unsigned unsure;
+} TBX_ALIGNED tbx_faces;
+
+/* Two doubles of 0 to 2^21, truncated, in the lower lanes. */
+TBX_FORCED tbx_i4 tbx_pair_to_int(tbx_d2 a)
 {
-    if (q->precise) {
-        const double at = (double)(i + grid->lo[k]) * (double)TBX_PIECES;
-        const double pieces = x * (double)TBX_PIECES;
-        double along = pieces - q->origin_high[k];
-        double taken;
-        double back;
-        double lows;
-        double rest;
-        double error;
-        TBX_KEEP_SCALAR(along);
-        taken = pieces - along; /* the difference is exact if both numbers come back from it */
-        TBX_KEEP_SCALAR(taken);
-        back = along + q->origin_high[k];
-        TBX_KEEP_SCALAR(back);
-        along -= at * q->high[k];
-        TBX_KEEP_SCALAR(along);
-        lows = q->origin_low[k] + at * q->low[k];
-        TBX_KEEP_SCALAR(lows);
-        rest = along - lows;
-        error = q->origin_low[k] != 0.0 ? tbx_abs(lows) * (8.0 * TBX_U64) : 0.0;
-        if (back == pieces && taken == q->origin_high[k] &&
-            (rest > error || rest < -error || (rest == 0.0 && error == 0.0))) {
-            return rest > 0.0 ? -1 : rest < 0.0;
-        }
-    }
-    return tbx_plane_compare(grid, k, i + grid->lo[k], x);
+#if defined(__SSE2__)
+    return (tbx_i4)__builtin_ia32_cvttpd2dq(a);
+#else
+    const tbx_i4 r = { (int32_t)a[0], (int32_t)a[1], 0, 0 };
+    return r;
+#endif
 }
 
-/* The voxel in which x lies on axis k; beside a plane exactly: `upper` the one above it, if x is on it.
- * Doubles are off by less than delta. */
-TBX_FN int32_t tbx_box_index(const tribox_grid *grid, const tbx_quick *q, int k, double x, int upper)
+TBX_FORCED tbx_d2 tbx_pair_of_ints(tbx_i4 a)
+{
+#if defined(__SSE2__) && !defined(__clang__)
+    return __builtin_ia32_cvtdq2pd(a);
+#else
+    return tbx_pair((double)a[0], (double)a[1]);
+#endif
+}
+
+/* The planes next to coordinates x of lanes `at` and at + 1 of four, in lanes 0 and 1, from 2^20 before the
+ * region; -1 in lanes 0 and 2 of *out_below where x is below. Doubles are off by less than delta, the sum
+ * with 2^20 by 2^-30. */
+TBX_FORCED tbx_i4 tbx_faces_pair(tbx_faces *f, tbx_i4 *out_below, const tbx_quick *q, int at, tbx_d2 x)
 {
     const double most = 1048576.0;
-    const double error = 2.0 * q->delta + 1.0 / 1073741824.0; /* 2^-30: of the sum with 2^20 */
-    double at = (x - q->origin[k]) * q->units[k] + most;
-    double part;
-    int32_t i;
-    at = at > 0.0 ? at : 0.0;
-    at = at < 2.0 * most ? at : 2.0 * most;
-    TBX_KEEP_SCALAR(at);
-    i = tbx_to_int(at + 0.5);
-    part = at - (double)i;
-    i -= 1048576;
-    if (part < -error) {
-        return i - 1;
-    } else if (part > error) {
-        return i;
-    } else {
-        const int side = tbx_plane_beside(grid, q, k, i, x);
-        return side < 0 || (side == 0 && upper) ? i : i - 1;
+    const double off = 2.0 * q->delta + 1.0 / 1073741824.0;
+    const tbx_d2 zero = { 0.0, 0.0 };
+    const tbx_d2 half = { 0.5, 0.5 };
+    const tbx_d2 middle = { most, most };
+    const tbx_d2 end = { 2.0 * most, 2.0 * most };
+    const tbx_d2 error = { off, off };
+    tbx_d2 place = (x - tbx_load2(q->box_origin + at)) * tbx_load2(q->box_units + at) + middle;
+    tbx_i4 i;
+    tbx_d2 part;
+    place = tbx_min2(tbx_max2(place, zero), end);
+    TBX_KEEP_VECTOR(place);
+    i = tbx_pair_to_int(place + half);
+    part = place - tbx_pair_of_ints(i);
+    f->beside |= (unsigned)tbx_signs2((tbx_l2)(tbx_abs2(part) < tbx_load2(q->beside + at))) << at;
+    f->unsure |= (unsigned)tbx_signs2((tbx_l2)(tbx_abs2(part) <= error)) << at;
+    *out_below = (tbx_i4)(part < zero);
+    return i;
+}
+
+/* The voxels of three faces, in lanes 1 to 3; beside planes exactly: `upper` the one above it, if it is on
+ * it. */
+TBX_FORCED void tbx_faces_find(tbx_faces *f, const tribox_grid *grid, const tbx_quick *q, const double x[4],
+                               int upper)
+{
+    tbx_i4 below[2];
+    tbx_i4 pair[2];
+    tbx_i4 next;
+    f->beside = f->unsure = 0;
+    pair[0] = tbx_faces_pair(f, &below[0], q, 0, tbx_load2(x));
+    pair[1] = tbx_faces_pair(f, &below[1], q, 2, tbx_load2(x + 2));
+    next = TBX_LANES(pair[0], pair[1], 0, 1, 4, 5) - tbx_splat_int(1048576);
+    f->voxel = next + TBX_LANES(below[0], below[1], 0, 2, 4, 6);
+    f->unsure &= 14u;
+    for (; f->unsure != 0; f->unsure &= f->unsure - 1) {
+        const int k = __builtin_ctz(f->unsure) - 1;
+        const int32_t i = next[k + 1];
+        double rest;
+        int side;
+        if (q->precise && tbx_rest(grid, k, x[k + 1], (double)(i + grid->lo[k]) * TBX_PIECES, &rest)) {
+            side = (rest < 0.0) - (rest > 0.0);
+        } else {
+            side = tbx_plane_compare(grid, k, i + grid->lo[k], x[k + 1]);
+        }
+        f->voxel[k + 1] = side < 0 || (side == 0 && upper) ? i : i - 1;
     }
 }
 
-/* A finite triangle's box, by exact signs of corners against grid planes. Not known where an edge is level
- * but for a hair: "Rows" takes such an edge for one within a row, and here it may be in two. */
-TBX_NOINLINE tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, const tbx_source *source,
-                                  size_t triangle)
+/* A box by its least and greatest coordinates, in lanes 1 to 3. */
+TBX_FN tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, const double least[4],
+                            const double most[4])
 {
-    int32_t box[4];
+    const tbx_i4 n = { 1, q->n[0], q->n[1], q->n[2] };
+    const tbx_i4 none = tbx_splat_int(0);
+    const tbx_i4 margin = tbx_splat_int(TBX_MARGIN);
+    tbx_faces first;
+    tbx_faces last;
+    tbx_i4 extent;
+    tbx_i4 box;
+    tbx_faces_find(&first, grid, q, least, q->upper_open);
+    tbx_faces_find(&last, grid, q, most, !q->lower_open);
+    extent = last.voxel - first.voxel;
+    box = TBX_LANES(first.voxel, first.voxel, 1, 2, 3, 0);
+    if (tbx_any((last.voxel < none) | (first.voxel >= n) | (extent < none))) {
+        box[3] = TBX_OFF;
+    } else if (tbx_any((extent >= tbx_splat_int(TBX_ROWS)) | (first.voxel <= -margin) |
+                       (last.voxel >= n + margin - tbx_splat_int(1)))) {
+        box[3] = TBX_NOT_KNOWN;
+    } else {
+        box[3] = extent[1] | extent[2] << 8 | extent[3] << 16 |
+                 (tbx_any((last.voxel >= n) | (first.voxel < none)) ? TBX_IS_CUT : 0) |
+                 (((first.beside | last.beside) & 14u) != 0 ? TBX_BESIDE : 0);
+    }
+    return box;
+}
+
+/* Box of triangle i of a block, by exact signs of corners against grid planes. Not known where an edge of one
+ * that is large is level but for a hair: "Rows" takes such an edge for one within a row, and here it may be
+ * in two. */
+TBX_NOINLINE tbx_i4 tbx_block_box(const tbx_block *b, const tribox_grid *grid, const tbx_quick *q,
+                                  const tbx_source *source, const tbx_corners *corners, int i)
+{
+    const tbx_i4 not_known = { 0, 0, 0, TBX_NOT_KNOWN };
+    const tbx_i4 off = { 0, 0, 0, TBX_OFF };
+    const tbx_i4 used = { 0, -1, -1, -1 };
+    const tbx_i4 magnitude = { 0, 0x7fffffff, 0x7fffffff, 0x7fffffff };
+    const tbx_i4 exponent = { 1, 0x7f800000, 0x7f800000, 0x7f800000 };
+    const tbx_i4 other = { 1, 0, 0, 0 };
+    const tbx_i4 none = tbx_splat_int(0);
+    const tbx_i4 v0 = (tbx_i4)corners->row[0][i] & used;
+    const tbx_i4 v1 = (tbx_i4)corners->row[1][i] & used;
+    const tbx_i4 v2 = (tbx_i4)corners->row[2][i] & used;
+    const tbx_i4 all = (v0 | v1 | v2) & magnitude; /* no exponent is above this one's */
     double v[3][3];
+    double least[4];
+    double most[4];
+    tbx_i4 box;
+    int is_tiny;
     int k;
-    box[3] = tbx_source_triangle(source, triangle, v) == TBX_ALL_ORDINARY ? 0 : TBX_NOT_KNOWN;
-    for (k = 0; k < 3; k++) {
-        const double hair = 1e-15 * grid->size[k];
-        const int32_t n = q->n[k];
-        const double least = tbx_min3(v[0][k], v[1][k], v[2][k]);
-        const double most = tbx_max3(v[0][k], v[1][k], v[2][k]);
-        const int32_t first = tbx_box_index(grid, q, k, least, q->upper_open);
-        const int32_t last = tbx_box_index(grid, q, k, most, !q->lower_open);
-        if (last < 0 || first >= n || first > last) {
-            box[3] = TBX_OFF;
-            break;
+    is_tiny = tbx_any((((v0 | other) & exponent) == none) | (((v1 | other) & exponent) == none) |
+                      (((v2 | other) & exponent) == none)); /* or 0 */
+    least[0] = most[0] = 0.0;
+    if (q->is_double | is_tiny | tbx_any(all > tbx_splat_int(0x7f7fffff))) {
+        const int kind = tbx_source_triangle(source, b->start + (size_t)i, v);
+        if (kind != TBX_ALL_ORDINARY) {
+            return kind == TBX_NO_POINTS ? off : not_known;
         }
-        box[k] = first;
-        box[3] |= last >= n || first < 0 ? TBX_IS_CUT : 0;
-        box[3] |= last - first < TBX_ROWS && first > -TBX_MARGIN && last < n + TBX_MARGIN - 1
-                      ? (last - first) << 8 * k
-                      : TBX_NOT_KNOWN;
-        if (tbx_is_hair(v[0][k] - v[1][k], hair) | tbx_is_hair(v[1][k] - v[2][k], hair) |
-            tbx_is_hair(v[2][k] - v[0][k], hair)) {
-            box[3] |= TBX_NOT_KNOWN;
+        for (k = 0; k < 3; k++) {
+            least[k + 1] = tbx_min3(v[0][k], v[1][k], v[2][k]);
+            most[k + 1] = tbx_max3(v[0][k], v[1][k], v[2][k]);
+        }
+    } else {
+        tbx_i4 c0 = v0;
+        tbx_i4 c1 = v1;
+        tbx_i4 c2 = v2;
+        tbx_f4 low;
+        tbx_f4 high;
+        TBX_KEEP_VECTOR(c0);
+        TBX_KEEP_VECTOR(c1);
+        TBX_KEEP_VECTOR(c2);
+        low = tbx_min4(tbx_min4((tbx_f4)c0, (tbx_f4)c1), (tbx_f4)c2);
+        high = tbx_max4(tbx_max4((tbx_f4)c0, (tbx_f4)c1), (tbx_f4)c2);
+        for (k = 1; k < 4; k++) {
+            least[k] = (double)low[k];
+            most[k] = (double)high[k];
         }
     }
-    return tbx_load4i(box);
+    box = tbx_box_exact(grid, q, least, most);
+    if (box[3] >= 0 && (box[3] & 0xfcfcfc) != 0 && !q->is_double) {
+        (void)tbx_source_triangle(source, b->start + (size_t)i, v);
+        for (k = 0; k < 3; k++) {
+            const double hair = 1e-15 * grid->size[k];
+            if (tbx_is_hair(v[0][k] - v[1][k], hair) | tbx_is_hair(v[1][k] - v[2][k], hair) |
+                tbx_is_hair(v[2][k] - v[0][k], hair)) {
+                return not_known;
+            }
+        }
+    }
+    return box;
 }
 
 /* Boxes of the triangles that are not as simple as can be; those that are not known are LARGE. Returns how
- * many are on the lattice. */
+ * many are on the lattice, or beside a plane. */
 TBX_NOINLINE int tbx_block_special(tbx_block *b, const tribox_grid *grid, const tbx_quick *q,
                                    const tbx_source *source, const tbx_corners *corners)
 {
     unsigned char list[TBX_LIST];
     const int count = tbx_list_of(list, b->of[TBX_CLASS_OTHER]);
-    int on_lattice = 0;
+    int on_planes = 0;
     int i;
     int j;
-    if (source->is_double) { /* are walked: their exact ways take floats */
-        for (i = 0; i < count; i++) {
-            const tbx_i4 box = { 0, 0, 0, TBX_NOT_KNOWN };
-            tbx_block_add(b, q, list[i], box);
-        }
-        return 0;
-    }
     for (i = 0; i < count; i += TBX_WIDE) {
         tbx_i4 box[TBX_WIDE];
-        tbx_boxes_special(q, corners, list + i, box);
+        if (q->lattice) {
+            tbx_boxes_special(q, corners, list + i, box);
+        }
         for (j = 0; j < TBX_WIDE && i + j < count; j++) {
-            tbx_i4 one = box[j];
-            if (one[3] == TBX_NOT_KNOWN) {
-                one = tbx_box_exact(grid, q, source, b->start + list[i + j]);
+            if (!q->lattice || box[j][3] == TBX_NOT_KNOWN) {
+                box[j] = tbx_block_box(b, grid, q, source, corners, list[i + j]);
             }
-            if (one[3] != TBX_OFF) {
-                tbx_block_add(b, q, list[i + j], one);
-                on_lattice += one[3] != TBX_NOT_KNOWN && (one[3] & TBX_ON_LATTICE) != 0;
+            if (box[j][3] != TBX_OFF) {
+                tbx_block_add(b, q, list[i + j], box[j]);
+                on_planes +=
+                    box[j][3] != TBX_NOT_KNOWN && (box[j][3] & (TBX_ON_LATTICE | TBX_BESIDE)) != 0;
             }
         }
     }
-    return on_lattice;
+    return on_planes;
 }
 
 /* What a block tells the next one about: boxes that were mostly beside grid planes, or all off the region. */
@@ -12569,7 +12908,7 @@ TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribo
 {
     const int is_near = tbx_block_load(corners, q, source, first, count);
     uint64_t found = 0;
-    int on_lattice = 0;
+    int on_planes = 0;
     int c;
     for (c = 0; c < TBX_CLASSES; c++) {
         b->of[c] = 0;
@@ -12584,12 +12923,12 @@ TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribo
         if (*habit != TBX_HABIT_PLANES) {
             tbx_block_careful(b, q, corners, count, is_near);
         }
-        on_lattice = tbx_block_special(b, grid, q, source, corners);
+        on_planes = tbx_block_special(b, grid, q, source, corners);
     }
     for (c = 0; c < TBX_CLASSES; c++) {
         found |= b->of[c];
     }
-    *habit = 2 * on_lattice > count ? TBX_HABIT_PLANES : found == 0 ? TBX_HABIT_OFF : TBX_HABIT_NONE;
+    *habit = 2 * on_planes > count ? TBX_HABIT_PLANES : found == 0 ? TBX_HABIT_OFF : TBX_HABIT_NONE;
 }
 
 /* ---- Groups: boxes of up to n^3 voxels, n = 2, 3 or 4
@@ -12627,71 +12966,6 @@ TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribo
  * bound the segment from both sides; the plane then says what they say. All of it is exact in floats: corners
  * are up to 3 voxels off, areas up to 2^14 q^2, D up to 2^21 q^3. Where a triangle is level on an axis on the
  * lattice, E is 0 at the inner points of its box in the planes of that axis, whatever the other one is. */
-
-/* Voxels missed: bit x + n y + n^2 z. Of 4^3 the lower half, the upper half, and what both miss. */
-typedef struct tbx_missed {
-    tbx_iw low;
-    tbx_iw high;
-    tbx_iw both;
-    tbx_fw least;       /* of |E| and |area| */
-    tbx_fw least_plane; /* of |D| */
-    tbx_fw touch_plane; /* |D| up to which the plane touches */
-    tbx_iw unsure;      /* of the precise way */
-} TBX_ALIGNED tbx_missed;
-
-#define TBX_STRIDE(n, k) ((k) == 0 ? 1 : (k) == 1 ? (n) : (n) * (n))
-
-/* Voxels of index 0 along axis k; n = 4: in half of them. */
-#define TBX_AT0(n, k) \
-    ((n) == 2   ? ((k) == 0   ? 0x55u \
-                   : (k) == 1 ? 0x33u \
-                              : 0x0fu) \
-     : (n) == 3 ? ((k) == 0   ? 0x01249249u \
-                   : (k) == 1 ? 0x001c0e07u \
-                              : 0x000001ffu) \
-                : ((k) == 0   ? 0x11111111u \
-                   : (k) == 1 ? 0x000f000fu \
-                              : 0x0000ffffu))
-
-/* Voxels of index 0 along axis k, or of index 1 where `up`; n = 2: bits above 7 are anything. */
-TBX_FORCED tbx_iw tbx_group_side(tbx_iw up, int n, int k)
-{
-    const uint32_t at0 = TBX_AT0(n, k);
-    const uint32_t both = at0 ^ (at0 << TBX_STRIDE(n, k));
-    return (n == 2 ? up : up & tbx_wide_int((int32_t)both)) ^ tbx_wide_int((int32_t)at0);
-}
-
-/* Misses voxels of layers z and z + 1; z < 0: of all layers. */
-TBX_FORCED void tbx_group_miss(tbx_missed *m, tbx_iw voxels, int n, int z)
-{
-    const tbx_iw layer = tbx_wide_int(16);
-    if (n < 4 || z == 0) {
-        m->low |= voxels;
-    } else if (z < 0) {
-        m->both |= voxels;
-    } else if (z == 2) {
-        m->high |= voxels;
-    } else {
-        m->low |= voxels << layer;
-        m->high |= (tbx_iw)((tbx_uw)voxels >> (tbx_uw)layer);
-    }
-}
-
-/* Misses the voxels of index i = 1.. along axis k that a smaller box does not have. */
-TBX_FORCED void tbx_group_beyond(tbx_missed *m, tbx_iw extents, int n, int k)
-{
-    const tbx_iw extent = (extents >> tbx_wide_int(8 * k)) & tbx_wide_int(3);
-    const uint32_t at0 = TBX_AT0(n, k);
-    const int halves = n == 4 && k == 2;
-    int i;
-    for (i = 1; i < 4; i++) {
-        if (i < n) {
-            const tbx_iw before = extent < tbx_wide_int(i);
-            const uint32_t voxels = at0 << (halves ? 16 * (i & 1) : i * TBX_STRIDE(n, k));
-            tbx_group_miss(m, before & tbx_wide_int((int32_t)voxels), n, halves ? i & 2 : -1);
-        }
-    }
-}
 
 /* Coordinates of one axis from the first inner grid plane of box `first`. */
 TBX_FORCED void tbx_group_place(const tbx_quick *q, int k, tbx_iw first, tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
@@ -13095,21 +13369,6 @@ TBX_FORCED unsigned tbx_decide_flat(uint64_t out[TBX_WIDE], const tbx_quick *q, 
     return tbx_wide_signs(least <= tbx_wide_all(12.0f * 2.0f * delta));
 }
 
-/* What a group of n^3 has not missed, as bits; the lanes that are unsure. */
-TBX_FORCED unsigned tbx_group_voxels(uint64_t out[TBX_WIDE], const tbx_missed *m, tbx_iw unsure, int n)
-{
-    const uint64_t all = ~(uint64_t)0 >> (64 - n * n * n);
-    uint32_t low[TBX_WIDE];
-    uint32_t high[TBX_WIDE];
-    int i;
-    TBX_COPY(low, &m->low, sizeof low);
-    TBX_COPY(high, &m->high, sizeof high);
-    for (i = 0; i < TBX_WIDE; i++) {
-        out[i] = ~(n == 4 ? low[i] | (uint64_t)high[i] << 32 : low[i]) & all;
-    }
-    return tbx_wide_signs(unsure);
-}
-
 TBX_NOINLINE unsigned tbx_decide_flat_x(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
 {
     return tbx_decide_flat(out, q, some, 0);
@@ -13171,383 +13430,557 @@ TBX_FN unsigned tbx_decide_class(uint64_t out[TBX_WIDE], const tbx_quick *q, con
     }
 }
 
-/* ---- Groups again, with what floats round off
+/* ---- Groups again, precisely
  *
  * Triangles that a group is unsure of mostly have corners near grid planes, or near places that cut a voxel
- * into few parts: decimals, in a grid of decimals. Here a coordinate is P + r, in PIECES of a voxel from the
- * first inner grid plane: P whole, r the rest, a float that is right to 1.01 u of itself, however small, and
- * 0 only if the corner is exactly there. With v = P + r, in floats off by u more,
+ * into few parts: decimals, in a grid of decimals. Here boxes have up to FEW voxels on each axis, and a
+ * coordinate is P + r, in PIECES of a voxel from the first inner grid plane: P whole, r the rest, right to
+ * REST_ERROR, as in tbx_walk_place. Then
  *
- *   E = P_i x P_j + G + H,  G = P_bi r_cj - r_ci v_bj,  H = r_bi v_cj - P_ci r_bj
+ *   E = P_i x P_j + G,  G = P_bi r_cj - r_ci v_bj + r_bi v_cj - P_ci r_bj,  v = P + r
  *   D = N . P + (N . r + M . v)
  *
- * where N and M are the whole and the other part of the normal, sums of those of E. The whole parts are
- * exact: P is at most 3 * PIECES off any inner plane, so N at most (4 * PIECES)^2, D at most 9 * 2^20 * 1.1.
- * Each product of G and H is off by 3.1 u of itself, twice that where a compiler multiplies out, their sums,
- * in whatever order, by less than 9 u: PRECISE_ERROR times the sum of magnitudes bounds it; D's by that of
- * N . r and M . v, nine steps of it, and what M is off by. E = 0 and D = 0 with all r = 0 is touching, which
- * counts where boxes are closed. Points that are not inside a triangle's own box decide nothing. */
-#define TBX_PRECISE_ERROR (16.0f * TBX_U32)
-#define TBX_PRECISE_PLANE_ERROR (20.0f * TBX_U32)
-#define TBX_PRECISE_LEAST 1e-30f /* of a rest: no product of two is flushed unseen */
+ * N and M the whole and the other part of the normal, sums of those of E. From one grid point to the next
+ * either part of E and of D steps by as much; the whole parts stay exact, P is at most FEW PIECES = 320, E's
+ * 2^18 and D's 2^28.
+ *
+ * Error of G, S the sum of both corners' |r| on both axes, in units of 320 u S: rests are right to 16 u, v
+ * and products add 3, three sums 3, and fourteen steps, made of two roundings each and of up to 2 * 320 S,
+ * 34: 60, less than FINE_ERROR. Of N . r + M . v, R the sum of all |r|: |N| is at most 2 * 320^2; M, a sum of
+ * G, at most 320 times 4 R, and off by 60 u of that; |v| is at most 320.5. That is 2^24.6 u R for M's error,
+ * and for up to 52 roundings of at most 2^19.3 R 2^25: less than 2^20 FINE_ERROR R. tests/errors.c looks for
+ * the largest. Where nothing is rounded, E = 0 touches: closed boxes only. */
+#define TBX_FEW 8
+#define TBX_PRECISE_EDGE_ERROR ((double)TBX_FEW * TBX_PIECES * TBX_FINE_ERROR)
+#define TBX_PRECISE_PLANE_ERROR (1048576.0 * TBX_FINE_ERROR)
+#define TBX_PRECISE (TBX_WIDE / 2) /* triangles at once */
 
-typedef struct tbx_precise_axis {
-    tbx_fw place[3]; /* P */
-    tbx_fw rest[3];  /* r */
-    tbx_fw v[3];
-    tbx_iw extent;
-    tbx_iw level;  /* the three corners are the same here, */
-    tbx_iw whole;  /* and all rests are 0 */
-    double origin; /* of the grid */
-    double size;
-    int points;               /* inner grid planes that some box has */
-    double fine[3][TBX_WIDE]; /* the rests, right to 2^-43 */
-} TBX_ALIGNED tbx_precise_axis;
+typedef double tbx_dp __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
+typedef uint64_t tbx_mp __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
 
-/* What the rounded sum of a and b is more or less than their sum: exact where it rounds to nearest, else off
- * by 2^-52 of itself, 2^-104 of the sum. Taken off what is left of the sum's difference from another number
- * (which is exact where that is less than half of either), it leaves 2^-60 of the sum right to 2^-44. */
-TBX_FORCED void tbx_precise_lost(tbx_dw *lost, const tbx_dw *a, const tbx_dw *b, const tbx_dw *sum)
+TBX_FORCED tbx_dp tbx_pair_all(double x)
 {
-    tbx_dw of_a = *sum - *b;
-    tbx_dw of_b;
-    TBX_KEEP(of_a);
-    of_b = *sum - of_a;
-    TBX_KEEP(of_b);
-    of_a = *a - of_a;
-    of_b = *b - of_b;
-    TBX_KEEP(of_a);
-    TBX_KEEP(of_b);
-    *lost = of_a + of_b;
+#if TBX_WIDE == 8
+    const tbx_dp r = { x, x, x, x };
+#else
+    const tbx_dp r = { x, x };
+#endif
+    return r;
 }
 
-/* Coordinates v of axis k. Lanes of *unsure cannot be told apart. */
-TBX_FN void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, tbx_iw first, tbx_iw extent,
-                            const tbx_fw v[3], tbx_iw *unsure)
+TBX_FORCED tbx_mp tbx_pair_bits(uint64_t x)
 {
-    const tbx_dw pieces = TBX_ALL((double)TBX_PIECES);
-    const tbx_dw units = TBX_ALL(q->units[k]);
-    const tbx_dw units_pieces = TBX_ALL(q->units[k] * (double)TBX_PIECES);
-    const tbx_dw origin = TBX_ALL(q->whole_origin[k]);
-    const tbx_dw origin_high = TBX_ALL(q->origin_high[k]);
-    const tbx_dw origin_low = TBX_ALL(q->origin_low[k]);
-    const tbx_dw high = TBX_ALL(q->high[k]);
-    const tbx_dw low = TBX_ALL(q->low[k]);
-    const tbx_dw round = TBX_ALL(6755399441055744.0); /* 3 * 2^51: what is added to it becomes whole */
-    const tbx_dw tiny = TBX_ALL(1.0 / 1048576.0 / 1099511627776.0); /* 2^-60 */
-    const tbx_dw zero = TBX_ALL(0.0);
-    const tbx_dw base = __builtin_convertvector(first + tbx_wide_int(q->lo[k] + 1), tbx_dw) * pieces;
-    const tbx_iw magnitude = tbx_wide_int(0x7fffffff);
-    int i;
-    a->whole = tbx_wide_int(-1);
-    for (i = 0; i < 3; i++) {
-        const tbx_iw size = (tbx_iw)v[i] & magnitude;
-        const tbx_dw x = __builtin_convertvector(v[i], tbx_dw);
-        tbx_dw at = (x - origin) * units_pieces + round;
-        tbx_dw along;
-        tbx_dw taken;
-        tbx_dw back;
-        tbx_dw part;
-        tbx_dw lows;
-        tbx_dw rest;
-        TBX_KEEP(at);
-        at -= round;
-        TBX_KEEP(at);
-        along = x * pieces - origin_high;
-        TBX_KEEP(along);
-        taken = x * pieces - along; /* as in tbx_plane_beside */
-        TBX_KEEP(taken);
-        back = along + origin_high;
-        TBX_KEEP(back);
-        *unsure |= __builtin_convertvector((back != x * pieces) | (taken != origin_high), tbx_iw) |
-                   ((size > tbx_wide_int(0)) & (size < tbx_wide_int(0x00800000)));
-        along -= at * high;
-        TBX_KEEP(along);
-        part = at * low; /* exact */
-        TBX_KEEP(part);
-        lows = origin_low + part;
-        TBX_KEEP(lows);
-        rest = along - lows;
-        TBX_KEEP(rest);
-        if (q->origin_low[k] != 0.0) { /* the sum of both is rounded */
-            const tbx_dw most = lows * tiny;
-            tbx_dw lost;
-            tbx_precise_lost(&lost, &origin_low, &part, &lows);
-            rest -= lost;
-            TBX_KEEP(rest);
-            *unsure |= __builtin_convertvector((rest < most) & (rest > -most), tbx_iw) |
-                       __builtin_convertvector((rest < -most) & (rest > most), tbx_iw) |
-                       __builtin_convertvector(rest == zero, tbx_iw);
-        }
-        a->v[i] = v[i];
-        rest *= units;
-        TBX_KEEP(rest);
-        TBX_COPY(a->fine[i], &rest, sizeof rest);
-        a->rest[i] = __builtin_convertvector(rest, tbx_fw);
-        a->place[i] = __builtin_convertvector(at - base, tbx_fw);
-        a->whole &= __builtin_convertvector(rest == zero, tbx_iw);
-        *unsure |= (tbx_wide_abs(a->rest[i]) < tbx_wide_all(TBX_PRECISE_LEAST)) &
-                   ~__builtin_convertvector(rest == zero, tbx_iw);
-    }
-    a->extent = extent;
-    a->origin = q->whole_origin[k];
-    a->size = q->high[k] + q->low[k];
-    a->level = ((tbx_iw)v[0] == (tbx_iw)v[1]) & ((tbx_iw)v[1] == (tbx_iw)v[2]);
+#if TBX_WIDE == 8
+    const tbx_mp r = { x, x, x, x };
+#else
+    const tbx_mp r = { x, x };
+#endif
+    return r;
 }
 
-/* What has been computed, so that no compiler rearranges the sums it goes into. */
-TBX_FORCED tbx_fw tbx_precise_kept(tbx_fw a)
+TBX_FORCED tbx_dp tbx_pair_of(const double x[TBX_PRECISE])
+{
+#if TBX_WIDE == 8
+    const tbx_dp r = { x[0], x[1], x[2], x[3] };
+#else
+    const tbx_dp r = { x[0], x[1] };
+#endif
+    return r;
+}
+
+TBX_FORCED tbx_dp tbx_pair_abs(tbx_dp a)
+{
+    return (tbx_dp)((tbx_mp)a & tbx_pair_bits(~(uint64_t)0 >> 1));
+}
+
+TBX_FORCED tbx_dp tbx_pair_where(tbx_mp mask, tbx_dp a)
+{
+    return (tbx_dp)((tbx_mp)a & mask);
+}
+
+TBX_FORCED tbx_dp tbx_pair_flip(tbx_dp a, tbx_mp sign)
+{
+    return (tbx_dp)((tbx_mp)a ^ sign);
+}
+
+/* Lanes that are less. */
+TBX_FORCED tbx_mp tbx_pair_less(tbx_dp a, tbx_dp b)
+{
+    return (tbx_mp)(a < b);
+}
+
+TBX_FORCED tbx_dp tbx_pair_kept(tbx_dp a)
 {
     TBX_KEEP_VECTOR(a);
     return a;
 }
 
-/* From corner i to corner j. */
-TBX_FORCED tbx_fw tbx_precise_edge(const tbx_precise_axis *a, int i, int j)
+/* Corner 3 is corner 0. */
+typedef struct tbx_precise_axis {
+    tbx_dp x[4];
+    tbx_dp place[4]; /* P */
+    tbx_dp rest[4];  /* r */
+    tbx_dp size[3];  /* of edge i's rests: |r| of both corners */
+    tbx_mp same[3];  /* edge i's corners have one coordinate */
+    tbx_mp whole;    /* all rests are 0 */
+    int points;      /* inner grid planes that some box has */
+} TBX_ALIGNED tbx_precise_axis;
+
+/* Twice the area in a plane, whole and other part, what the other may be off by, and where there is none. */
+typedef struct tbx_precise_normal {
+    tbx_dp whole;
+    tbx_dp rest;
+    tbx_dp error;
+    tbx_mp flat;
+} TBX_ALIGNED tbx_precise_normal;
+
+/* Missed cells of the planes yz (bit y + 8 z), zx and xy (bits x + 8 z, x + 8 y); layers of inner points on
+ * either side of the triangle's plane (bits x + 8 y). */
+typedef struct tbx_precise_found {
+    tbx_mp missed[3];
+    tbx_mp above[TBX_FEW];
+    tbx_mp below[TBX_FEW];
+    tbx_mp up; /* 1, 2, 4: n is negative on axis x, y, z */
+    tbx_mp unsure;
+} TBX_ALIGNED tbx_precise_found;
+
+/* The voxels of WIDE boxes, by layers: bits x + 8 y. */
+typedef struct tbx_precise_voxels {
+    uint64_t layer[TBX_WIDE][TBX_FEW];
+} tbx_precise_voxels;
+
+/* As tbx_sum_exact. */
+TBX_FORCED tbx_dp tbx_pair_sum(tbx_dp a, tbx_dp b, tbx_dp *out_lost)
 {
-    return tbx_precise_kept(a->place[j] - a->place[i]) + tbx_precise_kept(a->rest[j] - a->rest[i]);
+    const tbx_dp sum = tbx_pair_kept(a + b);
+    const tbx_dp of_a = tbx_pair_kept(sum - b);
+    const tbx_dp of_b = tbx_pair_kept(sum - of_a);
+    *out_lost = tbx_pair_kept(a - of_a) + tbx_pair_kept(b - of_b);
+    return sum;
 }
 
-/* Lanes in which corners i and j differ on an axis by less than the rests are off by, d as computed. */
-TBX_FORCED tbx_iw tbx_precise_unsure(const tbx_precise_axis *a, int i, int j, tbx_fw d)
+/* Places and rests on axis k, as in tbx_rest, from place `base`. Lanes of *unsure are not known. */
+TBX_FORCED void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, tbx_dp base, tbx_mp *unsure)
 {
-    const tbx_fw error =
-        (tbx_wide_abs(a->rest[i]) + tbx_wide_abs(a->rest[j])) * tbx_wide_all(TBX_PRECISE_ERROR);
-    return (tbx_wide_abs(d) <= error) & ((tbx_iw)a->v[i] != (tbx_iw)a->v[j]);
-}
-
-/* Lanes in which corners i and j, or the same corner on two axes, are the same number. */
-TBX_FORCED tbx_iw tbx_precise_same(tbx_fw v, tbx_fw w)
-{
-    return (tbx_iw)v == (tbx_iw)w;
-}
-
-/* E of the edge from i to j, of which the whole part is 0, at the inner grid point k, l, in lanes *unsure,
- * once more: in double, where decimals that are off by the same float are not. Rests are right to 2^-43, what
- * is made of them to 2^-41. Lanes that are sure now leave *unsure, E is then of the right sign. */
-#define TBX_PRECISE_FINE (1.0 / 1099511627776.0) /* 2^-40 */
-
-TBX_NOINLINE void tbx_precise_finer(tbx_fw *e, tbx_iw *unsure, const tbx_precise_axis *x,
-                                    const tbx_precise_axis *y, int i, int j, int k, int l)
-{
-    const double at_x = (double)k * (double)TBX_PIECES;
-    const double at_y = (double)l * (double)TBX_PIECES;
-    int lane;
-    for (lane = 0; lane < TBX_WIDE; lane++) {
-        const double x_i = (double)x->place[i][lane] - at_x;
-        const double x_j = (double)x->place[j][lane] - at_x;
-        const double y_i = (double)y->place[i][lane] - at_y;
-        const double y_j = (double)y->place[j][lane] - at_y;
-        double part[4];
-        double bound;
-        double sum;
-        part[0] = x_i * y->fine[j][lane];
-        part[1] = -(y->fine[i][lane] * (x_j + x->fine[j][lane]));
-        part[2] = x->fine[i][lane] * (y_j + y->fine[j][lane]);
-        part[3] = -(y_i * x->fine[j][lane]);
-        TBX_KEEP(part);
-        sum = (part[0] + part[1]) + (part[2] + part[3]);
-        bound = (tbx_abs(part[0]) + tbx_abs(part[1])) + (tbx_abs(part[2]) + tbx_abs(part[3]));
-        bound *= TBX_PRECISE_FINE;
-        if ((*unsure)[lane] != 0 && x_i * y_j == y_i * x_j && (sum > bound || sum < -bound)) {
-            (*unsure)[lane] = 0;
-            (*e)[lane] = sum > 0.0 ? 1.0f : -1.0f;
-        }
-    }
-}
-
-/* The three edges in the plane of axes x and y, b and c of the groups; where the grid has the same numbers on
- * both, corners with equal coordinates lie on a line through grid points, exactly. Returns the whole part of
- * twice the area, in *rest the other part and in *error how far that may be off; flat lanes have none. */
-TBX_NOINLINE tbx_fw tbx_precise_edges(tbx_missed *m, const tbx_precise_axis *x, const tbx_precise_axis *y,
-                                      int b, int c, int closed, tbx_fw *rest, tbx_fw *error, tbx_iw *flat)
-{
-    const tbx_fw pieces = tbx_wide_all(TBX_PIECES);
-    const tbx_fw relative = tbx_wide_all(TBX_PRECISE_ERROR);
-    const tbx_fw zero = tbx_wide_all(0.0f);
-    const tbx_iw open = tbx_wide_int(closed - 1);
-    tbx_fw area = zero;
-    tbx_fw area_rest = zero;
-    tbx_fw area_error = zero;
-    const tbx_iw alike = tbx_wide_int(x->origin == y->origin && x->size == y->size ? -1 : 0);
-    tbx_iw diagonal[3]; /* corners on such a line */
-    tbx_iw point[3];    /* edges that are points here */
-    tbx_iw sign;
-    tbx_iw across; /* lanes level on an axis: their box says it all */
+    const tbx_dp pieces = tbx_pair_all(TBX_PIECES);
+    const tbx_dp round = tbx_pair_all(6755399441055744.0); /* 3 * 2^51: what is added to it becomes whole */
+    const tbx_mp upper = tbx_pair_bits(~(uint64_t)0x7ffffff);
+    const tbx_dp from = tbx_pair_all(q->origin_high[k]);
+    const tbx_dp origin_low = tbx_pair_all(q->origin_low[k]);
+    const tbx_dp zero = tbx_pair_all(0.0);
+    const int is_simple = q->origin_low[k] == 0.0 && !q->is_double;
     int i;
+    a->whole = tbx_pair_bits(~(uint64_t)0);
     for (i = 0; i < 3; i++) {
-        const int j = i < 2 ? i + 1 : 0;
-        const tbx_fw g0 = x->place[i] * y->rest[j];
-        const tbx_fw g1 = y->rest[i] * (x->place[j] + x->rest[j]);
-        const tbx_fw h0 = x->rest[i] * (y->place[j] + y->rest[j]);
-        const tbx_fw h1 = y->place[i] * x->rest[j];
-        tbx_fw part;
-        diagonal[i] = tbx_precise_same(x->v[i], y->v[i]) & alike;
-        point[i] = tbx_precise_same(x->v[i], x->v[j]) & tbx_precise_same(y->v[i], y->v[j]);
-        area += x->place[i] * y->place[j] - y->place[i] * x->place[j];
-        part = (g0 - g1) + (h0 - h1);
-        TBX_KEEP_VECTOR(part);
-        area_rest += part;
-        area_error += tbx_wide_abs(g0) + tbx_wide_abs(g1) + tbx_wide_abs(h0) + tbx_wide_abs(h1);
-    }
-    area_error = area_error * relative;
-    TBX_KEEP_VECTOR(area); /* whole and other parts are kept apart: their sum is the last that is rounded */
-    TBX_KEEP_VECTOR(area_rest);
-    across = x->level | y->level;
-    *flat = across | point[0] | point[1] | point[2] | (diagonal[0] & diagonal[1] & diagonal[2]) |
-            (x->whole & y->whole & (area == zero));
-    *rest = area_rest;
-    *error = area_error;
-    sign = tbx_wide_sign(area + area_rest);
-    m->unsure |= (tbx_wide_abs(area + area_rest) <= area_error) & ~*flat;
-    for (i = 0; i < 3; i++) {
-        const int j = i < 2 ? i + 1 : 0;
-        const tbx_fw d_b = tbx_precise_edge(x, i, j);
-        const tbx_fw d_c = tbx_precise_edge(y, i, j);
-        const tbx_iw cell = tbx_group_side(tbx_wide_sign(d_c) ^ ~sign, 4, b) &
-                            tbx_group_side(tbx_wide_sign(d_b) ^ sign, 4, c) & ~across;
-        const tbx_iw any = ~(x->whole & y->whole);
-        const tbx_iw edge = ~(across | point[i]);
-        tbx_fw h[3];
-        tbx_fw h_error[3];
-        int k;
-        int l;
-        /* the sign of d where it is not 0 and less than the rests are off by */
-        m->unsure |= tbx_precise_unsure(x, i, j, d_b) & ~across;
-        m->unsure |= tbx_precise_unsure(y, i, j, d_c) & ~across;
-        for (l = 0; l < y->points; l++) {
-            const tbx_fw p = tbx_wide_all((float)l) * pieces;
-            const tbx_fw h0 = x->rest[i] * (tbx_precise_kept(y->place[j] - p) + y->rest[j]);
-            const tbx_fw h1 = (y->place[i] - p) * x->rest[j];
-            h[l] = h0 - h1;
-            h_error[l] = (tbx_wide_abs(h0) + tbx_wide_abs(h1)) * relative + tbx_wide_all(1e-34f);
+        const tbx_dp x = a->x[i];
+        const tbx_dp x_high = (tbx_dp)((tbx_mp)x & upper);
+        const tbx_dp to = x_high * pieces;
+        const tbx_dp whole = tbx_pair_kept((x - tbx_pair_all(q->whole_origin[k])) *
+                                               tbx_pair_all(q->units[k] * TBX_PIECES) +
+                                           round);
+        const tbx_dp at = tbx_pair_kept(whole - round);
+        const tbx_dp along = tbx_pair_kept(to - from);
+        const tbx_dp part = at * tbx_pair_all(q->low[k]);
+        tbx_dp rest = tbx_pair_kept(along - at * tbx_pair_all(q->high[k]));
+        if (q->origin_high[k] != 0.0) { /* else nothing is rounded */
+            *unsure |= (tbx_mp)(tbx_pair_kept(to - along) != from) |
+                       (tbx_mp)(tbx_pair_kept(along + from) != to);
         }
-        for (k = 0; k < x->points; k++) {
-            const tbx_fw p = tbx_wide_all((float)k) * pieces;
-            const tbx_fw x_i = tbx_precise_kept(x->place[i] - p);
-            const tbx_fw x_j = tbx_precise_kept(x->place[j] - p);
-            const tbx_fw g0 = x_i * y->rest[j];
-            const tbx_fw g1 = y->rest[i] * (x_j + x->rest[j]);
-            const tbx_fw g = g0 - g1;
-            const tbx_fw g_error = (tbx_wide_abs(g0) + tbx_wide_abs(g1)) * relative;
-            for (l = 0; l < y->points; l++) {
-                const tbx_fw o = tbx_wide_all((float)l) * pieces;
-                const tbx_fw whole = x_i * (y->place[j] - o) - (y->place[i] - o) * x_j;
-                tbx_fw e = tbx_precise_kept(whole) + tbx_precise_kept(g + h[l]);
-                const tbx_iw inside = (x->extent > tbx_wide_int(k)) & (y->extent > tbx_wide_int(l)) & edge;
-                const tbx_iw tie =
-                    diagonal[i] & diagonal[j] & (x_i == y->place[i] - o) & (x_j == y->place[j] - o);
-                tbx_iw unsure = (tbx_wide_abs(e) <= g_error + h_error[l]) & inside & ((any & ~tie) | open);
-                const int up = (b == 2 ? 0 : k * TBX_STRIDE(4, b)) + (c == 2 ? 0 : l * TBX_STRIDE(4, c));
-                tbx_iw outside;
-                if (TBX_RARELY(tbx_wide_any(unsure))) {
-                    tbx_precise_finer(&e, &unsure, x, y, i, j, k, l);
-                }
-                outside = ((e < zero) ^ sign) & (e != zero) & inside & ~tie;
-                m->unsure |= unsure;
-                tbx_group_miss(m, tbx_wide_up(cell, up) & outside, 4, b == 2 ? k : c == 2 ? l : -1);
-            }
+        if (is_simple) {
+            rest -= part;
+        } else {
+            const tbx_dp above = (x - x_high) * pieces;
+            const tbx_dp least = (tbx_pair_abs(origin_low) + tbx_pair_abs(above) + tbx_pair_abs(part)) *
+                                 tbx_pair_all(TBX_REST_LEAST);
+            tbx_dp lost[2];
+            tbx_dp lows = tbx_pair_sum(origin_low, -above, &lost[0]);
+            lows = tbx_pair_sum(lows, part, &lost[1]);
+            rest = tbx_pair_kept(rest - lows);
+            rest = (rest - lost[1]) - lost[0];
+            *unsure |= ~tbx_pair_less(least, tbx_pair_abs(rest));
         }
+        a->place[i] = at - base;
+        a->rest[i] = tbx_pair_kept(rest * tbx_pair_all(q->units[k]));
+        a->whole &= (tbx_mp)(a->rest[i] == zero);
     }
-    return area;
+    a->x[3] = a->x[0];
+    a->place[3] = a->place[0];
+    a->rest[3] = a->rest[0];
+    {
+        const tbx_dp size0 = tbx_pair_abs(a->rest[0]);
+        const tbx_dp size1 = tbx_pair_abs(a->rest[1]);
+        const tbx_dp size2 = tbx_pair_abs(a->rest[2]);
+        a->size[0] = size0 + size1;
+        a->size[1] = size1 + size2;
+        a->size[2] = size2 + size0;
+    }
+    a->same[0] = (tbx_mp)(a->x[0] == a->x[1]);
+    a->same[1] = (tbx_mp)(a->x[1] == a->x[2]);
+    a->same[2] = (tbx_mp)(a->x[2] == a->x[0]);
 }
 
-/* The plane: n, its other part, how far that may be off, each on three axes. */
-TBX_NOINLINE void tbx_precise_plane(tbx_missed *m, const tbx_precise_axis axis[3], const tbx_fw n[3],
-                                    const tbx_fw rest[3], const tbx_fw error[3], tbx_iw flat, int closed)
+/* What E of an edge is made of, or D: turned so that E is negative outside. */
+typedef struct tbx_precise_line {
+    tbx_dp whole;
+    tbx_dp rest;
+    tbx_dp step_x[2]; /* of both parts from one point to the next */
+    tbx_dp step_y[2];
+    tbx_dp error;
+} TBX_ALIGNED tbx_precise_line;
+
+/* E of edge i at the first inner point. */
+TBX_FORCED void tbx_precise_edge(tbx_precise_line *out, const tbx_precise_axis *x, const tbx_precise_axis *y,
+                                 int i)
 {
-    const tbx_fw pieces = tbx_wide_all(TBX_PIECES);
-    const tbx_fw zero = tbx_wide_all(0.0f);
-    const tbx_iw whole = axis[0].whole & axis[1].whole & axis[2].whole;
-    const tbx_iw may_be_unsure = ~whole | tbx_wide_int(closed - 1);
-    tbx_iw cell = tbx_wide_int(-1);
-    tbx_iw other = cell;
-    tbx_fw d = zero;
-    tbx_fw d_rest = zero;
-    tbx_fw bound = zero;
-    int k;
+    const int j = i + 1;
+    const tbx_dp g0 = x->place[i] * y->rest[j];
+    const tbx_dp g1 = y->rest[i] * (x->place[j] + x->rest[j]);
+    const tbx_dp h0 = x->rest[i] * (y->place[j] + y->rest[j]);
+    const tbx_dp h1 = y->place[i] * x->rest[j];
+    out->whole = tbx_pair_kept(x->place[i] * y->place[j] - y->place[i] * x->place[j]);
+    out->rest = tbx_pair_kept((g0 - g1) + (h0 - h1));
+    out->error = (x->size[i] + y->size[i]) * tbx_pair_all(TBX_PRECISE_EDGE_ERROR) + tbx_pair_all(1e-30);
+}
+
+/* The points at which an edge is outside, and lanes in which that is unsure. */
+TBX_FORCED tbx_mp tbx_precise_outside(const tbx_precise_line *l, int points_x, int points_y, int up_x,
+                                      int up_y, tbx_mp *unsure)
+{
+    const tbx_dp zero = tbx_pair_all(0.0);
+    const tbx_dp step = l->step_x[0];
+    const tbx_dp step_rest = l->step_x[1];
+    tbx_mp outside = tbx_pair_bits(0);
+    tbx_mp doubt = outside;
+    tbx_mp cell = tbx_pair_bits(1);
+    tbx_dp row = l->whole;
+    tbx_dp row_rest = l->rest;
+    int y = points_y;
+    do {
+        tbx_mp bit = cell;
+        tbx_dp whole = row;
+        tbx_dp rest = row_rest;
+        int x = points_x;
+        do {
+            const tbx_dp e = tbx_pair_kept(whole) + tbx_pair_kept(rest);
+            outside |= tbx_pair_less(e, zero) & bit;
+            doubt |= tbx_pair_less(tbx_pair_abs(e), l->error);
+            whole -= step;
+            rest -= step_rest;
+            bit = bit << tbx_pair_bits((uint64_t)up_x);
+        } while (--x > 0);
+        row += l->step_y[0];
+        row_rest += l->step_y[1];
+        cell = cell << tbx_pair_bits((uint64_t)up_y);
+    } while (--y > 0);
+    *unsure |= doubt;
+    return outside;
+}
+
+/* What is missed moved by so many bits where `up`. */
+TBX_FORCED tbx_mp tbx_precise_move(tbx_mp missed, tbx_mp up, int bits)
+{
+    return bits == 1 ? missed + (missed & up)
+                     : (missed & ~up) | ((missed << tbx_pair_bits((uint64_t)bits)) & up);
+}
+
+/* Is any lane not 0? */
+TBX_FORCED int tbx_pair_any(tbx_mp a)
+{
+    uint64_t lane[TBX_PRECISE];
+    TBX_COPY(lane, &a, sizeof lane);
+#if TBX_WIDE == 8
+    return (lane[0] | lane[1] | lane[2] | lane[3]) != 0;
+#else
+    return (lane[0] | lane[1]) != 0;
+#endif
+}
+
+/* Where an edge decides nothing, E is 0, and what E is made of is exact on a diagonal, and where nothing is
+ * rounded: closed boxes touch at 0. */
+TBX_FORCED void tbx_precise_exact(tbx_precise_line *l, tbx_mp decides, tbx_mp is_rounded)
+{
+    l->whole = tbx_pair_where(decides, l->whole);
+    l->step_x[0] = tbx_pair_where(decides, l->step_x[0]);
+    l->step_y[0] = tbx_pair_where(decides, l->step_y[0]);
+    l->rest = tbx_pair_where(is_rounded, l->rest);
+    l->step_x[1] = tbx_pair_where(is_rounded, l->step_x[1]);
+    l->step_y[1] = tbx_pair_where(is_rounded, l->step_y[1]);
+    l->error = tbx_pair_where(is_rounded, l->error);
+}
+
+/* The three edges in the plane across axis a. Where the grid has the same numbers on both other axes, corners
+ * with equal coordinates lie on a line through grid points, exactly. */
+TBX_FORCED void tbx_precise_edges(tbx_precise_found *found, tbx_precise_normal *n,
+                                  const tbx_precise_axis axis[3], const tbx_quick *q, int a)
+{
+    const int b = a < 2 ? a + 1 : 0;
+    const int c = a > 0 ? a - 1 : 2;
+    const tbx_precise_axis *x = &axis[b];
+    const tbx_precise_axis *y = &axis[c];
+    const int up_x = a == 1 ? 8 : 1; /* bits from one point to the next */
+    const int up_y = a == 1 ? 1 : 8;
+    const tbx_dp zero = tbx_pair_all(0.0);
+    const tbx_mp closed = tbx_pair_bits(q->upper_open ? 0 : ~(uint64_t)0);
+    const tbx_mp alike = tbx_pair_bits(
+        q->whole_origin[b] == q->whole_origin[c] && q->high[b] == q->high[c] && q->low[b] == q->low[c]
+            ? ~(uint64_t)0
+            : 0);
+    const tbx_mp across = (x->same[0] & x->same[1]) | (y->same[0] & y->same[1]); /* their box says it all */
+    const tbx_mp whole = x->whole & y->whole;
+    tbx_precise_line line[3];
+    tbx_mp on_line[4];
+    tbx_mp special = across | whole; /* some edge is to be asked whether it is exact */
+    tbx_mp turned;
+    tbx_mp flip;
+    tbx_dp pieces;
+    int is_special;
+    int i;
+    n->whole = n->rest = n->error = zero;
+    n->flat = across;
+    for (i = 0; i < 3; i++) {
+        tbx_precise_edge(&line[i], x, y, i);
+        on_line[i] = (tbx_mp)(x->x[i] == y->x[i]) & alike;
+        n->whole += line[i].whole;
+        n->rest += line[i].rest;
+        n->error += line[i].error;
+        n->flat |= x->same[i] & y->same[i];
+        special |= on_line[i];
+    }
+    TBX_KEEP_VECTOR(n->whole);
+    TBX_KEEP_VECTOR(n->rest);
+    on_line[3] = on_line[0];
+    is_special = tbx_pair_any(special | n->flat);
+    n->flat |= (on_line[0] & on_line[1] & on_line[2]) | (whole & (tbx_mp)(n->whole == zero));
+    turned = tbx_pair_less(n->whole + n->rest, zero);
+    flip = turned & tbx_pair_bits((uint64_t)1 << 63);
+    pieces = tbx_pair_flip(tbx_pair_all(TBX_PIECES), flip);
+    found->unsure |= ~tbx_pair_less(n->error, tbx_pair_abs(n->whole + n->rest)) & ~n->flat;
+    for (i = 0; i < 3; i++) {
+        const int j = i + 1;
+        const tbx_mp to_y = tbx_pair_less(x->x[j], x->x[i]) ^ turned; /* or either, if they are the same */
+        const tbx_mp to_x = tbx_pair_less(y->x[i], y->x[j]) ^ turned;
+        tbx_precise_line *l = &line[i];
+        l->whole = tbx_pair_flip(l->whole, flip);
+        l->rest = tbx_pair_flip(l->rest, flip);
+        l->step_x[0] = (y->place[j] - y->place[i]) * pieces;
+        l->step_x[1] = (y->rest[j] - y->rest[i]) * pieces;
+        l->step_y[0] = (x->place[j] - x->place[i]) * pieces;
+        l->step_y[1] = (x->rest[j] - x->rest[i]) * pieces;
+        if (is_special) {
+            const tbx_mp decides = ~(across | (x->same[i] & y->same[i]));
+            const tbx_mp diagonal = on_line[i] & on_line[j] & (tbx_mp)(x->place[i] != x->place[j]);
+            tbx_precise_exact(l, decides, decides & ~(closed & (diagonal | whole)));
+        }
+        found->missed[a] |= tbx_precise_move(
+            tbx_precise_move(tbx_precise_outside(l, x->points, y->points, up_x, up_y, &found->unsure), to_x,
+                             up_x),
+            to_y, up_y);
+    }
+}
+
+/* D at the first inner point, n the normal. */
+TBX_FORCED void tbx_precise_plane_at(tbx_precise_line *out, const tbx_precise_axis axis[3],
+                                     const tbx_precise_normal n[3])
+{
+    tbx_dp error = tbx_pair_all(0.0);
+    int i;
+    out->whole = out->rest = error;
+    for (i = 0; i < 3; i++) {
+        const tbx_precise_axis *a = &axis[i];
+        out->whole += n[i].whole * a->place[0];
+        out->rest += n[i].whole * a->rest[0] + n[i].rest * (a->place[0] + a->rest[0]);
+        error += a->size[0] + a->size[1];
+    }
+    out->error = error * tbx_pair_all(TBX_PRECISE_PLANE_ERROR) + tbx_pair_all(1e-30);
+}
+
+/* The plane: of each voxel's box the sides of its inner points. */
+TBX_NOINLINE void tbx_precise_plane(tbx_precise_found *found, const tbx_precise_axis axis[3],
+                                    const tbx_precise_normal n[3], const tbx_quick *q)
+{
+    const tbx_dp zero = tbx_pair_all(0.0);
+    const tbx_dp pieces = tbx_pair_all(TBX_PIECES);
+    const tbx_mp decides = ~(n[0].flat | n[1].flat | n[2].flat);
+    const tbx_mp whole = axis[0].whole & axis[1].whole & axis[2].whole;
+    const tbx_mp is_rounded = decides & ~(whole & tbx_pair_bits(q->upper_open ? 0 : ~(uint64_t)0));
+    tbx_precise_line d_at;
+    tbx_dp step[3][2];
+    tbx_dp layer;
+    tbx_dp layer_rest;
+    tbx_dp error;
+    int i;
     int x;
     int y;
     int z;
-    for (k = 0; k < 3; k++) {
-        const tbx_fw v = axis[k].place[0] + axis[k].rest[0];
-        const tbx_fw reach = tbx_wide_all(4.0f) * pieces;
-        const tbx_iw sign = tbx_wide_sign(n[k] + rest[k]);
-        d += n[k] * axis[k].place[0];
-        d_rest += n[k] * axis[k].rest[0] + rest[k] * v;
-        bound += tbx_wide_all(TBX_PRECISE_PLANE_ERROR) *
-                     (tbx_wide_abs(n[k] * axis[k].rest[0]) + tbx_wide_abs(rest[k]) * reach) +
-                 error[k] * reach;
-        cell &= tbx_group_side(sign, 4, k);
-        other &= tbx_group_side(~sign, 4, k);
+    tbx_precise_plane_at(&d_at, axis, n);
+    for (i = 0; i < 3; i++) {
+        step[i][0] = tbx_pair_where(decides, n[i].whole * pieces);
+        step[i][1] = tbx_pair_where(is_rounded, n[i].rest * pieces);
+        found->up |= tbx_pair_less(n[i].whole + n[i].rest, zero) & tbx_pair_bits((uint64_t)1 << i);
     }
-    TBX_KEEP_VECTOR(d);
-    TBX_KEEP_VECTOR(d_rest);
+    layer = tbx_pair_where(decides, d_at.whole);
+    layer_rest = tbx_pair_where(is_rounded, d_at.rest);
+    error = tbx_pair_where(is_rounded, d_at.error);
     for (z = 0; z < axis[2].points; z++) {
+        tbx_dp row = layer;
+        tbx_dp row_rest = layer_rest;
+        tbx_mp above = tbx_pair_bits(0);
+        tbx_mp below = above;
         for (y = 0; y < axis[1].points; y++) {
+            tbx_mp bit = tbx_pair_bits((uint64_t)1 << 8 * y);
+            tbx_dp at = row;
+            tbx_dp rest = row_rest;
             for (x = 0; x < axis[0].points; x++) {
-                const tbx_fw at_x = tbx_wide_all((float)x) * pieces;
-                const tbx_fw at_y = tbx_wide_all((float)y) * pieces;
-                const tbx_fw at_z = tbx_wide_all((float)z) * pieces;
-                const tbx_fw value =
-                    tbx_precise_kept(((d - at_x * n[0]) - at_y * n[1]) - at_z * n[2]) +
-                    tbx_precise_kept(((d_rest - at_x * rest[0]) - at_y * rest[1]) - at_z * rest[2]);
-                const tbx_iw inside = (axis[0].extent > tbx_wide_int(x)) &
-                                      (axis[1].extent > tbx_wide_int(y)) &
-                                      (axis[2].extent > tbx_wide_int(z)) & ~flat;
-                const tbx_iw missed = tbx_wide_select(value < zero, other, cell) & (value != zero) & inside;
-                m->unsure |= (tbx_wide_abs(value) <= bound) & inside & may_be_unsure;
-                tbx_group_miss(m, tbx_wide_up(missed, y * 4 + x), 4, z);
+                const tbx_dp d = tbx_pair_kept(at) + tbx_pair_kept(rest);
+                below |= tbx_pair_less(d, zero) & bit;
+                above |= tbx_pair_less(zero, d) & bit;
+                bit += bit;
+                found->unsure |= tbx_pair_less(tbx_pair_abs(d), error);
+                at -= step[0][0];
+                rest -= step[0][1];
             }
+            row -= step[1][0];
+            row_rest -= step[1][1];
+        }
+        found->above[z] = above;
+        found->below[z] = below;
+        layer -= step[2][0];
+        layer_rest -= step[2][1];
+    }
+}
+
+/* The voxels of lane i, box `more`. */
+TBX_FN void tbx_precise_join(uint64_t layer[TBX_FEW], const tbx_precise_found *found, int i, int32_t more)
+{
+    const uint64_t each = (uint64_t)0x01010101u << 32 | 0x01010101u;     /* bit 0 of each byte, */
+    const uint64_t diagonal = (uint64_t)0x80402010u << 32 | 0x08040201u; /* and bit k of byte k */
+    const int more_z = more >> 16 & 255;
+    const uint64_t row = (((uint64_t)2 << (more & 255)) - 1) * each;
+    const uint64_t box = row & (~(uint64_t)0 >> (56 - 8 * (more >> 8 & 255)));
+    const uint64_t xy = found->missed[2][i];
+    uint64_t yz = found->missed[0][i];
+    uint64_t zx = found->missed[1][i];
+    int z;
+    for (z = 0; z <= more_z; z++, yz >>= 8, zx >>= 8) {
+        const uint64_t rows = ((((yz & 255) * each) & diagonal) + 127 * each) >> 7 & each;
+        layer[z] = box & ~(xy | (zx & 255) * each | rows * 255);
+    }
+    if ((more & 255) != 0 && (more & 255 << 8) != 0 && more_z != 0) {
+        const uint64_t up = found->up[i];
+        const int to_z = (int)(up >> 2 & 1);
+        const uint64_t from = (up & 1) + 8 * (up >> 1 & 1);
+        for (z = 0; z < more_z; z++) {
+            layer[z + to_z] &= ~(found->above[z][i] << from);
+            layer[z + 1 - to_z] &= ~(found->below[z][i] << (9 - from));
         }
     }
 }
 
-/* The voxels of a group's boxes of up to 4^3, as tbx_decide's. */
-TBX_NOINLINE unsigned tbx_precise_decide(const tbx_quick *q, const tbx_source *source, tbx_group *g,
-                                         uint64_t out[TBX_WIDE])
+/* Corner coordinates of lanes as doubles. */
+TBX_FORCED tbx_dp tbx_precise_load(const char *const at[TBX_PRECISE], int k, int is_double)
 {
+    double x[TBX_PRECISE];
+    int i;
+    for (i = 0; i < TBX_PRECISE; i++) {
+        if (is_double) {
+            TBX_COPY(&x[i], at[i] + (size_t)k * sizeof x[i], sizeof x[i]);
+        } else {
+            float from;
+            TBX_COPY(&from, at[i] + (size_t)k * sizeof from, sizeof from);
+            x[i] = (double)from;
+        }
+    }
+    return tbx_pair_of(x);
+}
+
+/* Is a coordinate a subnormal float, which may be read as 0? */
+TBX_NOINLINE int tbx_precise_is_tiny(const char *at)
+{
+    int32_t bits;
+    TBX_COPY(&bits, at, sizeof bits);
+    return (bits & 0x7f800000) == 0 && (bits & 0x7fffffff) != 0;
+}
+
+/* The voxels of PRECISE of a group's boxes, from `from` on. Returns a bit for each lane that is unsure. */
+TBX_NOINLINE unsigned tbx_precise_some(const tbx_quick *q, const tbx_source *source, const tbx_group *g,
+                                       int from, tbx_precise_voxels *out)
+{
+    const tbx_dp zero = tbx_pair_all(0.0);
     tbx_precise_axis axis[3];
-    tbx_points v[3];
-    tbx_points first;
-    tbx_iw extents;
-    tbx_missed m;
-    tbx_fw n[3];
-    tbx_fw rest[3];
-    tbx_fw error[3];
-    tbx_iw flat[3];
-    const int closed = !q->upper_open;
+    tbx_precise_normal n[3];
+    tbx_precise_found found;
+    const char *at[3][TBX_PRECISE];
+    uint64_t doubt[TBX_PRECISE];
+    unsigned unsure = 0;
+    int thick = 0;
     int i;
     int k;
+    found.missed[0] = found.missed[1] = found.missed[2] = found.up = found.unsure = tbx_pair_bits(0);
+    for (i = 0; i < TBX_PRECISE; i++) {
+        at[0][i] = tbx_source_at(source, g->triangle[from + i], 0);
+        at[1][i] = tbx_source_at(source, g->triangle[from + i], 1);
+        at[2][i] = tbx_source_at(source, g->triangle[from + i], 2);
+        thick |= g->box[from + i][3];
+    }
+    for (k = 0; k < 3; k++) {
+        tbx_precise_axis *a = &axis[k];
+        double base[TBX_PRECISE];
+        tbx_mp is_zero;
+        a->points = 0;
+        if ((thick >> 8 * k & 255) == 0) {
+            continue;
+        }
+        for (i = 0; i < TBX_PRECISE; i++) {
+            const int extent = g->box[from + i][3] >> 8 * k & 255;
+            a->points = extent > a->points ? extent : a->points;
+            base[i] = (double)(g->box[from + i][k] + q->lo[k] + 1) * TBX_PIECES;
+        }
+        a->x[0] = tbx_precise_load(at[0], k, q->is_double);
+        a->x[1] = tbx_precise_load(at[1], k, q->is_double);
+        a->x[2] = tbx_precise_load(at[2], k, q->is_double);
+        is_zero = (tbx_mp)(a->x[0] == zero) | (tbx_mp)(a->x[1] == zero) | (tbx_mp)(a->x[2] == zero);
+        TBX_COPY(doubt, &is_zero, sizeof is_zero);
+        for (i = 0; i < TBX_PRECISE; i++) {
+            const size_t by = (size_t)k * sizeof(float);
+            if (TBX_RARELY(doubt[i] != 0) && !q->is_double &&
+                (tbx_precise_is_tiny(at[0][i] + by) | tbx_precise_is_tiny(at[1][i] + by) |
+                 tbx_precise_is_tiny(at[2][i] + by))) {
+                unsure |= 1u << i;
+            }
+        }
+        tbx_precise_set(a, q, k, tbx_pair_of(base), &found.unsure);
+    }
+    if (axis[1].points != 0 && axis[2].points != 0) {
+        tbx_precise_edges(&found, &n[0], axis, q, 0);
+    }
+    if (axis[2].points != 0 && axis[0].points != 0) {
+        tbx_precise_edges(&found, &n[1], axis, q, 1);
+    }
+    if (axis[0].points != 0 && axis[1].points != 0) {
+        tbx_precise_edges(&found, &n[2], axis, q, 2);
+        if (axis[2].points != 0) {
+            tbx_precise_plane(&found, axis, n, q);
+        }
+    }
+    TBX_COPY(doubt, &found.unsure, sizeof doubt);
+    for (i = 0; i < TBX_PRECISE; i++) {
+        tbx_precise_join(out->layer[from + i], &found, i, g->box[from + i][3]);
+        unsure |= (unsigned)(doubt[i] != 0) << (from + i);
+    }
+    return unsure;
+}
+
+/* The same of all of a group's. */
+TBX_NOINLINE unsigned tbx_precise_decide(const tbx_quick *q, const tbx_source *source, tbx_group *g,
+                                         tbx_precise_voxels *out)
+{
+    unsigned unsure;
     tbx_group_pad(g);
-    tbx_group_corners(v, &first, &extents, g, source);
-    m.low = m.high = m.both = m.unsure = tbx_wide_int(0);
-    for (k = 0; k < 3; k++) {
-        tbx_fw x[3];
-        for (i = 0; i < 3; i++) {
-            x[i] = k == 0 ? v[i].x : k == 1 ? v[i].y : v[i].z;
-        }
-        axis[k].points = 0;
-        for (i = 0; i < TBX_WIDE; i++) {
-            const int extent = g->box[i][3] >> 8 * k & 3;
-            axis[k].points = extent > axis[k].points ? extent : axis[k].points;
-        }
-        tbx_precise_set(&axis[k], q, k,
-                        (tbx_iw)(k == 0   ? first.x
-                                 : k == 1 ? first.y
-                                          : first.z),
-                        (extents >> tbx_wide_int(8 * k)) & tbx_wide_int(3), x, &m.unsure);
-        tbx_group_beyond(&m, extents, 4, k);
+    unsure = tbx_precise_some(q, source, g, 0, out);
+    if (g->n > TBX_PRECISE) {
+        unsure |= tbx_precise_some(q, source, g, TBX_PRECISE, out);
     }
-    for (k = 0; k < 3; k++) {
-        const int b = k < 2 ? k + 1 : 0;
-        const int c = k > 0 ? k - 1 : 2;
-        n[k] = tbx_precise_edges(&m, &axis[b], &axis[c], b, c, closed, &rest[k], &error[k], &flat[k]);
-    }
-    tbx_precise_plane(&m, axis, n, rest, error, flat[0] | flat[1] | flat[2], closed);
-    m.low |= m.both;
-    m.high |= m.both;
-    return tbx_group_voxels(out, &m, m.unsure, 4);
+    return unsure;
 }
 
 /* Where voxels go. Stores to the bits might change what the target and the grid hold. */
@@ -13980,7 +14413,6 @@ TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q, const tbx_grou
 }
 
 /* ---- Rows of boxes of up to FEW voxels on each axis, in lanes of triangles */
-#define TBX_FEW 8
 
 typedef struct tbx_row_bounds {
     tbx_fw lo_least;
@@ -14403,19 +14835,35 @@ TBX_FN void tbx_fill_any(tbx_fill *fill, tbx_i4 box, size_t triangle)
 TBX_NOINLINE void tbx_fill_again(tbx_fill *fill, tbx_group *g)
 {
     const tbx_bits to = tbx_bits_of(fill);
-    uint64_t voxels[TBX_WIDE];
+    tbx_precise_voxels voxels;
     unsigned unsure;
     int i;
     if (g->n == 0) {
         return;
     }
-    unsure = tbx_precise_decide(&fill->quick, fill->source, g, voxels);
+    unsure = tbx_precise_decide(&fill->quick, fill->source, g, &voxels);
     for (i = 0; i < g->n; i++, unsure >>= 1) {
+        const tbx_i4 box = g->box[i];
+        const int more_y = box[3] >> 8 & 255;
+        const int more_z = box[3] >> 16 & 255;
+        const int x = box[0] & 63;
+        uint64_t *row = to.bits + tbx_key_word(&to, tbx_key_set(box));
+        int y;
+        int z;
         if ((unsure & 1u) != 0) {
             tbx_fill_later(fill, g->triangle[i]);
-        } else {
-            const uint64_t key = tbx_key_set(g->box[i]);
-            tbx_voxels_set(&to, to.bits + tbx_key_word(&to, key), key, voxels[i], 4);
+            continue;
+        }
+        for (z = 0; z <= more_z; z++, row += to.layer_words) {
+            uint64_t layer = voxels.layer[i][z];
+            uint64_t *word = row;
+            for (y = 0; y <= more_y; y++, word += to.row_words, layer >>= 8) {
+                const uint64_t run = layer & 255;
+                word[0] |= run << x;
+                if (TBX_RARELY(x > 64 - TBX_FEW) && run >> (64 - x) != 0) {
+                    word[1] |= run >> (64 - x);
+                }
+            }
         }
     }
     g->n = 0;
@@ -14546,6 +14994,12 @@ TBX_NOINLINE void tbx_fill_block(tbx_fill *fill, size_t t, int count)
         const int i = __builtin_ctzll(rest);
         tbx_fill_any(fill, tbx_key_box(b.first[i], tbx_block_more(&b, i)), t + (size_t)i);
     }
+    for (rest = b.of[TBX_CLASS_AGAIN]; rest != 0; rest &= rest - 1) {
+        const int i = __builtin_ctzll(rest);
+        if (tbx_group_add(&fill->again, tbx_key_box(b.first[i], tbx_block_more(&b, i)), t + (size_t)i)) {
+            tbx_fill_again(fill, &fill->again);
+        }
+    }
 }
 
 /* What the other ways have left. */
@@ -14606,6 +15060,36 @@ typedef struct tbx_decided {
     uint64_t voxels[TBX_BLOCK];
 } TBX_ALIGNED tbx_decided;
 
+/* Its boxes with corners beside grid planes. */
+TBX_NOINLINE void tbx_decide_again(tbx_decided *d, const tbx_quick *q, const tbx_source *source, size_t first)
+{
+    const tbx_block *b = &d->block;
+    uint64_t rest = b->of[TBX_CLASS_AGAIN];
+    tbx_group g;
+    g.lattice = 0;
+    while (rest != 0) {
+        tbx_precise_voxels voxels;
+        unsigned unsure;
+        int i;
+        int z;
+        for (g.n = 0; g.n < TBX_WIDE && rest != 0; rest &= rest - 1) {
+            const int at = __builtin_ctzll(rest);
+            (void)tbx_group_add(&g, tbx_key_box(b->first[at], tbx_block_more(b, at)), first + (size_t)at);
+        }
+        unsure = tbx_precise_decide(q, source, &g, &voxels);
+        for (i = 0; i < g.n; i++) {
+            const int more = g.box[i][3];
+            uint64_t *out = &d->voxels[g.triangle[i] - first];
+            *out = 0;
+            for (z = more >> 16 & 255; z >= 0 && (unsure >> i & 1u) == 0 && (more & 0x040404) == 0; z--) {
+                const uint64_t four = voxels.layer[i][z];
+                *out = *out << 16 | (four & 15) | (four >> 4 & 0xf0) | (four >> 8 & 0xf00) |
+                       (four >> 12 & 0xf000);
+            }
+        }
+    }
+}
+
 TBX_NOINLINE void tbx_decide_block(tbx_decided *d, const tbx_quick *q, const tribox_grid *grid,
                                    const tbx_source *source, size_t first, int count, int *habit)
 {
@@ -14631,6 +15115,7 @@ TBX_NOINLINE void tbx_decide_block(tbx_decided *d, const tbx_quick *q, const tri
             }
         }
     }
+    tbx_decide_again(d, q, source, first);
 }
 
 /* The spans of a decided box, 16 at most. */
@@ -14702,7 +15187,7 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
             span[1].z = span[0].z + (int)(key >> 4 & 1);
             tbx_tell(span, 1 + (int)((key >> 2 | key >> 4) & 1), t + (size_t)i, on_span, user, count);
         }
-        for (c = TBX_CLASS_FLAT_X; c <= TBX_CLASS_LARGE; c++) {
+        for (c = TBX_CLASS_FLAT_X; c <= TBX_CLASS_AGAIN; c++) {
             for (rest_of = u.decided.block.of[c]; rest_of != 0; rest_of &= rest_of - 1) {
                 const int i = __builtin_ctzll(rest_of);
                 if (c == TBX_CLASS_LARGE || u.decided.voxels[i] == 0) {
@@ -16984,7 +17469,6 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_KEEP_SCALAR
 #undef TBX_KEEP_VECTOR
 #undef TBX_KEEP_POINTER
-#undef TBX_PRECISE_FINE
 #undef TBX_VECTOR_PLACE
 #undef TBX_HAS_ASM
 #undef TBX_HAS_VECTORS
@@ -17024,15 +17508,18 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_IS_CUT
 #undef TBX_OFF
 #undef TBX_NOT_KNOWN
-#undef TBX_STRIDE
-#undef TBX_AT0
 #undef TBX_FEW
 #undef TBX_ALL
 #undef TBX_MOST_INDEX
 #undef TBX_BLOCK
 #undef TBX_PIECES
-#undef TBX_PRECISE_ERROR
-#undef TBX_PRECISE_LEAST
+#undef TBX_BESIDE
+#undef TBX_FINE_ERROR
+#undef TBX_FINE_REACH
+#undef TBX_PRECISE
+#undef TBX_PRECISE_EDGE_ERROR
+#undef TBX_REST_ERROR
+#undef TBX_REST_LEAST
 #undef TBX_PRECISE_PLANE_ERROR
 #undef TBX_CACHED
 #undef TBX_FIXED

@@ -12,17 +12,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ONE_BOX, PREPARED, PREPARED_FLOAT, OCTANTS, WALK, FILL_BOXES, FILL_EDGES, FILL_PLANE };
+enum { ONE_BOX, PREPARED, PREPARED_FLOAT, OCTANTS, WALK, PLACES, FILL_BOXES, FILL_EDGES, FILL_PLANE };
 enum { VALUES = 11 };
 #if TRIBOX_SIMD
-enum { KINDS = 8 };
+enum { KINDS = 9 };
 #else
-enum { KINDS = 5 };
+enum { KINDS = 6 };
 #endif
 
-static const char *const kind_names[8] = {"one box, double", "prepared, double", "prepared, float",
-                                          "octants", "grid walk", "fill, index boxes", "fill, row edges",
-                                          "fill, row plane"};
+static const char *const kind_names[9] = {"one box, double", "prepared, double", "prepared, float",
+                                          "octants", "grid walk", "places and rests", "fill, index boxes",
+                                          "fill, row edges", "fill, row plane"};
 
 /* v0, v1, v2, then box_min and box_max, or p and size, or origin and size */
 typedef struct numbers {
@@ -892,9 +892,257 @@ static double ask_fill(const numbers *q, int kind, int mode)
 }
 #endif
 
+/* ---- places and rests: decimals near the places of a grid ------------------------------------------------ */
+
+enum { PIECES = 40, SUMS = 26 };    /* TBX_PIECES */
+
+/* Of each corner and axis what is left of its place, of each edge E, and D: by the walk, then by lanes. */
+typedef struct placed {
+    int    known;
+    int    by_lanes;
+    int    at[3];               /* the grid point asked about, in PIECES */
+    double place[9];
+    double rest[9];
+    double whole[SUMS];
+    double other[SUMS];
+    double error[SUMS];         /* 0: no value */
+} placed;
+
+__attribute__((noinline)) static void places(placed *r, const numbers *q)
+{
+    tbx_frame f;
+    tbx_part all;
+    tbx_walk w;
+    tribox_grid grid;
+    double v[3][3];
+    double p[3];
+    int i;
+    int k;
+
+    memset(r, 0, sizeof *r);
+    memset(&grid, 0, sizeof grid);
+    for (k = 0; k < 3; k++) {
+        grid.origin[k] = q->x[9 + k];
+        grid.size[k] = q->x[12 + k];
+        grid.lo[k] = q->lo[k];
+        grid.hi[k] = q->lo[k] + q->n[k];
+    }
+    for (i = 0; i < 9; i++) {
+        v[i / 3][i % 3] = q->x[i];
+    }
+    tbx_frame_init(&f, &grid);
+    tbx_part_all(&all, &grid);
+    if (!tbx_walk_box(&w, &f, v, tbx_corners_kind(v), &all) || !tbx_walk_place(&w)) {
+        return;
+    }
+    r->known = 1;
+    for (k = 0; k < 3; k++) {
+        r->at[k] = PIECES * (int)(q->lo[k] + w.whole[k] + 1 + q->index[k]);
+        p[k] = (double)r->at[k];
+        for (i = 0; i < 3; i++) {
+            r->place[3 * i + k] = w.place[i][k];
+            r->rest[3 * i + k] = w.rest[i][k];
+        }
+    }
+    for (i = 0; i < 10; i++) {
+        tbx_fine sum;
+        if (i < 9) {
+            tbx_fine_edge(&sum, &w, i % 3, i / 3, p);
+        } else {
+            tbx_fine_plane(&sum, &w, p);
+        }
+        r->whole[i] = sum.whole;
+        r->other[i] = sum.rest;
+        r->error[i] = sum.error;
+    }
+#if TRIBOX_SIMD
+    if (w.more[0] < 8 && w.more[1] < 8 && w.more[2] < 8) {
+        static const tbx_target target;
+        tbx_quick quick;
+        tbx_precise_axis axis[3];
+        tbx_precise_normal normal[3];
+        tbx_precise_line line;
+        tbx_mp unsure = tbx_pair_bits(0);
+        int is_double = 0;
+        for (i = 0; i < 9; i++) {
+            is_double |= (double)(float)q->x[i] < q->x[i] || (double)(float)q->x[i] > q->x[i];
+        }
+        tbx_quick_init(&quick, &grid, &target, is_double);
+        if (!quick.precise) {
+            return;
+        }
+        for (k = 0; k < 3; k++) {
+            for (i = 0; i < 3; i++) {
+                axis[k].x[i] = tbx_pair_all(v[i][k]);
+            }
+            tbx_precise_set(&axis[k], &quick, k, tbx_pair_all((double)(r->at[k] - PIECES * q->index[k])), &unsure);
+        }
+        if (unsure[0] != 0) {
+            return;
+        }
+        for (i = 0; i < 9; i++) {
+            const int a = i / 3;
+            const int b = (a + 1) % 3;
+            const int c = (a + 2) % 3;
+            const int j = i % 3;
+            int step;
+            tbx_precise_edge(&line, &axis[b], &axis[c], j);
+            if (j == 0) {
+                normal[a].whole = normal[a].rest = tbx_pair_all(0.0);
+            }
+            normal[a].whole += line.whole;
+            normal[a].rest += line.rest;
+            for (step = 0; step < q->index[b]; step++) {
+                line.whole -= (axis[c].place[j + 1] - axis[c].place[j]) * tbx_pair_all(PIECES);
+                line.rest -= (axis[c].rest[j + 1] - axis[c].rest[j]) * tbx_pair_all(PIECES);
+            }
+            for (step = 0; step < q->index[c]; step++) {
+                line.whole += (axis[b].place[j + 1] - axis[b].place[j]) * tbx_pair_all(PIECES);
+                line.rest += (axis[b].rest[j + 1] - axis[b].rest[j]) * tbx_pair_all(PIECES);
+            }
+            r->whole[10 + i] = line.whole[0];
+            r->other[10 + i] = line.rest[0];
+            r->error[10 + i] = line.error[0];
+        }
+        tbx_precise_plane_at(&line, axis, normal);
+        for (k = 0; k < 3; k++) {
+            int step;
+            for (step = 0; step < q->index[k]; step++) {
+                line.whole -= normal[k].whole * tbx_pair_all(PIECES);
+                line.rest -= normal[k].rest * tbx_pair_all(PIECES);
+            }
+        }
+        r->whole[19] = line.whole[0];
+        r->other[19] = line.rest[0];
+        r->error[19] = line.error[0];
+    }
+#endif
+}
+
+/* |value - exact| / bound, the value a sum of two. */
+static double part_of_sum(double whole, double other, double bound, mpq_t exact)
+{
+    mpq_set_d(t, whole);
+    mpq_set_d(u, other);
+    mpq_add(t, t, u);
+    mpq_sub(t, t, exact);
+    mpq_abs(t, t);
+    return mpq_sgn(t) == 0 ? 0.0 : bound > 0.0 ? mpq_get_d(t) / bound : wrong;
+}
+
+static double ask_places(const numbers *q, int mode)
+{
+    placed r;
+    double worst = 0.0;
+    int i;
+    int k;
+
+    fesetround(mode);
+    places(&r, q);
+    fesetround(FE_TONEAREST);
+    if (!r.known) {
+        return 0.0;
+    }
+    for (i = 0; i < 9; i++) {       /* v in PIECES, from its place, then from the point asked about */
+        mpq_t *x = &v[i / 3][i % 3];
+        double part;
+        mpq_set_d(*x, q->x[i]);
+        mpq_set_d(t, q->x[9 + i % 3]);
+        mpq_sub(*x, *x, t);
+        mpq_set_d(t, q->x[12 + i % 3]);
+        mpq_div(*x, *x, t);
+        mpq_set_si(t, PIECES, 1);
+        mpq_mul(*x, *x, t);
+        part = part_of_sum(r.place[i], r.rest[i], fabs(r.rest[i]) * ldexp(1.0, -48), *x);
+        worst = part > worst ? part : worst;
+        mpq_set_si(t, r.at[i % 3], 1);
+        mpq_sub(*x, *x, t);
+    }
+    mpq_set_si(sum, 0, 1);          /* D */
+    for (i = 0; i < 9; i++) {
+        const int a = i / 3;
+        const int b = (a + 1) % 3;
+        const int c = (a + 2) % 3;
+        const int from = i % 3;
+        const int to = (from + 1) % 3;
+        mpq_mul(largest, v[from][b], v[to][c]);
+        mpq_mul(t, v[from][c], v[to][b]);
+        mpq_sub(largest, largest, t);
+        mpq_mul(t, largest, v[0][a]);
+        mpq_add(sum, sum, t);
+        for (k = 0; k <= 10; k += 10) {
+            if (r.error[i + k] > 0.0) {
+                const double part = part_of_sum(r.whole[i + k], r.other[i + k], r.error[i + k], largest);
+                worst = part > worst ? part : worst;
+            }
+        }
+    }
+    for (k = 9; k < 20; k += 10) {
+        if (r.error[k] > 0.0) {
+            const double part = part_of_sum(r.whole[k], r.other[k], r.error[k], sum);
+            worst = part > worst ? part : worst;
+        }
+    }
+    return worst;
+}
+
+/* Decimals, near the places of a grid or not; floats or doubles; a grid with an origin of its own now and then. */
+static void any_places(numbers *q)
+{
+    static const double sizes[4] = {0.1, 0.05, 1.0 / 3.0, 0.7};
+    const double size = sizes[random_below(4)];
+    const double off = random_below(2) == 0 ? 0.0 : random_below(2) == 0 ? 1e4 + 0.1 : 100.0 * random_signed();
+    const int wide = 1 + random_below(8);
+    const int pieces = random_below(2) == 0 ? PIECES : random_below(2) == 0 ? 4 : 1;
+    const int as_float = random_below(2);
+    int c;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        const int first = random_below(2) == 0 ? 0 : random_below(2000) - 1000;
+        q->x[9 + k] = off;
+        q->x[12 + k] = random_below(4) == 0 ? sizes[random_below(4)] : size;
+        q->lo[k] = -10000;
+        q->n[k] = 20000;
+        q->index[k] = random_below(wide < 8 ? wide : 7);
+        for (c = 0; c < 3; c++) {
+            const double at = first + (double)(random_below(wide * PIECES + 1) / pieces * pieces) / PIECES;
+            q->x[3 * c + k] = off + at * q->x[12 + k];
+            if (random_below(8) == 0) {
+                q->x[3 * c + k] += random_signed() * q->x[12 + k] * ldexp(1.0, -random_below(50));
+            }
+            if (as_float) {
+                q->x[3 * c + k] = (double)(float)q->x[3 * c + k];
+            }
+        }
+    }
+}
+
+static void change_places(numbers *q)
+{
+    const int i = random_below(9);
+
+    if (random_below(4) == 0) {
+        q->x[i] = q->x[(i + 3) % 9];
+    } else if (random_below(3) == 0) {
+        q->x[i] = nextafter(q->x[i], random_below(2) == 0 ? 1e30 : -1e30);
+    } else if (random_below(2) == 0) {
+        q->x[i] = (double)(float)q->x[i];
+    } else {
+        q->x[i] += random_signed() * q->x[12 + i % 3] * ldexp(1.0, -random_below(50));
+    }
+    if (random_below(4) == 0) {
+        q->index[i % 3] = random_below(7);
+    }
+}
+
 static double ask(const numbers *q, int kind, int mode)
 {
     computed r;
+
+    if (kind == PLACES) {
+        return ask_places(q, mode);
+    }
 
 #if TRIBOX_SIMD
     if (kind >= FILL_BOXES) {
@@ -1009,6 +1257,10 @@ static void any_question(numbers *q, int kind)
     int i;
 
     memset(q, 0, sizeof *q);
+    if (kind == PLACES) {
+        any_places(q);
+        return;
+    }
 #if TRIBOX_SIMD
     if (kind >= FILL_BOXES) {
         any_fill(q);
@@ -1039,6 +1291,10 @@ static void change(numbers *q, int kind)
     const int as_float = kind == PREPARED_FLOAT || kind == OCTANTS;
     double x = q->x[i] + random_signed() * ldexp(1.0, -random_below(as_float ? 26 : 55));
 
+    if (kind == PLACES) {
+        change_places(q);
+        return;
+    }
 #if TRIBOX_SIMD
     if (kind >= FILL_BOXES) {
         change_fill(q);
