@@ -1268,12 +1268,9 @@ TBX_FN void tbx_limbs_place(tbx_limb *to, int n, int64_t value, int shift)
 #define TBX_COORD_LIMBS ((1058 + 1075 + TBX_COORD_ROOM + TBX_LIMB_BITS - 1) / TBX_LIMB_BITS)
 
 typedef struct tbx_coord {
-    int64_t base; /* as odd integers times powers of two */
-    int64_t step; /* step/2 */
-    int64_t half;
-    int64_t key; /* of the base */
-    int base_exponent;
-    int step_exponent;
+    int64_t part[3]; /* the sum of part * 2^exponent: base, and half*(step/2) in two */
+    int64_t key;     /* of the base */
+    int exponent[3];
     int top; /* the magnitude is below 2^top */
 } tbx_coord;
 
@@ -1320,17 +1317,23 @@ TBX_NOINLINE tbx_coord tbx_at(const double *base, const double *step, int64_t ha
 {
     const uint64_t bits = tbx_bits64(base);
     tbx_coord x;
-    x.base_exponent = tbx_split(bits, &x.base);
-    x.top = tbx_top(bits);
+    x.exponent[0] = tbx_split(bits, &x.part[0]);
+    x.exponent[1] = TBX_NO_EXPONENT;
+    x.exponent[2] = TBX_NO_EXPONENT;
+    x.part[1] = 0;
+    x.part[2] = 0;
     x.key = tbx_key_of_bits(bits);
-    x.half = half;
-    x.step = 0;
-    x.step_exponent = TBX_NO_EXPONENT;
+    x.top = tbx_top(bits);
     if (half != 0) {
         const uint64_t step_bits = tbx_bits64(step);
+        const int64_t unit = (int64_t)1 << 27; /* below 2^53 = 2^27 * 2^26: products below 2^60 */
+        int64_t mantissa;
         int top = tbx_top(step_bits) - 1;
         uint64_t rest;
-        x.step_exponent = tbx_split(step_bits, &x.step) - 1;
+        x.exponent[1] = tbx_split(step_bits, &mantissa) - 1;
+        x.exponent[2] = x.exponent[1] + 27;
+        x.part[1] = mantissa % unit * half;
+        x.part[2] = mantissa / unit * half;
         for (rest = tbx_magnitude64(half); rest != 0; rest >>= 1) {
             top++;
         }
@@ -1357,8 +1360,8 @@ TBX_COLD int tbx_coords_place(tbx_limb (*to)[TBX_COORD_LIMBS], const tbx_coord *
     int i;
     int j;
     for (i = 0; i < count; i++) {
-        e = x[i].base_exponent < e ? x[i].base_exponent : e;
-        e = x[i].step_exponent < e ? x[i].step_exponent : e;
+        e = x[i].exponent[0] < e ? x[i].exponent[0] : e;
+        e = x[i].exponent[1] < e ? x[i].exponent[1] : e;
         top = x[i].top > top ? x[i].top : top;
     }
     if (e < top) { /* else all are 0 */
@@ -1368,11 +1371,10 @@ TBX_COLD int tbx_coords_place(tbx_limb (*to)[TBX_COORD_LIMBS], const tbx_coord *
         for (j = 0; j < n; j++) {
             to[i][j] = 0;
         }
-        for (j = 0; j < (x[i].half != 0 ? 3 : 1); j++) {
-            /* |step| < 2^53: both products are below 2^60 */
-            const int64_t part = j == 1 ? x[i].step % ((int64_t)1 << 27) : x[i].step / ((int64_t)1 << 27);
-            const int exponent = j == 0 ? x[i].base_exponent : x[i].step_exponent + (j == 2 ? 27 : 0);
-            tbx_limbs_place(to[i], n, j == 0 ? x[i].base : x[i].half * part, exponent - e);
+        for (j = 0; j < 3; j++) {
+            if (x[i].part[j] != 0) {
+                tbx_limbs_place(to[i], n, x[i].part[j], x[i].exponent[j] - e);
+            }
         }
     }
     return n;
@@ -1978,25 +1980,6 @@ TBX_FN int tbx_clip_on_lattice(const double v0[3], const double v1[3], const dou
     return 1;
 }
 
-/* The values of a segment, whose edges are one, and which has no plane. */
-TBX_FN void tbx_filter_segment(tbx_values *out, const double p[3], const double q[3],
-                                     const tbx_clip *clip)
-{
-    tbx_axis x[3];
-    int k;
-    for (k = 0; k < 3; k++) {
-        tbx_axis_set(&x[k], p[k], q[k], q[k], clip->lo[k], clip->hi[k]);
-    }
-    for (k = 0; k < 3; k++) {
-        const tbx_axis *b = &x[(k + 1) % 3];
-        const tbx_axis *c = &x[(k + 2) % 3];
-        out->value[k] = b->e0 * c->h + (c->e0 * b->h - tbx_abs(b->a1 * c->m - c->a1 * b->m));
-        out->bound[k] = TBX_ULPS * TBX_U64 * b->e0 * c->e0;
-    }
-    out->value[3] = 0.0;
-    out->bound[3] = 0.0;
-}
-
 /* What the filter leaves unsure, by exact signs. */
 TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const double v2[3],
                                const tbx_clip *clip, unsigned unsure)
@@ -2027,23 +2010,39 @@ TBX_COLD int tbx_clipped_edge(const double v0[3], const double v1[3], const doub
     const double *p = v0;
     const double *q = v1;
     const double *t = v2;
-    tbx_values edge;
+    double a[3];
+    double m[3];
+    double h[3];
     int hit = 1;
     int miss = 0;
-    int i;
-    for (i = 0; tbx_is_outside(t, p, q); i++) {
+    int k;
+    for (k = 0; tbx_is_outside(t, p, q); k++) {
         const double *const next = p;
-        if (i == 2) {
+        if (k == 2) {
             return TBX_UNSURE;
         }
         p = q;
         q = t;
         t = next;
     }
-    tbx_filter_segment(&edge, p, q, clip);
-    for (i = 0; i < 3; i++) {
-        hit &= edge.value[i] >= edge.bound[i];
-        miss |= edge.value[i] < -edge.bound[i];
+    for (k = 0; k < 3; k++) {
+        double from = clip->lo[k] - p[k];
+        a[k] = q[k] - p[k];
+        h[k] = clip->hi[k] - clip->lo[k];
+        TBX_KEEP_SCALAR(a[k]);
+        TBX_KEEP_SCALAR(h[k]);
+        TBX_KEEP_SCALAR(from);
+        m[k] = 2.0 * from + h[k];
+    }
+    for (k = 0; k < 3; k++) {
+        const int b = (k + 1) % 3;
+        const int c = (k + 2) % 3;
+        const double e_b = tbx_abs(a[b]);
+        const double e_c = tbx_abs(a[c]);
+        const double value = e_b * h[c] + (e_c * h[b] - tbx_abs(a[b] * m[c] - a[c] * m[b]));
+        const double bound = TBX_ULPS * TBX_U64 * e_b * e_c;
+        hit &= tbx_no_more(bound, value);
+        miss |= tbx_more(-bound, value);
     }
     if (hit) {
         return TBX_HIT;
@@ -2200,19 +2199,24 @@ TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const
 {
     const void *const from[5] = { v0, v1, v2, box_min, box_max };
     double wide[5][3];
-    tbx_clip clip;
     int finite = 1;
     int i;
     TBX_UNROLL
     for (i = 0; i < 5; i++) {
         finite &= tbx_read_floats(wide[i], from[i]);
     }
-    if (finite) {
-        return tbx_overlap_usual(wide[0], wide[1], wide[2], wide[3], wide[4], rule);
+    for (i = 0; i < 15 && !finite; i++) {
+        /* a face at infinity is as good at 2^224, which is usual */
+        const uint64_t infinity = 0x7ff0000000000000u;
+        uint64_t bits = tbx_bits64(&wide[i / 3][i % 3]);
+        const uint64_t magnitude = bits & 0x7fffffffffffffffu;
+        if (magnitude >= infinity + (uint64_t)(i >= 9)) {
+            return 0; /* a corner, or NaN */
+        }
+        bits -= magnitude == infinity ? (uint64_t)800 << 52 : 0;
+        TBX_COPY(&wide[i / 3][i % 3], &bits, sizeof bits);
     }
-    /* what is left of an infinite box is finite */
-    return tbx_clip_box(&clip, wide[0], wide[1], wide[2], wide[3], wide[4], rule) &&
-           tbx_clipped_usual(wide[0], wide[1], wide[2], &clip);
+    return tbx_overlap_usual(wide[0], wide[1], wide[2], wide[3], wide[4], rule);
 }
 
 TBX_FN int tbx_overlap_float(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
