@@ -12109,7 +12109,7 @@ TBX_FORCED void tbx_four_find(tbx_four *out, const tbx_quick *q, const tbx_fixed
     tbx_ends_find(&a, q, f, corners, at, careful);
     tbx_ends_find(&b, q, f, corners, at + 1, careful);
     out->first[0] = tbx_words_join(a.first, b.first);
-    more[0] = tbx_words_join(a.last, b.last) - out->first[0];
+    more[0] = (tbx_sw)((tbx_hw)tbx_words_join(a.last, b.last) - (tbx_hw)out->first[0]);
     above[0] = tbx_words_join(a.above, b.above);
     if (careful) {
         off[0] = tbx_words_join(a.off, b.off);
@@ -12118,7 +12118,7 @@ TBX_FORCED void tbx_four_find(tbx_four *out, const tbx_quick *q, const tbx_fixed
     tbx_ends_find(&a, q, f, corners, at + 2, careful);
     tbx_ends_find(&b, q, f, corners, at + 3, careful);
     out->first[1] = tbx_words_join(a.first, b.first);
-    more[1] = tbx_words_join(a.last, b.last) - out->first[1];
+    more[1] = (tbx_sw)((tbx_hw)tbx_words_join(a.last, b.last) - (tbx_hw)out->first[1]);
     above[1] = tbx_words_join(a.above, b.above);
     if (careful) {
         off[1] = tbx_words_join(a.off, b.off);
