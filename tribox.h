@@ -11446,7 +11446,7 @@ typedef struct tbx_quick {
     int lattice;    /* some step is not 0 */
     int upper_open; /* touching a voxel's upper faces does not count */
     int lower_open;
-    int fetch;      /* the bits exceed the caches */
+    int fetch;      /* the bits exceed a small cache, 2: a large one */
     int short_axes; /* all below 2^15 voxels */
     uintptr_t bits;
     size_t row_words;
@@ -11625,7 +11625,10 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
         }
     }
     q->on &= q->delta < 1e-4;
-    q->fetch = t->bits != NULL && q->layer_words > 131072 / (size_t)q->n[2]; /* 1 MiB */
+    q->fetch = 0;
+    if (t->bits != NULL) { /* 1 MiB, 32 MiB */
+        q->fetch = (q->layer_words > 131072 / (size_t)q->n[2]) + (q->layer_words > 4194304 / (size_t)q->n[2]);
+    }
     q->bits = (uintptr_t)t->bits;
     q->short_axes = (q->n[0] | q->n[1] | q->n[2]) < 32768;
     q->row_words = t->row_words;
@@ -12339,12 +12342,19 @@ TBX_FORCED uint64_t tbx_block_classes(tbx_block *b, uint64_t some)
 /* Asks for the memory of boxes' voxels. */
 TBX_FORCED void tbx_block_fetch(const tbx_block *b, const tbx_quick *q, int count)
 {
+    const uintptr_t layer = sizeof(uint64_t) * q->layer_words;
     int i;
     for (i = 0; i < count; i++) {
-        const size_t word = (size_t)b->word[i];
-        TBX_PREFETCH(q->bits + sizeof(uint64_t) * word);
-        TBX_PREFETCH(q->bits + sizeof(uint64_t) * (word + q->layer_words));
-        TBX_PREFETCH(q->bits + sizeof(uint64_t) * (word + 2 * q->layer_words));
+        const uintptr_t row = q->bits + sizeof(uint64_t) * (size_t)b->word[i];
+        const uintptr_t third = row + 2 * sizeof(uint64_t) * q->row_words;
+        TBX_PREFETCH(row);
+        TBX_PREFETCH(row + layer);
+        TBX_PREFETCH(row + 2 * layer);
+        if (q->fetch > 1) {
+            TBX_PREFETCH(third);
+            TBX_PREFETCH(third + layer);
+            TBX_PREFETCH(third + 2 * layer);
+        }
     }
 }
 
@@ -12916,6 +12926,7 @@ TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribo
     int c;
     for (c = 0; c < TBX_CLASSES; c++) {
         b->of[c] = 0;
+        TBX_KEEP_POINTER(b); /* or gcc calls for the slow start of a string instruction */
     }
     b->start = first;
     b->same = 0;
@@ -14873,34 +14884,37 @@ TBX_NOINLINE void tbx_fill_again(tbx_fill *fill, tbx_group *g)
     g->n = 0;
 }
 
-/* Sets the voxels of a group of n^3; 2: each box has two rows in two layers, or 1: two rows. Triangles that
- * are unsure go the precise way. */
-TBX_FORCED void tbx_some_set(tbx_fill *fill, const tbx_some *some, int n, unsigned unsure,
-                             const uint64_t voxels[TBX_WIDE], int by_layers)
+/* Sets the voxels of some that are not all sure; those that are unsure go the precise way. */
+TBX_NOINLINE void tbx_some_set_sure(tbx_fill *fill, const tbx_some *some, unsigned unsure,
+                                    const uint64_t voxels[TBX_WIDE])
+{
+    const tbx_bits to = tbx_bits_of(fill);
+    int j;
+    for (j = 0; j < some->count; j++) {
+        const size_t i = some->list[j];
+        const uint64_t key = tbx_block_key(some->block, (int)i);
+        if ((unsure >> j & 1u) == 0) {
+            tbx_voxels_set(&to, to.bits + some->block->word[i], key, voxels[j], 4);
+        } else if (!fill->quick.precise) {
+            tbx_fill_later(fill, some->block->start + i);
+        } else if (tbx_group_add(&fill->again, tbx_key_box(key, tbx_key_more(key)), some->block->start + i)) {
+            tbx_fill_again(fill, &fill->again);
+        }
+    }
+}
+
+/* Sets the voxels of boxes of up to n^3; 2: each has two rows in two layers, or 1: two rows, which are two
+ * layers apart where `by_layers`. */
+TBX_FORCED void tbx_some_set(tbx_fill *fill, const tbx_some *some, int n, const uint64_t voxels[TBX_WIDE],
+                             int by_layers)
 {
     const tbx_bits to = tbx_bits_of(fill);
     const size_t step = by_layers ? to.layer_words : to.row_words;
     const int shift = by_layers ? 16 : 4;
     int j;
-    if (TBX_RARELY((unsure & ((1u << some->count) - 1)) != 0)) {
-        for (j = 0; j < some->count; j++) {
-            const size_t i = some->list[j];
-            const uint64_t key = tbx_block_key(some->block, (int)i);
-            if ((unsure >> j & 1u) == 0) {
-                tbx_voxels_set(&to, to.bits + some->block->word[i], key, voxels[j], 4);
-            } else if (!fill->quick.precise) {
-                tbx_fill_later(fill, some->block->start + i);
-            } else if (tbx_group_add(&fill->again, tbx_key_box(key, tbx_key_more(key)),
-                                     some->block->start + i)) {
-                tbx_fill_again(fill, &fill->again);
-            }
-        }
-        return;
-    }
     for (j = 0; j < some->count; j++) {
         const int i = some->list[j];
-        const uint64_t first = some->block->first[i];
-        const unsigned x = (unsigned)(first >> 16) & 63u;
+        const unsigned x = (unsigned)(some->block->first[i] >> 16) & 63u;
         uint64_t *row = to.bits + some->block->word[i];
         const uint64_t v = voxels[j];
         if (n > 2) {
@@ -14932,15 +14946,17 @@ TBX_FN void tbx_block_decide(tbx_fill *fill, const tbx_block *b, const tbx_corne
         uint64_t voxels[TBX_WIDE];
         unsigned unsure;
         some.count = count < TBX_WIDE ? count : TBX_WIDE;
-        unsure = tbx_decide_class(voxels, &fill->quick, &some, c);
-        if (c == TBX_CLASS_FLAT_Y || c == TBX_CLASS_FLAT_Z) {
-            tbx_some_set(fill, &some, 1, unsure, voxels, c == TBX_CLASS_FLAT_Y);
+        unsure = tbx_decide_class(voxels, &fill->quick, &some, c) & ((1u << some.count) - 1);
+        if (TBX_RARELY(unsure != 0)) {
+            tbx_some_set_sure(fill, &some, unsure, voxels);
+        } else if (c == TBX_CLASS_FLAT_Y || c == TBX_CLASS_FLAT_Z) {
+            tbx_some_set(fill, &some, 1, voxels, c == TBX_CLASS_FLAT_Y);
         } else if (c <= TBX_CLASS_2) {
-            tbx_some_set(fill, &some, 2, unsure, voxels, 0);
+            tbx_some_set(fill, &some, 2, voxels, 0);
         } else if (c == TBX_CLASS_3 || c == TBX_CLASS_ON_2 || c == TBX_CLASS_ON_3) {
-            tbx_some_set(fill, &some, 3, unsure, voxels, 0);
+            tbx_some_set(fill, &some, 3, voxels, 0);
         } else {
-            tbx_some_set(fill, &some, 4, unsure, voxels, 0);
+            tbx_some_set(fill, &some, 4, voxels, 0);
         }
     }
 }
