@@ -13037,14 +13037,23 @@ TBX_FORCED tbx_uw tbx_note_move(tbx_uw a, tbx_iw up, int bits)
     }
 }
 
-/* An edge from v_i to v_j, E = e at the first inner point; s is the area's sign bit; |E| up to `touch`
- * touches. Returns the cells it misses in the plane: bit i stride_b + j stride_c. */
-TBX_FORCED tbx_uw tbx_note_edge(tbx_fw *least, tbx_fw e, tbx_fw d_b, tbx_fw d_c, tbx_iw s, tbx_fw touch,
-                                int n, int stride_b, int stride_c)
+/* A triangle in the plane of axes b and c, from the first inner point. */
+typedef struct tbx_outline {
+    tbx_fw b[3];
+    tbx_fw c[3];
+    tbx_fw touch; /* |E| up to which an edge touches */
+    tbx_fw least; /* of |E| and |area| */
+    tbx_iw s;     /* the area's sign bit */
+} TBX_ALIGNED tbx_outline;
+
+/* The edge from v_i to v_j, E = e at the first inner point. Returns the cells it misses in the plane: bit
+ * x stride_b + y stride_c. */
+TBX_FORCED tbx_uw tbx_note_edge(tbx_outline *p, tbx_fw e, int i, int j, int n, int stride_b, int stride_c)
 {
-    const tbx_fw e00 = tbx_wide_flip(e, s) + touch;
-    const tbx_fw from_b = tbx_wide_flip(d_c, s);
-    const tbx_fw to_c = tbx_wide_flip(d_b, s);
+    tbx_fw *const least = &p->least;
+    const tbx_fw e00 = tbx_wide_flip(e, p->s) + p->touch;
+    const tbx_fw from_b = tbx_wide_flip(p->c[j] - p->c[i], p->s);
+    const tbx_fw to_c = tbx_wide_flip(p->b[j] - p->b[i], p->s);
     const tbx_iw up_b = ~tbx_wide_sign(from_b);
     const tbx_iw up_c = tbx_wide_sign(to_c);
     tbx_uw m = (tbx_uw)tbx_wide_int(0);
@@ -13079,25 +13088,40 @@ TBX_FORCED tbx_uw tbx_note_edge(tbx_fw *least, tbx_fw e, tbx_fw d_b, tbx_fw d_c,
     return tbx_note_move(tbx_note_move(m, up_b, stride_b), up_c, stride_c);
 }
 
-/* The three edges in the plane of axes b and c. Returns twice the area there. */
-TBX_FORCED tbx_fw tbx_note_edges(tbx_uw *missed, tbx_fw *least, tbx_fw b0, tbx_fw b1, tbx_fw b2, tbx_fw c0,
-                                 tbx_fw c1, tbx_fw c2, tbx_fw touch, int n, int stride_b, int stride_c)
+/* The cells that the three edges miss. Returns twice the area in the plane. */
+TBX_FORCED tbx_fw tbx_note_edges(tbx_uw *missed, tbx_outline *p, int n, int stride_b, int stride_c)
 {
-    tbx_fw e0 = b0 * c1 - c0 * b1;
-    tbx_fw e1 = b1 * c2 - c1 * b2;
-    tbx_fw e2 = b2 * c0 - c2 * b0;
+    tbx_fw e0 = p->b[0] * p->c[1] - p->c[0] * p->b[1];
+    tbx_fw e1 = p->b[1] * p->c[2] - p->c[1] * p->b[2];
+    tbx_fw e2 = p->b[2] * p->c[0] - p->c[2] * p->b[0];
     tbx_fw area;
-    tbx_iw s;
     TBX_KEEP_VECTOR(e0);
     TBX_KEEP_VECTOR(e1);
     TBX_KEEP_VECTOR(e2);
     area = (e0 + e1) + e2;
-    s = (tbx_iw)area & tbx_wide_int(TBX_SIGN_BIT);
-    *least = tbx_wide_min(*least, tbx_wide_abs(area) + touch);
-    *missed = tbx_note_edge(least, e0, b1 - b0, c1 - c0, s, touch, n, stride_b, stride_c);
-    *missed |= tbx_note_edge(least, e1, b2 - b1, c2 - c1, s, touch, n, stride_b, stride_c);
-    *missed |= tbx_note_edge(least, e2, b0 - b2, c0 - c2, s, touch, n, stride_b, stride_c);
+    p->s = (tbx_iw)area & tbx_wide_int(TBX_SIGN_BIT);
+    p->least = tbx_wide_min(tbx_wide_all(1.0f), tbx_wide_abs(area) + p->touch);
+    *missed = tbx_note_edge(p, e0, 0, 1, n, stride_b, stride_c);
+    *missed |= tbx_note_edge(p, e1, 1, 2, n, stride_b, stride_c);
+    *missed |= tbx_note_edge(p, e2, 2, 0, n, stride_b, stride_c);
     return area;
+}
+
+TBX_FORCED const tbx_fw *tbx_axis_of(const tbx_points *p, int k)
+{
+    return k == 0 ? &p->x : k == 1 ? &p->y : &p->z;
+}
+
+/* Corners v in the plane of axes b and c. */
+TBX_FORCED void tbx_outline_of(tbx_outline *p, const tbx_points v[3], int b, int c)
+{
+    p->b[0] = *tbx_axis_of(&v[0], b);
+    p->b[1] = *tbx_axis_of(&v[1], b);
+    p->b[2] = *tbx_axis_of(&v[2], b);
+    p->c[0] = *tbx_axis_of(&v[0], c);
+    p->c[1] = *tbx_axis_of(&v[1], c);
+    p->c[2] = *tbx_axis_of(&v[2], c);
+    p->touch = tbx_wide_all(0.0f);
 }
 
 /* The plane at the inner points of WIDE boxes: bit x + 4 y + 16 z. */
@@ -13179,58 +13203,59 @@ TBX_FORCED void tbx_group_corners(tbx_points out_v[3], tbx_points *out_first, tb
     tbx_points_from(out_first, out_extents, g->box);
 }
 
-/* Coordinates on axis k from the first inner grid plane, exactly where they are on the lattice. Returns these
- * lanes, in out_level those in which all three are the same. */
-TBX_FORCED tbx_iw tbx_group_snap(const tbx_quick *q, int k, tbx_iw first, tbx_fw x0, tbx_fw x1, tbx_fw x2,
-                                 tbx_fw *out0, tbx_fw *out1, tbx_fw *out2, tbx_iw *out_level)
+/* Coordinates on axis k of corners v from the first inner grid plane, exactly where they are on the lattice.
+ * Returns these lanes, in out_level those in which all three are the same. */
+TBX_FORCED tbx_iw tbx_group_snap(const tbx_quick *q, int k, tbx_iw first, const tbx_points v[3],
+                                 tbx_points out[3], tbx_iw *out_level)
 {
     const tbx_fw at = __builtin_convertvector(first, tbx_fw) + tbx_wide_all((float)(TBX_MARGIN + 1));
     const tbx_fw part = tbx_wide_all(1.0f / TBX_PARTS);
     tbx_iw on = tbx_wide_int(q->step[k] > 0.0f ? -1 : 0);
-    const tbx_fw p0 = tbx_lattice_place(q, k, x0, &on) * part - at;
-    const tbx_fw p1 = tbx_lattice_place(q, k, x1, &on) * part - at;
-    const tbx_fw p2 = tbx_lattice_place(q, k, x2, &on) * part - at;
-    *out0 = tbx_wide_choose(on, p0, *out0);
-    *out1 = tbx_wide_choose(on, p1, *out1);
-    *out2 = tbx_wide_choose(on, p2, *out2);
-    *out_level = (p0 == p1) & (p1 == p2) & on;
+    tbx_fw p[3];
+    int i;
+    for (i = 0; i < 3; i++) {
+        p[i] = tbx_lattice_place(q, k, *tbx_axis_of(&v[i], k), &on) * part - at;
+    }
+    for (i = 0; i < 3; i++) {
+        tbx_fw *const x = k == 0 ? &out[i].x : k == 1 ? &out[i].y : &out[i].z;
+        *x = tbx_wide_choose(on, p[i], *x);
+    }
+    *out_level = (p[0] == p[1]) & (p[1] == p[2]) & on;
     return on;
 }
 
 /* The lanes in which a triangle is a segment in a plane, of those on the lattice on both axes, and of those
- * level on one. */
-TBX_FORCED tbx_iw tbx_group_flat(tbx_fw b0, tbx_fw b1, tbx_fw b2, tbx_fw c0, tbx_fw c1, tbx_fw c2, tbx_iw on,
-                                 tbx_iw level, tbx_fw *out_touch)
+ * level on one; and |E| up to which an edge touches there. */
+TBX_FORCED tbx_iw tbx_group_flat(tbx_group_placed *p, int b, int c, const tbx_iw on_axis[3],
+                                 const tbx_iw level_axis[3])
 {
-    const tbx_fw area = (b1 - b0) * (c2 - c0) - (c1 - c0) * (b2 - b0);
+    const tbx_iw on = on_axis[b] & on_axis[c];
+    const tbx_iw level = level_axis[b] | level_axis[c];
     const tbx_fw half = tbx_wide_all(0.5f / (TBX_PARTS * TBX_PARTS));
-    *out_touch = tbx_wide_where(on | level, half);
+    tbx_outline o;
+    tbx_fw area;
+    tbx_outline_of(&o, p->v, b, c);
+    area = (o.b[1] - o.b[0]) * (o.c[2] - o.c[0]) - (o.c[1] - o.c[0]) * (o.b[2] - o.b[0]);
+    p->touch[b] = tbx_wide_where(on | level, half);
     return ((area == tbx_wide_all(0.0f)) & on) | level;
 }
 
 TBX_NOINLINE void tbx_group_on_lattice(const tbx_quick *q, const tbx_some *some, tbx_group_placed *p)
 {
-    tbx_points *const a = &p->v[0];
-    tbx_points *const b = &p->v[1];
-    tbx_points *const c = &p->v[2];
     tbx_points v[3];
     tbx_iw first[3];
-    tbx_iw level_x;
-    tbx_iw level_y;
-    tbx_iw level_z;
-    tbx_iw on_x;
-    tbx_iw on_y;
-    tbx_iw on_z;
+    tbx_iw level[3];
+    tbx_iw on[3];
     tbx_iw flat;
+    int k;
     tbx_points_listed(v, some->corners, some->list);
     tbx_firsts_listed(first, some->block, some->list);
-    on_x = tbx_group_snap(q, 0, first[0], v[0].x, v[1].x, v[2].x, &a->x, &b->x, &c->x, &level_x);
-    on_y = tbx_group_snap(q, 1, first[1], v[0].y, v[1].y, v[2].y, &a->y, &b->y, &c->y, &level_y);
-    on_z = tbx_group_snap(q, 2, first[2], v[0].z, v[1].z, v[2].z, &a->z, &b->z, &c->z, &level_z);
-    flat = tbx_group_flat(a->x, b->x, c->x, a->y, b->y, c->y, on_x & on_y, level_x | level_y, &p->touch[0]) |
-           tbx_group_flat(a->y, b->y, c->y, a->z, b->z, c->z, on_y & on_z, level_y | level_z, &p->touch[1]) |
-           tbx_group_flat(a->z, b->z, c->z, a->x, b->x, c->x, on_z & on_x, level_z | level_x, &p->touch[2]);
-    p->plane_sure = flat | (on_x & on_y & on_z);
+    for (k = 0; k < 3; k++) {
+        on[k] = tbx_group_snap(q, k, first[k], v, p->v, &level[k]);
+    }
+    flat = tbx_group_flat(p, 0, 1, on, level) | tbx_group_flat(p, 1, 2, on, level) |
+           tbx_group_flat(p, 2, 0, on, level);
+    p->plane_sure = flat | (on[0] & on[1] & on[2]);
     p->touch_plane = tbx_wide_where(flat, tbx_wide_all(TBX_MOST_INDEX));
 }
 
@@ -13315,13 +13340,15 @@ TBX_FORCED unsigned tbx_decide(uint64_t out[TBX_WIDE], const tbx_quick *q, const
     tbx_sides side;
     tbx_uw plane[3];
     tbx_uw cells[2];
-    tbx_fw least = tbx_wide_all(1.0f);
+    tbx_outline xy;
+    tbx_outline yz;
+    tbx_outline zx;
     tbx_fw d;
     tbx_iw unsure;
     tbx_uw octants;
     int i;
     tbx_some_place(p.v, q, some);
-    p.touch[0] = p.touch[1] = p.touch[2] = p.touch_plane = tbx_wide_all(0.0f);
+    p.touch_plane = tbx_wide_all(0.0f);
     p.plane_sure = (tbx_iw)none;
     if (lattice) {
         tbx_group_placed on_lattice = p;
@@ -13329,16 +13356,22 @@ TBX_FORCED unsigned tbx_decide(uint64_t out[TBX_WIDE], const tbx_quick *q, const
         p = on_lattice;
     }
     side.touch = p.touch_plane;
-    normal.z = tbx_note_edges(&plane[0], &least, p.v[0].x, p.v[1].x, p.v[2].x, p.v[0].y, p.v[1].y, p.v[2].y,
-                              p.touch[0], n, 1, 4);
-    normal.x = tbx_note_edges(&plane[1], &least, p.v[0].y, p.v[1].y, p.v[2].y, p.v[0].z, p.v[1].z, p.v[2].z,
-                              p.touch[1], n, 1, 4);
-    normal.y = tbx_note_edges(&plane[2], &least, p.v[0].z, p.v[1].z, p.v[2].z, p.v[0].x, p.v[1].x, p.v[2].x,
-                              p.touch[2], n, 4, 1);
+    tbx_outline_of(&xy, p.v, 0, 1);
+    tbx_outline_of(&yz, p.v, 1, 2);
+    tbx_outline_of(&zx, p.v, 2, 0);
+    if (lattice) {
+        xy.touch = p.touch[0];
+        yz.touch = p.touch[1];
+        zx.touch = p.touch[2];
+    }
+    normal.z = tbx_note_edges(&plane[0], &xy, n, 1, 4);
+    normal.x = tbx_note_edges(&plane[1], &yz, n, 1, 4);
+    normal.y = tbx_note_edges(&plane[2], &zx, n, 4, 1);
     d = (normal.x * p.v[0].x + normal.y * p.v[0].y) + normal.z * p.v[0].z;
     cells[0] = tbx_cells_join(plane[0], plane[1], plane[2], 0);
     cells[1] = n > 2 ? tbx_cells_join(plane[0], plane[1], plane[2], 2) : none;
-    unsure = least <= tbx_wide_all(12.0f * (float)n * delta);
+    unsure =
+        tbx_wide_min(tbx_wide_min(xy.least, yz.least), zx.least) <= tbx_wide_all(12.0f * (float)n * delta);
     if (n == 2 && !lattice) {
         tbx_halves_to(out, ~(cells[0] | tbx_plane_cell(d, &normal)) & (tbx_uw)tbx_wide_int(0x330033), none);
         return tbx_wide_signs(unsure | (tbx_wide_abs(d) <= plane_error));
@@ -13373,15 +13406,13 @@ TBX_FORCED unsigned tbx_decide_flat(uint64_t out[TBX_WIDE], const tbx_quick *q, 
     const int c = thin == 2 ? 4 : 16;
     const uint32_t all = 1u | 1u << b | 1u << c | 1u << (b + c);
     tbx_points v[3];
-    tbx_fw least = tbx_wide_all(1.0f);
+    tbx_outline p;
     tbx_uw missed;
     tbx_some_place(v, q, some);
-    (void)tbx_note_edges(&missed, &least, thin == 0 ? v[0].y : v[0].x, thin == 0 ? v[1].y : v[1].x,
-                         thin == 0 ? v[2].y : v[2].x, thin == 2 ? v[0].y : v[0].z,
-                         thin == 2 ? v[1].y : v[1].z, thin == 2 ? v[2].y : v[2].z, tbx_wide_all(0.0f), 2, b,
-                         c);
+    tbx_outline_of(&p, v, thin == 0, thin == 2 ? 1 : 2);
+    (void)tbx_note_edges(&missed, &p, 2, b, c);
     tbx_halves_to(out, ~missed & (tbx_uw)tbx_wide_int((int32_t)all), (tbx_uw)tbx_wide_int(0));
-    return tbx_wide_signs(least <= tbx_wide_all(12.0f * 2.0f * delta));
+    return tbx_wide_signs(p.least <= tbx_wide_all(12.0f * 2.0f * delta));
 }
 
 TBX_NOINLINE unsigned tbx_decide_flat_x(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
@@ -14249,12 +14280,9 @@ TBX_NOINLINE void tbx_row_parts_snap(tbx_row_parts *p, const tbx_quick *q, const
     tbx_iw level_x;
     tbx_iw level_y;
     tbx_iw level_z;
-    const tbx_iw on_x = tbx_group_snap(q, 0, (tbx_iw)first->x, v[0].x, v[1].x, v[2].x, &p->v[0].x, &p->v[1].x,
-                                       &p->v[2].x, &level_x);
-    const tbx_iw on_y = tbx_group_snap(q, 1, (tbx_iw)first->y, v[0].y, v[1].y, v[2].y, &p->v[0].y, &p->v[1].y,
-                                       &p->v[2].y, &level_y);
-    const tbx_iw on_z = tbx_group_snap(q, 2, (tbx_iw)first->z, v[0].z, v[1].z, v[2].z, &p->v[0].z, &p->v[1].z,
-                                       &p->v[2].z, &level_z);
+    const tbx_iw on_x = tbx_group_snap(q, 0, (tbx_iw)first->x, v, p->v, &level_x);
+    const tbx_iw on_y = tbx_group_snap(q, 1, (tbx_iw)first->y, v, p->v, &level_y);
+    const tbx_iw on_z = tbx_group_snap(q, 2, (tbx_iw)first->z, v, p->v, &level_z);
     const tbx_iw places =
         tbx_row_snap(on_x, p->v[0].x, p->v[1].x, p->v[2].x, &p->e[0].x, &p->e[1].x, &p->e[2].x) |
         tbx_row_snap(on_y, p->v[0].y, p->v[1].y, p->v[2].y, &p->e[0].y, &p->e[1].y, &p->e[2].y) |
