@@ -5067,11 +5067,18 @@ TRIBOX_FN int tribox_mesh_contains_f64(const tribox_mesh_f64 *mesh, const double
  * at most 2 X_b X_c: n.(c - v0) is off by the sum of (8 + 2 * 10) X_b X_c M_a.
  *
  * On the lattice all is exact: middle, size and the corners are multiples of a unit per axis, 2^15 of which
- * reach over the region; corners lie no farther off; edges have 34 bits, normals 35, and the plane 53. */
+ * reach over the region; corners lie no farther off; edges have 34 bits, normals 35, and the plane 53.
+ *
+ * Where that is not sure, corners are taken from the centre in question. One that is close to it is a whole
+ * number of units, exactly; its double is off by u of itself. Others are off as above. So a x b, of two such
+ * corners, is off by what they are, times the other factor, and by (1 + 1 + 1) u of its products; the plane's
+ * three terms by (2 + 2 + 2) u more: CLOSE_ERROR. A corner on a line of centres, or beside it by as little as
+ * decimals are off, makes its products small, so that the rest is sure. */
 #define TBX_SOLID_ERROR (8.0 * TBX_U64)
 #define TBX_SOLID_EDGE_ERROR (16.0 * TBX_U64)
 #define TBX_SOLID_NORMAL_ERROR (10.0 * TBX_U64)
 #define TBX_SOLID_PLANE_ERROR (40.0 * TBX_U64)
+#define TBX_SOLID_CLOSE_ERROR (8.0 * TBX_U64)
 
 /* A region, for the solid. */
 typedef struct tbx_solid {
@@ -5084,7 +5091,40 @@ typedef struct tbx_solid {
     double reach[3];    /* M, without the corners */
     double scale[3];    /* of the lattice: 1 / unit; 0: there is none */
     int fits;           /* the filter's bounds hold */
+    double unit[3];     /* that corners close to a centre are told in */
+    int exponent[3];    /* of it, a power of two */
+    double near[3];     /* how close that is */
+    uint64_t origin[3]; /* in such units */
+    uint64_t half[3];   /* of a voxel's size */
 } tbx_solid;
+
+/* x / 2^exponent modulo 2^64. Returns 0 where that is no whole number. */
+TBX_FN int tbx_in_units(const double *x, int exponent, uint64_t *out)
+{
+    int64_t mantissa;
+    const int shift = tbx_split(tbx_bits64(x), &mantissa) - exponent;
+    *out = shift < 64 && shift >= 0 ? (uint64_t)mantissa << shift : 0;
+    return shift >= 0;
+}
+
+/* The unit of axis k divides origin and half a voxel, with two bits to spare for corners. A difference that
+ * is below 2^59 of them in double, off by 2^58 of them at most, is below 2^60: what is computed modulo 2^64
+ * is that difference itself. */
+TBX_FN void tbx_solid_units(tbx_solid *s, int k)
+{
+    const double *origin = &s->grid->origin[k];
+    const double *size = &s->grid->size[k];
+    int64_t mantissa;
+    const int of_origin = tbx_split(tbx_bits64(origin), &mantissa);
+    const int of_half = tbx_split(tbx_bits64(size), &mantissa) - 1;
+    const int exponent = (of_origin < of_half ? of_origin : of_half) - 2;
+    const double near = tbx_from_bits64((uint64_t)(exponent > -900 ? exponent + 59 + 1023 : 1) << 52);
+    s->exponent[k] = exponent;
+    s->unit[k] = near * TBX_POW2(-59);
+    s->near[k] = near > 4.0 * TBX_SOLID_ERROR * s->reach[k] ? near : 0.0;
+    tbx_in_units(origin, exponent, &s->origin[k]);
+    tbx_in_units(size, exponent + 1, &s->half[k]);
+}
 
 TBX_FN void tbx_solid_init(tbx_solid *s, const tribox_grid *grid, uint64_t *bits)
 {
@@ -5096,7 +5136,7 @@ TBX_FN void tbx_solid_init(tbx_solid *s, const tribox_grid *grid, uint64_t *bits
         const double lo = (double)grid->lo[k];
         const double hi = (double)grid->hi[k];
         s->n[k] = (int64_t)grid->hi[k] - grid->lo[k];
-        s->middle[k] = s->reach[k] = s->scale[k] = 0.0;
+        s->middle[k] = s->reach[k] = s->scale[k] = s->near[k] = 0.0;
         if (tbx_solid_in_range(&grid->origin[k]) && tbx_solid_in_range(&grid->size[k]) &&
             tbx_bits64(&grid->size[k]) >= (uint64_t)(1023 - 150) << 52) {
             const double size = grid->size[k];
@@ -5107,6 +5147,7 @@ TBX_FN void tbx_solid_init(tbx_solid *s, const tribox_grid *grid, uint64_t *bits
                 tbx_on_lattice(s->reach[k], scale)) {
                 s->scale[k] = scale;
             }
+            tbx_solid_units(s, k);
         } else {
             s->fits = 0;
         }
@@ -5153,8 +5194,8 @@ typedef struct tbx_growing {
     int id; /* 0..2: edge; 3: plane; 4, 5: centre - least, centre - most */
 } tbx_growing;
 
-/* Its sign, by integers. */
-TBX_COLD int tbx_solid_sign(const tbx_solid_tri *t, const tbx_growing *g, const int64_t index[3])
+/* Its sign, by integers as long as it takes. */
+TBX_COLD int tbx_solid_sign_exact(const tbx_solid_tri *t, const tbx_growing *g, const int64_t index[3])
 {
     const int q[3] = { TBX_MID, TBX_MID, TBX_MID };
     const tribox_grid *grid = t->solid->grid;
@@ -5177,8 +5218,149 @@ TBX_COLD int tbx_solid_sign(const tbx_solid_tri *t, const tbx_growing *g, const 
            tbx_orient2(&f, 1, 2, g->id, g->id < 2 ? g->id + 1 : 0, TBX_MID, TBX_MID);
 }
 
+/* A corner from the centre of a voxel, on an axis: in double, and in units where it is close. */
+typedef struct tbx_solid_off {
+    double x;
+    double error;
+    int64_t units;
+    int close;
+} tbx_solid_off;
+
+TBX_FN tbx_solid_off tbx_solid_off_centre(const tbx_solid *s, int k, const double *x, int64_t index)
+{
+    tbx_solid_off off;
+    uint64_t units;
+    off.x = *x - (s->middle[k] + (double)index * s->grid->size[k]);
+    off.error = (s->reach[k] + tbx_abs(*x)) * TBX_SOLID_ERROR;
+    off.units = 0;
+    off.close = tbx_abs(off.x) < s->near[k] && tbx_in_units(x, s->exponent[k], &units);
+    if (off.close) {
+        units -= s->origin[k] + (uint64_t)(2 * (s->grid->lo[k] + index) + 1) * s->half[k];
+        off.units = units >> 63 ? -(int64_t)(~units) - 1 : (int64_t)units;
+        off.x = (double)off.units * s->unit[k];
+        off.error = tbx_abs(off.x) * TBX_U64;
+    }
+    return off;
+}
+
+/* The sign of a*b - c*d, magnitudes at most 2^60: as high * 2^60 + middle * 2^30 + low. */
+TBX_FN int tbx_compare_products(int64_t a, int64_t b, int64_t c, int64_t d)
+{
+    const int64_t unit = (int64_t)1 << 30;
+    const int64_t a_low = a & (unit - 1);
+    const int64_t b_low = b & (unit - 1);
+    const int64_t c_low = c & (unit - 1);
+    const int64_t d_low = d & (unit - 1);
+    const int64_t a_high = (a - a_low) / unit;
+    const int64_t b_high = (b - b_low) / unit;
+    const int64_t c_high = (c - c_low) / unit;
+    const int64_t d_high = (d - d_low) / unit;
+    int64_t high = a_high * b_high - c_high * d_high;
+    int64_t middle = a_high * b_low + a_low * b_high - c_high * d_low - c_low * d_high;
+    int64_t low = a_low * b_low - c_low * d_low;
+    int64_t rest = low & (unit - 1);
+    middle += (low - rest) / unit;
+    low = rest;
+    rest = middle & (unit - 1);
+    high += (middle - rest) / unit;
+    return high != 0 ? (high > 0) - (high < 0) : (rest | low) != 0;
+}
+
+/* a x b in the plane of y and z: what double makes of it. */
+typedef struct tbx_solid_value {
+    double value;
+    double error;
+} tbx_solid_value;
+
+TBX_FN tbx_solid_value tbx_solid_cross(const tbx_solid_off a[3], const tbx_solid_off b[3])
+{
+    const double forth = a[1].x * b[2].x;
+    const double back = a[2].x * b[1].x;
+    tbx_solid_value r;
+    r.value = forth - back;
+    r.error =
+        1.01 * (tbx_abs(a[1].x) * b[2].error + tbx_abs(b[2].x) * a[1].error + tbx_abs(a[2].x) * b[1].error +
+                tbx_abs(b[1].x) * a[2].error + a[1].error * b[2].error + a[2].error * b[1].error) +
+        (tbx_abs(forth) + tbx_abs(back)) * TBX_SOLID_CLOSE_ERROR;
+    return r;
+}
+
+/* The sign of an edge's value, corners a and b from the centre; 2: not sure. */
+TBX_FN int tbx_solid_close_edge(const tbx_solid_off a[3], const tbx_solid_off b[3])
+{
+    const tbx_solid_value e = tbx_solid_cross(a, b);
+    if (tbx_abs(e.value) > e.error) {
+        return (e.value > 0.0) - (e.value < 0.0);
+    }
+    if (a[1].close & a[2].close & b[1].close & b[2].close) {
+        return tbx_compare_products(a[1].units, b[2].units, a[2].units, b[1].units);
+    }
+    return 2;
+}
+
+/* The same of the plane, times the sign of n_x: minus the determinant of the corners. Where one of them is at
+ * the centre but for a few units, and where all have one x, it is sure. */
+TBX_FN int tbx_solid_close_plane(tbx_solid_off v[3][3], int sign)
+{
+    double value = 0.0;
+    double error = 0.0;
+    int i;
+    if ((v[0][0].close & v[1][0].close & v[2][0].close) && v[0][0].units == v[1][0].units &&
+        v[0][0].units == v[2][0].units) {
+        return (v[0][0].units < 0) - (v[0][0].units > 0);
+    }
+    for (i = 0; i < 3; i++) {
+        const tbx_solid_value e = tbx_solid_cross(v[i < 2 ? i + 1 : 0], v[i < 1 ? 2 : i - 1]);
+        value -= v[i][0].x * e.value;
+        error += (tbx_abs(v[i][0].x) + v[i][0].error) * e.error +
+                 (v[i][0].error + tbx_abs(v[i][0].x) * TBX_SOLID_CLOSE_ERROR) * tbx_abs(e.value);
+    }
+    if (error == 0.0) {
+        return 0;
+    }
+    error *= 1.01;
+    return value > error ? sign : value < -error ? -sign : 2;
+}
+
+/* The sign of what grows, of corners from close by; 2: not sure. */
+TBX_NOINLINE int tbx_solid_sign_close(const tbx_solid_tri *t, const tbx_growing *g, const int64_t index[3])
+{
+    const tbx_solid *s = t->solid;
+    int sign = 2;
+    int i;
+    int k;
+    if (t->fits && g->id > 3) {
+        const double *face = g->id == 4 ? t->least : t->most;
+        const tbx_solid_off off = tbx_solid_off_centre(s, g->axis, &face[g->axis], index[g->axis]);
+        sign = off.close ? (off.units < 0) - (off.units > 0) : 2;
+    } else if (t->fits) {
+        tbx_solid_off v[3][3];
+        for (i = 0; i < 3; i++) {
+            for (k = g->id < 3; k < 3; k++) {
+                v[i][k] = tbx_solid_off_centre(s, k, &t->v[i][k], index[k]);
+            }
+        }
+        if (g->id < 3) {
+            const int j = g->id < 2 ? g->id + 1 : 0;
+            const int rises = tbx_less(&t->v[g->id][2], &t->v[j][2]);
+            sign = tbx_solid_close_edge(v[g->id], v[j]);
+            sign = sign == 2 || !rises ? sign : -sign;
+        } else {
+            sign = tbx_solid_close_plane(v, t->sign);
+        }
+    }
+    return sign;
+}
+
+TBX_FN int tbx_solid_sign(const tbx_solid_tri *t, const tbx_growing *g, const int64_t index[3])
+{
+    const int sign = tbx_solid_sign_close(t, g, index);
+    return sign != 2 ? sign : tbx_solid_sign_exact(t, g, index);
+}
+
 /* The least index in [lo, hi) at which the value is >= 0; hi if there is none. The quotient is a guess; what
- * counts is that the value is sure on both sides of it. */
+ * counts is that the value is sure on both sides of it. Where it is not, it mostly is two steps off, and few
+ * are left to ask. */
 TBX_FN int64_t tbx_solid_least(const tbx_solid_tri *t, const tbx_growing *g, int64_t index[3], int64_t lo,
                                int64_t hi)
 {
@@ -5194,6 +5376,10 @@ TBX_FN int64_t tbx_solid_least(const tbx_solid_tri *t, const tbx_growing *g, int
         if ((i == hi || value >= g->error) && (i == lo || (before < 0.0 && before <= -g->error))) {
             return i;
         }
+        value = g->rest + g->step * (double)(i + 1);
+        before = g->rest + g->step * (double)(i - 2);
+        hi = i + 1 < hi && value > g->error ? i + 1 : hi;
+        lo = i - 2 >= lo && before < -g->error ? i - 1 : lo;
     }
     while (lo < hi) {
         const int64_t at = lo + (hi - lo) / 2;
@@ -16149,6 +16335,11 @@ TBX_FN int tbx_gap_near(const float *const v[5], const float lo[3], const float 
  * most 1 and off by 2 error / n_x + 16 u, also where division is approximate: x is off by
  * (|x_1 - x_0| + |x_2 - x_0|) (2 error / n_x + 24 u) + 4 delta(m).
  *
+ * From close by. Boxes of up to ROWS rows may be looked at again: a corner is off by 5 u (m + rho), m being
+ * how far from the centre it seems, so the sign of what is above 6 u rho is sure. Of one row corners are
+ * within R = 2.2, scaled; y_i z_j - z_i y_j is off by (5 + 5 + 1 + 1) u of its products, and by 5 u rho of
+ * each of four factors: 45 u rho. An edge's sign is sure then, if the sum's is.
+ *
  * On the lattice, that is where corners and centres are multiples of a PART of the unit of length, all E_i
  * are exact; half the least step, added where an edge's tie counts and taken off where not, leaves none at
  * 0. */
@@ -16160,6 +16351,9 @@ TBX_FN int tbx_gap_near(const float *const v[5], const float lo[3], const float 
 #define TBX_SOLID_MIDDLE_ERROR (4.0 * TBX_U64)
 #define TBX_SOLID_BOX_ERROR (7.0f * TBX_U32)
 #define TBX_SOLID_PLACE_ERROR (5.0f * TBX_U32)
+#define TBX_SOLID_NEAR_ERROR (6.0f * TBX_U32)
+#define TBX_SOLID_ALONE_ERROR (13.0f * TBX_U32)
+#define TBX_SOLID_ALONE_REST (45.0f * TBX_U32)
 #define TBX_SOLID_ROW_ERROR 16.0f
 #define TBX_SOLID_ROW_ULPS (64.0f * TBX_U32)
 
@@ -16193,8 +16387,10 @@ typedef struct tbx_solid_quick {
     float inverse[3];
     int32_t most[3]; /* magnitudes above it, as integers, go the scalar way */
     float scale[3];
-    float step[3];   /* size * scale */
-    float over_step; /* 1 / step[0] */
+    float step[3];       /* size * scale */
+    float over_step;     /* 1 / step[0] */
+    float part[3];       /* a PART, not scaled */
+    float near_error[2]; /* of y and z, close by; 0 on the lattice */
     tbx_solid_centres centres[3];
     float rho;            /* scaled, the largest */
     double most_reach[3]; /* M of corners within 2^21 voxels */
@@ -16265,6 +16461,7 @@ TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const t
             source->is_double ? (int32_t)(tbx_bits64(&most) >> 32) : (int32_t)tbx_bits32(&most_float);
         q->scale[k] = (float)scale;
         q->step[k] = (float)(size * scale);
+        q->part[k] = (float)(1.0 / (scale * parts));
         q->over_step = k == 0 ? (float)(1.0 / (size * scale)) : q->over_step;
         q->centres[k].scale = tbx_wide_all((float)scale);
         q->centres[k].base_high = tbx_wide_all((float)base_high);
@@ -16282,6 +16479,10 @@ TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const t
         const double slack_z = tbx_solid_axis_init(q, 2);
         const double slack = slack_y > slack_z ? slack_y : slack_z;
         const double u = (double)TBX_U32;
+        for (k = 0; k < 2; k++) {
+            const float unscaled = q->part[k + 1] * (float)TBX_SOLID_PARTS;
+            q->near_error[k] = q->lattice ? 0.0f : TBX_SOLID_NEAR_ERROR * q->rho * unscaled;
+        }
         q->one_error = tbx_wide_all((float)(2.2 * (4.0 * 1.1 * (slack + 2.2 * u) + 5.0 * 1.21 * u)));
         q->on = slack < 0.03;
     }
@@ -16308,7 +16509,9 @@ typedef struct tbx_solid_fill {
     int larges;
     int32_t from[2]; /* layers, of the last two */
     tbx_solid_crossing crossing[TBX_SOLID_CROSSINGS + TBX_SOLID_ROWS * TBX_WIDE + 1];
-    int crossings;              /* that wait: their rows are on the way to the cache */
+    int crossings;    /* that wait: their rows are on the way to the cache */
+    int refines;      /* whether boxes are looked at again; it pays where corners lie on lines of centres */
+    unsigned narrows; /* not 0: some had less rows then */
     int32_t y[TBX_SOLID_BLOCK]; /* of a block of triangles */
     int32_t z[TBX_SOLID_BLOCK];
     int32_t extent[TBX_SOLID_BLOCK];
@@ -16360,6 +16563,144 @@ TBX_FORCED tbx_iw tbx_solid_missed(const tbx_solid_quick *q, const tbx_points v[
     return least < -q->one_error;
 }
 
+/* x from the centre i. */
+TBX_FORCED tbx_fw tbx_solid_from(const tbx_solid_centres *centres, tbx_fw i, tbx_fw x)
+{
+    x -= centres->base_high + i * centres->size_high;
+    TBX_KEEP_VECTOR(x);
+    return x - (centres->base_low + i * centres->size_low);
+}
+
+/* The corners on an axis, in lengths scaled. */
+TBX_FORCED void tbx_solid_place(const tbx_solid_centres *centres, tbx_iw i, tbx_fw *x0, tbx_fw *x1,
+                                tbx_fw *x2)
+{
+    const tbx_fw at = __builtin_convertvector(i, tbx_fw);
+    *x0 = tbx_solid_from(centres, at, *x0) * centres->scale;
+    *x1 = tbx_solid_from(centres, at, *x1) * centres->scale;
+    *x2 = tbx_solid_from(centres, at, *x2) * centres->scale;
+}
+
+/* Lanes whose x is a multiple of a PART, less than 2^22 of them: the sum is one. What is flushed to 0 has
+ * other bits. */
+TBX_FORCED tbx_iw tbx_solid_whole(const tbx_solid_quick *q, int k, tbx_fw x)
+{
+    const tbx_fw middle = tbx_wide_all(q->part[k] * 12582912.0f); /* 1.5 * 2^23 */
+    tbx_fw sum = x + middle;
+    TBX_KEEP_VECTOR(sum);
+    sum -= middle;
+    return ((((tbx_iw)sum ^ (tbx_iw)x) & tbx_wide_int(0x7fffffff)) == tbx_wide_int(0)) &
+           (tbx_wide_abs(x) < tbx_wide_all(q->part[k] * 4194304.0f));
+}
+
+/* Half the least step of an edge function on the lattice, up where a tie counts, else down: a = -d_z and
+ * b = d_y after the normal's sign. */
+TBX_FORCED tbx_fw tbx_solid_tie(tbx_fw a, tbx_fw b, tbx_iw on_lattice)
+{
+    const tbx_fw half = tbx_wide_all(0.5f / (TBX_SOLID_PARTS * TBX_SOLID_PARTS));
+    const tbx_fw zero = tbx_wide_all(0.0f);
+    const tbx_iw counts = (a > zero) | ((a == zero) & (b > zero));
+    return tbx_wide_where(on_lattice, tbx_wide_choose(counts, half, -half));
+}
+
+/* WIDE triangles, and their rows: n of them behind `before`. */
+typedef struct tbx_solid_boxed {
+    tbx_fw v[2][3]; /* y and z of the corners */
+    tbx_iw before[2];
+    tbx_iw n[2];
+    tbx_iw some;   /* lanes that have rows */
+    tbx_iw narrow; /* lanes that have less of them than was thought */
+} TBX_ALIGNED tbx_solid_boxed;
+
+/* Rows on an axis without the first one, where the least corner lies behind its centre, and the last one,
+ * where the greatest does not. */
+TBX_FORCED void tbx_solid_narrow(tbx_solid_boxed *b, const tbx_solid_quick *q, int k)
+{
+    const tbx_solid_centres *centres = &q->centres[k + 1];
+    const tbx_fw *v = b->v[k];
+    const tbx_fw first = __builtin_convertvector(b->before[k] - tbx_wide_int(TBX_SOLID_MARGIN - 1), tbx_fw);
+    const tbx_fw last = first + __builtin_convertvector(b->n[k] - tbx_wide_int(1), tbx_fw);
+    const tbx_fw most = tbx_wide_max(tbx_wide_max(v[0], v[1]), v[2]);
+    const tbx_fw low = tbx_solid_from(centres, first, tbx_wide_min(tbx_wide_min(v[0], v[1]), v[2]));
+    const tbx_fw high = tbx_solid_from(centres, last, most);
+    const tbx_fw error = tbx_wide_all(q->near_error[k]);
+    const tbx_iw tiny = ((tbx_iw)most > tbx_wide_int(0)) & ((tbx_iw)most < tbx_wide_int(0x00800000));
+    const tbx_iw not_first = low > error;
+    const tbx_iw not_last = ~((high > -error) | tiny);
+    b->before[k] -= not_first;
+    b->n[k] += not_first + not_last;
+    b->narrow |= not_first | not_last;
+}
+
+/* Lanes whose triangle, of one row, does not hold its centre; only `asked` count. */
+TBX_FORCED tbx_iw tbx_solid_outside(const tbx_solid_boxed *b, const tbx_solid_quick *q, tbx_iw asked)
+{
+    const tbx_iw to_first = tbx_wide_int(TBX_SOLID_MARGIN - 1);
+    tbx_fw y0 = b->v[0][0];
+    tbx_fw y1 = b->v[0][1];
+    tbx_fw y2 = b->v[0][2];
+    tbx_fw z0 = b->v[1][0];
+    tbx_fw z1 = b->v[1][1];
+    tbx_fw z2 = b->v[1][2];
+    tbx_fw e0;
+    tbx_fw e1;
+    tbx_fw e2;
+    tbx_fw area;
+    tbx_iw on = tbx_wide_int(0);
+    tbx_iw sign;
+    tbx_iw out;
+    if (q->lattice) {
+        on = tbx_solid_whole(q, 1, y0) & tbx_solid_whole(q, 1, y1) & tbx_solid_whole(q, 1, y2) &
+             tbx_solid_whole(q, 2, z0) & tbx_solid_whole(q, 2, z1) & tbx_solid_whole(q, 2, z2);
+    }
+    tbx_solid_place(&q->centres[1], b->before[0] - to_first, &y0, &y1, &y2);
+    tbx_solid_place(&q->centres[2], b->before[1] - to_first, &z0, &z1, &z2);
+    e0 = y0 * z1 - z0 * y1;
+    e1 = y1 * z2 - z1 * y2;
+    e2 = y2 * z0 - z2 * y0;
+    area = e0 + e1 + e2;
+    sign = (tbx_iw)area & tbx_wide_int(TBX_SIGN_BIT);
+    e0 = tbx_wide_flip(e0, sign);
+    e1 = tbx_wide_flip(e1, sign);
+    e2 = tbx_wide_flip(e2, sign);
+    area = tbx_wide_abs(area);
+    if (tbx_wide_any(asked & ~on)) {
+        const tbx_fw relative = tbx_wide_all(TBX_SOLID_ALONE_ERROR);
+        const tbx_fw absolute = tbx_wide_all(TBX_SOLID_ALONE_REST * q->rho + 1e-18f);
+        const tbx_fw error0 = relative * (tbx_wide_abs(y0 * z1) + tbx_wide_abs(z0 * y1)) + absolute;
+        const tbx_fw error1 = relative * (tbx_wide_abs(y1 * z2) + tbx_wide_abs(z1 * y2)) + absolute;
+        const tbx_fw error2 = relative * (tbx_wide_abs(y2 * z0) + tbx_wide_abs(z2 * y0)) + absolute;
+        out = (e0 < -error0) | (e1 < -error1) | (e2 < -error2);
+        out &= ~on & (area > tbx_wide_all(2.0f) * (error0 + error1 + error2));
+    } else {
+        out = tbx_wide_int(0);
+    }
+    if (q->lattice) {
+        e0 += tbx_solid_tie(tbx_wide_flip(z0 - z1, sign), tbx_wide_flip(y1 - y0, sign), on);
+        e1 += tbx_solid_tie(tbx_wide_flip(z1 - z2, sign), tbx_wide_flip(y2 - y1, sign), on);
+        e2 += tbx_solid_tie(tbx_wide_flip(z2 - z0, sign), tbx_wide_flip(y0 - y2, sign), on);
+        out |= on &
+               ((tbx_wide_min(tbx_wide_min(e0, e1), e2) < tbx_wide_all(0.0f)) | (area == tbx_wide_all(0.0f)));
+    }
+    return out;
+}
+
+/* Boxes looked at from close by: where corners lie on lines of centres, up to three of four rows are none of
+ * theirs. Of one row it is decided whether it is within, if that is sure. */
+TBX_NOINLINE void tbx_solid_refine(tbx_solid_boxed *b, const tbx_solid_quick *q)
+{
+    const tbx_iw one = tbx_wide_int(1);
+    tbx_iw alone;
+    b->narrow = tbx_wide_int(0);
+    tbx_solid_narrow(b, q, 0);
+    tbx_solid_narrow(b, q, 1);
+    b->some &= (b->n[0] > tbx_wide_int(0)) & (b->n[1] > tbx_wide_int(0));
+    alone = b->some & (b->n[0] == one) & (b->n[1] == one);
+    if (tbx_wide_any(alone)) {
+        b->some &= ~(alone & tbx_solid_outside(b, q, alone));
+    }
+}
+
 /* WIDE triangles, in lengths scaled, from their first rows; x from the centre of a voxel near v_0. */
 typedef struct tbx_solid_placed {
     tbx_points v[3];
@@ -16367,36 +16708,6 @@ typedef struct tbx_solid_placed {
     tbx_iw unsure;
     tbx_iw on_lattice;
 } TBX_ALIGNED tbx_solid_placed;
-
-/* The corners on an axis, from the centre i. */
-TBX_FORCED void tbx_solid_place(const tbx_solid_centres *centres, tbx_iw i, tbx_fw *x0, tbx_fw *x1,
-                                tbx_fw *x2)
-{
-    const tbx_fw at = __builtin_convertvector(i, tbx_fw);
-    const tbx_fw high = centres->base_high + at * centres->size_high;
-    const tbx_fw low = centres->base_low + at * centres->size_low;
-    *x0 -= high;
-    *x1 -= high;
-    *x2 -= high;
-    TBX_KEEP_VECTOR(*x0);
-    TBX_KEEP_VECTOR(*x1);
-    TBX_KEEP_VECTOR(*x2);
-    *x0 = (*x0 - low) * centres->scale;
-    *x1 = (*x1 - low) * centres->scale;
-    *x2 = (*x2 - low) * centres->scale;
-}
-
-/* Lanes whose x is a multiple of a PART. What flushing made 0 is not. */
-TBX_FORCED tbx_iw tbx_solid_whole(const tbx_solid_quick *q, int k, tbx_fw x)
-{
-    const tbx_fw parts = x * tbx_wide_all(q->scale[k]) * tbx_wide_all((float)TBX_SOLID_PARTS);
-    const tbx_fw most = tbx_wide_all(8388608.0f); /* 2^23 */
-    const tbx_fw tame = tbx_wide_min(tbx_wide_max(parts, -most), most);
-    const tbx_fw whole = __builtin_convertvector(__builtin_convertvector(tame, tbx_iw), tbx_fw);
-    const tbx_iw zero = ((tbx_iw)parts & tbx_wide_int(0x7fffffff)) < tbx_wide_int(0x00800000);
-    const tbx_iw was = ((tbx_iw)x & tbx_wide_int(0x7fffffff)) == tbx_wide_int(0);
-    return (parts == whole) & (was | ~zero);
-}
 
 /* The corners of WIDE triangles listed, as tbx_load_corners. */
 TBX_FORCED void tbx_solid_gather(tbx_points v[3], const tribox_mesh *mesh, size_t stride, int indexed,
@@ -16536,16 +16847,6 @@ TBX_NOINLINE void tbx_solid_place_doubles(tbx_solid_placed *p, const tbx_solid_q
     TBX_COPY(&p->x_first, flags[0], sizeof p->x_first);
     TBX_COPY(&p->unsure, flags[1], sizeof p->unsure);
     TBX_COPY(&p->on_lattice, flags[2], sizeof p->on_lattice);
-}
-
-/* Half the least step of an edge function on the lattice, up where a tie counts, else down: a = -d_z and
- * b = d_y after the normal's sign. */
-TBX_FORCED tbx_fw tbx_solid_tie(tbx_fw a, tbx_fw b, tbx_iw on_lattice)
-{
-    const tbx_fw half = tbx_wide_all(0.5f / (TBX_SOLID_PARTS * TBX_SOLID_PARTS));
-    const tbx_fw zero = tbx_wide_all(0.0f);
-    const tbx_iw counts = (a > zero) | ((a == zero) & (b > zero));
-    return tbx_wide_where(on_lattice, tbx_wide_choose(counts, half, -half));
 }
 
 /* What the rows of WIDE boxes of n rows on each axis have: which are crossed, bit lane + WIDE * j of layer k,
@@ -17043,7 +17344,6 @@ TBX_NOINLINE int tbx_solid_large(tbx_solid_fill *fill)
     const int count = fill->larges > 1 ? 2 : 1;
     const int first = fill->larges - count;
     double v[2][3][3];
-    int careful = 0;
     int sure = 0;
     tbx_solid_two two;
     tbx_solid_lines l;
@@ -17052,7 +17352,6 @@ TBX_NOINLINE int tbx_solid_large(tbx_solid_fill *fill)
     for (i = 0; i < count; i++) {
         const int kind = tbx_source_triangle(fill->quick.source, fill->large[first + i], v[i]);
         sure |= (kind == TBX_ALL_ORDINARY) << i;
-        careful |= (kind != TBX_NO_POINTS) << i;
     }
     fill->larges = first;
     for (i = 0; i < 2; i++) { /* numbers that can be computed with */
@@ -17080,7 +17379,7 @@ TBX_NOINLINE int tbx_solid_large(tbx_solid_fill *fill)
             sure &= ~((fill->from[i] < end) << i);
         }
     }
-    return careful & ~sure & ~two.flat;
+    return ~sure & ~two.flat & ((1 << count) - 1);
 }
 
 /* The scalar way. */
@@ -17088,7 +17387,9 @@ TBX_NOINLINE void tbx_solid_careful(const tbx_solid_quick *q, size_t triangle, i
 {
     double v[3][3];
     const int kind = tbx_source_triangle(q->source, triangle, v);
-    tbx_solid_part(q->solid, v, kind, first);
+    if (kind != TBX_NO_POINTS) {
+        tbx_solid_part(q->solid, v, kind, first);
+    }
 }
 
 /* Flips the rows that wait. */
@@ -17268,7 +17569,9 @@ TBX_FORCED void tbx_solid_work(tbx_solid_fill *fill, int extent, int all)
         case 3: tbx_solid_flush3(fill, list, i, count); break;
         default: tbx_solid_flush4(fill, list, i, count); break;
         }
-        tbx_solid_work_large(fill);
+        while (fill->larges > 0) { /* unsure */
+            tbx_solid_careful(&fill->quick, fill->large[--fill->larges], 0);
+        }
     }
 }
 
@@ -17419,6 +17722,35 @@ TBX_FORCED void tbx_solid_corners(tbx_points v[3], const tbx_solid_quick *q, int
     }
 }
 
+/* The boxes of up to ROWS rows on each axis are looked at again. */
+TBX_FORCED tbx_iw tbx_solid_refined(tbx_solid_fill *fill, const tbx_points v[3], tbx_iw some, tbx_iw *y,
+                                    tbx_iw *z, tbx_iw *n_y, tbx_iw *n_z)
+{
+    const tbx_iw rows = tbx_wide_int(TBX_SOLID_ROWS);
+    const tbx_iw small = some & ~((*n_y > rows) | (*n_z > rows));
+    tbx_solid_boxed b;
+    int c;
+    if (!tbx_wide_any(small)) {
+        return some;
+    }
+    for (c = 0; c < 3; c++) {
+        b.v[0][c] = v[c].y;
+        b.v[1][c] = v[c].z;
+    }
+    b.before[0] = *y;
+    b.before[1] = *z;
+    b.n[0] = *n_y;
+    b.n[1] = *n_z;
+    b.some = small;
+    tbx_solid_refine(&b, &fill->quick);
+    fill->narrows |= tbx_wide_signs(b.narrow & small);
+    *y = tbx_wide_select(small, b.before[0], *y);
+    *z = tbx_wide_select(small, b.before[1], *z);
+    *n_y = tbx_wide_select(small, b.n[0], *n_y);
+    *n_z = tbx_wide_select(small, b.n[1], *n_z);
+    return b.some | (some & ~small);
+}
+
 /* A block of `count` triangles, a multiple of WIDE. Returns a bit for each that has rows. */
 TBX_FORCED uint32_t tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t stride, size_t first, int count,
                                     int is_double)
@@ -17439,14 +17771,18 @@ TBX_FORCED uint32_t tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t st
         tbx_solid_rows_between(&q->axis[1], v[0].z, v[1].z, v[2].z, &z, &end_z);
         some = (end_y > y) & (end_z > z);
         if (tbx_wide_any(some)) {
-            const tbx_iw n_y = end_y - y;
-            const tbx_iw n_z = end_z - z;
-            const tbx_iw extent = tbx_wide_select(n_y > n_z, n_y, n_z);
+            tbx_iw n_y = end_y - y;
+            tbx_iw n_z = end_z - z;
+            tbx_iw extent;
             tbx_iw one;
-            some &= (end_y > before_first) & (end_z > before_first);
+            if (fill->refines) {
+                some = tbx_solid_refined(fill, v, some, &y, &z, &n_y, &n_z);
+            }
+            some &= (y + n_y > before_first) & (z + n_z > before_first);
             some &= ~((y > q->axis[0].last) | (z > q->axis[1].last));
+            extent = tbx_wide_select(n_y > n_z, n_y, n_z);
             one = some & (extent == tbx_wide_int(1));
-            if (tbx_wide_any(one)) {
+            if (!fill->refines && tbx_wide_any(one)) {
                 some &= ~(one & tbx_solid_missed(q, v, y, z));
             }
             live |= (uint32_t)tbx_wide_signs(some) << i;
@@ -17492,9 +17828,13 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
         fill.list[i].n = 0;
     }
     fill.larges = fill.crossings = 0;
+    fill.narrows = 0;
     for (t = 0; t < triangles; t += TBX_SOLID_BLOCK) {
         const size_t left = triangles - t;
-        const uint32_t live = tbx_solid_block(&fill, t, left < TBX_SOLID_BLOCK ? (int)left : TBX_SOLID_BLOCK);
+        uint32_t live;
+        fill.refines = !source->is_double && (fill.narrows != 0 || t / TBX_SOLID_BLOCK % 16 == 0);
+        fill.narrows = 0;
+        live = tbx_solid_block(&fill, t, left < TBX_SOLID_BLOCK ? (int)left : TBX_SOLID_BLOCK);
         tbx_solid_sort(&fill, t, live, left <= TBX_SOLID_BLOCK);
     }
     tbx_solid_flip_all(&fill);
@@ -17590,6 +17930,10 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_ROWS
 #undef TBX_WIDE
 #undef TBX_SOLID_ROWS
+#undef TBX_SOLID_NEAR_ERROR
+#undef TBX_SOLID_ALONE_ERROR
+#undef TBX_SOLID_ALONE_REST
+#undef TBX_SOLID_CLOSE_ERROR
 #undef TBX_SOLID_PARTS
 #undef TBX_SOLID_MARGIN
 #undef TBX_SOLID_LINE_ERROR

@@ -38,7 +38,7 @@ static double solid_centre(const tribox_grid *g, int k, int i)
 
 /* A mesh about a region up to 3 words wide. kind 0: on a lattice of parts of a voxel, 1: anywhere, 2: floats
  * near tenths of a voxel, 3: on a lattice that the grid misses by a hair, 4: voxels some 2^30 from the origin,
- * where doubles round by parts of a voxel's width. */
+ * where doubles round by parts of a voxel's width, 5: tenths and halves of them, in voxels of a tenth. */
 static void solid_make(solid_case *c, int kind)
 {
     static const double sizes[6] = {1, 0.5, 3, 0.75, 0.1, 1.0 / 3};
@@ -57,6 +57,9 @@ static void solid_make(solid_case *c, int kind)
         } else if (kind == 4) {
             c->grid.lo[a] = (random_below(2) ? 1 : -1) * (1000000000 + random_below(1000000));
             c->grid.origin[a] -= c->grid.lo[a] * c->grid.size[a];
+        } else if (kind == 5) {
+            c->grid.size[a] = 0.1;
+            c->grid.origin[a] = 0.05 * random_below(5);
         }
         c->grid.hi[a] = c->grid.lo[a] + c->n[a];
     }
@@ -72,6 +75,13 @@ static void solid_make(solid_case *c, int kind)
         }
         if (random_below(4) == 0) { /* on the lines of centres */
             x = solid_centre(&c->grid, k, c->grid.lo[k] + random_below(c->n[k]));
+        }
+        if (kind == 5) {
+            const int near = i % 9 < 3 || random_below(3) == 0 ? random_below(2 * c->n[k] + 6) - 3 : 0;
+            x = 0.05 * (double)(2 * c->grid.lo[k] + near);
+            if (i % 9 >= 3 && random_below(2)) { /* one of the rows beside, or none */
+                x = c->doubles[i - i % 9 + k] + 0.05 * (random_below(9) - 4);
+            }
         }
         if (kind == 1 && random_below(3)) {
             x += random_signed() * c->grid.size[k];
@@ -225,6 +235,20 @@ static void centres_are_no_doubles(void)
     for (i = 0; i < TEST_LOOPS(60); i++) {
         static solid_case c;
         solid_make(&c, 3 + i % 2);
+        solid_check(&c);
+    }
+}
+
+/* Tenths are no doubles: corners meant to be on lines of centres miss them by the last digit, or by less, or not at
+ * all. */
+static void tenths_are_no_doubles(void)
+{
+    int i;
+
+    random_seed(1215);
+    for (i = 0; i < TEST_LOOPS(60); i++) {
+        static solid_case c;
+        solid_make(&c, 5);
         solid_check(&c);
     }
 }
@@ -950,6 +974,7 @@ int main(void)
 {
     RUN(fill_flips_the_voxels_whose_centre_is_inside);
     RUN(centres_are_no_doubles);
+    RUN(tenths_are_no_doubles);
     RUN(corners_far_off_on_a_lattice);
     RUN(rays_cross_as_exact_numbers_say);
     RUN(points_beside_edges_and_planes_of_doubles);
