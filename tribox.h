@@ -3136,6 +3136,25 @@ TBX_FN double tbx_sum_exact(double a, double b, double *out_lost)
     return sum;
 }
 
+/* Of an axis's origin and size the upper half and the rest, those of the origin in PIECES. */
+typedef struct tbx_halves {
+    double origin_high;
+    double origin_low;
+    double high;
+    double low;
+} tbx_halves;
+
+#define TBX_PIECES 40.0 /* of a voxel: eighths, tenths, twentieths, fortieths */
+
+TBX_FN void tbx_halves_set(tbx_halves *h, const tribox_grid *grid, int k)
+{
+    const double origin = tbx_high_half(grid->origin[k]);
+    h->origin_high = origin * TBX_PIECES;
+    h->origin_low = (grid->origin[k] - origin) * TBX_PIECES;
+    h->high = tbx_high_half(grid->size[k]);
+    h->low = grid->size[k] - h->high;
+}
+
 /* How far x is above place `at` of axis k, whole, |at| < 2^26, in units of size / PIECES: decimals that were
  * rounded lie that little beside the places of a grid of decimals that a difference of doubles loses it.
  *
@@ -3146,19 +3165,16 @@ TBX_FN double tbx_sum_exact(double a, double b, double *out_lost)
  * these is right to 2^-54 and 3 u then, and with the factor 1 / size, in voxels, to 8 u: REST_ERROR. What is
  * less is not known, but that it is 0 where there is one lower part. Returns 0 if it is not known; the
  * numbers are ordinary. tests/errors.c looks for its error. */
-#define TBX_PIECES 40.0 /* of a voxel: eighths, tenths, twentieths, fortieths */
 #define TBX_REST_ERROR (1.0 / 281474976710656.0)  /* 2^-48 */
 #define TBX_REST_LEAST (1.0 / 1125899906842624.0) /* 2^-50 */
 
-TBX_FN int tbx_rest(const tribox_grid *grid, int k, double x, double at, double *out_rest)
+TBX_FN int tbx_rest(const tbx_halves *h, double x, double at, double *out_rest)
 {
-    const double size_high = tbx_high_half(grid->size[k]);
-    const double origin_high = tbx_high_half(grid->origin[k]);
     const double x_high = tbx_high_half(x);
     const double above_origin = (x - x_high) * TBX_PIECES;
-    const double origin_low = (grid->origin[k] - origin_high) * TBX_PIECES;
-    const double part = at * (grid->size[k] - size_high);
-    const double from = origin_high * TBX_PIECES;
+    const double origin_low = h->origin_low;
+    const double part = at * h->low;
+    const double from = h->origin_high;
     const double to = x_high * TBX_PIECES;
     double along = to - from;
     double taken;
@@ -3172,7 +3188,7 @@ TBX_FN int tbx_rest(const tribox_grid *grid, int k, double x, double at, double 
     TBX_KEEP_SCALAR(taken);
     back = along + from;
     TBX_KEEP_SCALAR(back);
-    along -= at * size_high;
+    along -= at * h->high;
     TBX_KEEP_SCALAR(along);
     if (!(TBX_DOUBLE_IS_53_BITS & (back == to) & (taken == from))) {
         return 0;
@@ -3219,8 +3235,12 @@ TBX_FN int tbx_plane_compare(const tribox_grid *grid, int k, int64_t i, double x
         if (value > error || value < -error) {
             return value > 0.0 ? 1 : -1;
         }
-        if (i < 1048576 && i > -1048576 && tbx_rest(grid, k, to, (double)i * TBX_PIECES, &value)) {
-            return (value < 0.0) - (value > 0.0);
+        if (i < 1048576 && i > -1048576) {
+            tbx_halves h;
+            tbx_halves_set(&h, grid, k);
+            if (tbx_rest(&h, to, (double)i * TBX_PIECES, &value)) {
+                return (value < 0.0) - (value > 0.0);
+            }
         }
     }
     {
@@ -3536,6 +3556,8 @@ TBX_FN int tbx_walk_place(tbx_walk *w)
     w->placed = -1;
     for (k = 0; k < 3 && w->light; k++) {
         const double units = w->frame->inverse[k] * TBX_PIECES;
+        tbx_halves h;
+        tbx_halves_set(&h, grid, k);
         for (i = 0; i < 3; i++) {
             double at = (w->corner[i][k] - w->frame->origin[k]) * units;
             if (!(at < 67108000.0 && at > -67108000.0)) {
@@ -3543,7 +3565,7 @@ TBX_FN int tbx_walk_place(tbx_walk *w)
             }
             TBX_KEEP_SCALAR(at);
             at = (double)tbx_to_long(at < 0.0 ? at - 0.5 : at + 0.5);
-            if (!tbx_rest(grid, k, w->corner[i][k], at, &w->rest[i][k])) {
+            if (!tbx_rest(&h, w->corner[i][k], at, &w->rest[i][k])) {
                 return 0;
             }
             w->place[i][k] = at;
@@ -11615,10 +11637,7 @@ typedef struct tbx_quick {
     float step[3];          /* of the lattice; 0: there is none on this axis */
     int32_t end[3];         /* the region's last voxel, MARGIN added */
     double whole_origin[3]; /* of the grid, as such and PIECES times, in two parts; so is the size */
-    double origin_high[3];
-    double origin_low[3];
-    double high[3];
-    double low[3];
+    tbx_halves halves[3];
     int32_t lo[3];
     double box_origin[4]; /* of the region, in lanes 1 to 3; lane 0 lies on nothing */
     double box_units[4];
@@ -11823,12 +11842,8 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
     }
     q->precise = q->on;
     for (k = 0; k < 3; k++) {
-        const double origin = tbx_high_half(grid->origin[k]);
         q->whole_origin[k] = grid->origin[k];
-        q->high[k] = tbx_high_half(grid->size[k]);
-        q->low[k] = grid->size[k] - q->high[k];
-        q->origin_high[k] = origin * (double)TBX_PIECES;
-        q->origin_low[k] = (grid->origin[k] - origin) * (double)TBX_PIECES;
+        tbx_halves_set(&q->halves[k], grid, k);
         q->lo[k] = grid->lo[k];
         q->precise &= grid->lo[k] > -1000000 && grid->hi[k] < 1000000;
     }
@@ -12947,37 +12962,47 @@ TBX_FORCED tbx_i4 tbx_faces_pair(tbx_faces *f, tbx_i4 *out_below, const tbx_quic
     return i;
 }
 
-/* The voxels of three faces, in lanes 1 to 3; beside planes exactly: `upper` the one above it, if it is on
+/* The voxels of three faces x, in lanes 1 to 3; beside planes exactly: `upper` the one above it, if it is on
  * it. */
-TBX_FORCED void tbx_faces_find(tbx_faces *f, const tribox_grid *grid, const tbx_quick *q, const double x[4],
+TBX_FORCED void tbx_faces_find(tbx_faces *f, const tribox_grid *grid, const tbx_quick *q, const tbx_d2 x[2],
                                int upper)
 {
     tbx_i4 below[2];
     tbx_i4 pair[2];
     tbx_i4 next;
     f->beside = f->unsure = 0;
-    pair[0] = tbx_faces_pair(f, &below[0], q, 0, tbx_load2(x));
-    pair[1] = tbx_faces_pair(f, &below[1], q, 2, tbx_load2(x + 2));
+    pair[0] = tbx_faces_pair(f, &below[0], q, 0, x[0]);
+    pair[1] = tbx_faces_pair(f, &below[1], q, 2, x[1]);
     next = TBX_LANES(pair[0], pair[1], 0, 1, 4, 5) - tbx_splat_int(1048576);
     f->voxel = next + TBX_LANES(below[0], below[1], 0, 2, 4, 6);
     f->unsure &= 14u;
-    for (; f->unsure != 0; f->unsure &= f->unsure - 1) {
-        const int k = __builtin_ctz(f->unsure) - 1;
-        const int32_t i = next[k + 1];
-        double rest;
-        int side;
-        if (q->precise && tbx_rest(grid, k, x[k + 1], (double)(i + grid->lo[k]) * TBX_PIECES, &rest)) {
-            side = (rest < 0.0) - (rest > 0.0);
-        } else {
-            side = tbx_plane_compare(grid, k, i + grid->lo[k], x[k + 1]);
+    if (f->unsure != 0) {
+        double face[4];
+        int32_t voxel[4];
+        int32_t plane[4];
+        TBX_COPY(face, x, sizeof face);
+        TBX_COPY(voxel, &f->voxel, sizeof voxel);
+        TBX_COPY(plane, &next, sizeof plane);
+        for (; f->unsure != 0; f->unsure &= f->unsure - 1) {
+            const int k = __builtin_ctz(f->unsure) - 1;
+            const int32_t i = plane[k + 1];
+            double rest;
+            int side;
+            if (q->precise &&
+                tbx_rest(&q->halves[k], face[k + 1], (double)(i + grid->lo[k]) * TBX_PIECES, &rest)) {
+                side = (rest < 0.0) - (rest > 0.0);
+            } else {
+                side = tbx_plane_compare(grid, k, i + grid->lo[k], face[k + 1]);
+            }
+            voxel[k + 1] = side < 0 || (side == 0 && upper) ? i : i - 1;
         }
-        f->voxel[k + 1] = side < 0 || (side == 0 && upper) ? i : i - 1;
+        f->voxel = tbx_load4i(voxel);
     }
 }
 
 /* A box by its least and greatest coordinates, in lanes 1 to 3. */
-TBX_FN tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, const double least[4],
-                            const double most[4])
+TBX_FORCED tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, const tbx_d2 least[2],
+                                const tbx_d2 most[2])
 {
     const tbx_i4 n = { 1, q->n[0], q->n[1], q->n[2] };
     const tbx_i4 none = tbx_splat_int(0);
@@ -13003,69 +13028,104 @@ TBX_FN tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, const d
     return box;
 }
 
-/* Box of triangle i of a block, by exact signs of corners against grid planes. Not known where an edge of one
- * that is large is level but for a hair: "Rows" takes such an edge for one within a row, and here it may be
- * in two. */
-TBX_NOINLINE tbx_i4 tbx_block_box(const tbx_block *b, const tribox_grid *grid, const tbx_quick *q,
-                                  const tbx_source *source, const tbx_corners *corners, int i)
+/* The same of any finite triangle. */
+TBX_NOINLINE tbx_i4 tbx_box_slowly(const tribox_grid *grid, const tbx_quick *q, const tbx_source *source,
+                                   size_t triangle)
 {
-    const tbx_i4 not_known = { 0, 0, 0, TBX_NOT_KNOWN };
     const tbx_i4 off = { 0, 0, 0, TBX_OFF };
+    const tbx_i4 not_known = { 0, 0, 0, TBX_NOT_KNOWN };
+    double v[3][3];
+    tbx_d2 least[2];
+    tbx_d2 most[2];
+    const int kind = tbx_source_triangle(source, triangle, v);
+    if (kind != TBX_ALL_ORDINARY) {
+        return kind == TBX_NO_POINTS ? off : not_known;
+    }
+    least[0] = tbx_pair(0.0, tbx_min3(v[0][0], v[1][0], v[2][0]));
+    least[1] = tbx_pair(tbx_min3(v[0][1], v[1][1], v[2][1]), tbx_min3(v[0][2], v[1][2], v[2][2]));
+    most[0] = tbx_pair(0.0, tbx_max3(v[0][0], v[1][0], v[2][0]));
+    most[1] = tbx_pair(tbx_max3(v[0][1], v[1][1], v[2][1]), tbx_max3(v[0][2], v[1][2], v[2][2]));
+    return tbx_box_exact(grid, q, least, most);
+}
+
+/* Is an edge level but for a hair? "Rows" takes such an edge for one within a row, and it may be in two. */
+TBX_NOINLINE int tbx_box_has_hair(const tribox_grid *grid, const tbx_source *source, size_t triangle)
+{
+    double v[3][3];
+    int has = 0;
+    int k;
+    (void)tbx_source_triangle(source, triangle, v);
+    for (k = 0; k < 3; k++) {
+        const double hair = 1e-15 * grid->size[k];
+        has |= tbx_is_hair(v[0][k] - v[1][k], hair) | tbx_is_hair(v[1][k] - v[2][k], hair) |
+               tbx_is_hair(v[2][k] - v[0][k], hair);
+    }
+    return has;
+}
+
+/* A box and the extremes it was found by. */
+typedef struct tbx_boxed {
+    tbx_i4 box;
+    tbx_f4 least;
+    tbx_f4 most;
+} TBX_ALIGNED tbx_boxed;
+
+/* The doubles of four floats. */
+TBX_FORCED void tbx_pairs_of(tbx_d2 out[2], tbx_f4 a)
+{
+#if defined(__SSE2__) && !defined(__clang__)
+    out[0] = __builtin_ia32_cvtps2pd(a);
+    out[1] = __builtin_ia32_cvtps2pd(TBX_LANES(a, a, 2, 3, 2, 3));
+#else
+    out[0] = tbx_pair((double)a[0], (double)a[1]);
+    out[1] = tbx_pair((double)a[2], (double)a[3]);
+#endif
+}
+
+/* Box of triangle i of a block, by exact signs of corners against grid planes; the last one's where the
+ * extremes are the same, as two triangles of a quad have them. */
+TBX_FORCED void tbx_block_box(tbx_boxed *last, const tbx_block *b, const tribox_grid *grid,
+                              const tbx_quick *q, const tbx_source *source, const tbx_corners *corners, int i)
+{
     const tbx_i4 used = { 0, -1, -1, -1 };
     const tbx_i4 magnitude = { 0, 0x7fffffff, 0x7fffffff, 0x7fffffff };
     const tbx_i4 exponent = { 1, 0x7f800000, 0x7f800000, 0x7f800000 };
     const tbx_i4 other = { 1, 0, 0, 0 };
     const tbx_i4 none = tbx_splat_int(0);
-    const tbx_i4 v0 = (tbx_i4)corners->row[0][i] & used;
-    const tbx_i4 v1 = (tbx_i4)corners->row[1][i] & used;
-    const tbx_i4 v2 = (tbx_i4)corners->row[2][i] & used;
+    tbx_i4 v0 = (tbx_i4)corners->row[0][i] & used;
+    tbx_i4 v1 = (tbx_i4)corners->row[1][i] & used;
+    tbx_i4 v2 = (tbx_i4)corners->row[2][i] & used;
     const tbx_i4 all = (v0 | v1 | v2) & magnitude; /* no exponent is above this one's */
-    double v[3][3];
-    double least[4];
-    double most[4];
-    tbx_i4 box;
-    int is_tiny;
-    int k;
-    is_tiny = tbx_any((((v0 | other) & exponent) == none) | (((v1 | other) & exponent) == none) |
-                      (((v2 | other) & exponent) == none)); /* or 0 */
-    least[0] = most[0] = 0.0;
-    if (q->is_double | is_tiny | tbx_any(all > tbx_splat_int(0x7f7fffff))) {
-        const int kind = tbx_source_triangle(source, b->start + (size_t)i, v);
-        if (kind != TBX_ALL_ORDINARY) {
-            return kind == TBX_NO_POINTS ? off : not_known;
-        }
-        for (k = 0; k < 3; k++) {
-            least[k + 1] = tbx_min3(v[0][k], v[1][k], v[2][k]);
-            most[k + 1] = tbx_max3(v[0][k], v[1][k], v[2][k]);
-        }
+    /* 0 or subnormal, infinite or no number */
+    if (q->is_double ||
+        tbx_any((((v0 | other) & exponent) == none) | (((v1 | other) & exponent) == none) |
+                (((v2 | other) & exponent) == none) | (all > tbx_splat_int(0x7f7fffff)))) {
+        last->box = tbx_box_slowly(grid, q, source, b->start + (size_t)i);
+        last->least = last->most = (tbx_f4)tbx_splat_int(-1); /* no number */
     } else {
-        tbx_i4 c0 = v0;
-        tbx_i4 c1 = v1;
-        tbx_i4 c2 = v2;
         tbx_f4 low;
         tbx_f4 high;
-        TBX_KEEP_VECTOR(c0);
-        TBX_KEEP_VECTOR(c1);
-        TBX_KEEP_VECTOR(c2);
-        low = tbx_min4(tbx_min4((tbx_f4)c0, (tbx_f4)c1), (tbx_f4)c2);
-        high = tbx_max4(tbx_max4((tbx_f4)c0, (tbx_f4)c1), (tbx_f4)c2);
-        for (k = 1; k < 4; k++) {
-            least[k] = (double)low[k];
-            most[k] = (double)high[k];
+        TBX_KEEP_VECTOR(v0);
+        TBX_KEEP_VECTOR(v1);
+        TBX_KEEP_VECTOR(v2);
+        low = tbx_min4(tbx_min4((tbx_f4)v0, (tbx_f4)v1), (tbx_f4)v2);
+        high = tbx_max4(tbx_max4((tbx_f4)v0, (tbx_f4)v1), (tbx_f4)v2);
+        if (tbx_any(((tbx_i4)low != (tbx_i4)last->least) | ((tbx_i4)high != (tbx_i4)last->most))) {
+            tbx_d2 least[2];
+            tbx_d2 most[2];
+            tbx_pairs_of(least, low);
+            tbx_pairs_of(most, high);
+            last->least = low;
+            last->most = high;
+            last->box = tbx_box_exact(grid, q, least, most);
+        }
+        if (last->box[3] >= 0 &&
+            (last->box[3] & (q->precise && (last->box[3] & TBX_IS_CUT) == 0 ? 0xf8f8f8 : 0xfcfcfc)) != 0 &&
+            tbx_box_has_hair(grid, source, b->start + (size_t)i)) {
+            last->box[3] = TBX_NOT_KNOWN;
+            last->least = (tbx_f4)tbx_splat_int(-1);
         }
     }
-    box = tbx_box_exact(grid, q, least, most);
-    if (box[3] >= 0 && (box[3] & 0xfcfcfc) != 0 && !q->is_double) {
-        (void)tbx_source_triangle(source, b->start + (size_t)i, v);
-        for (k = 0; k < 3; k++) {
-            const double hair = 1e-15 * grid->size[k];
-            if (tbx_is_hair(v[0][k] - v[1][k], hair) | tbx_is_hair(v[1][k] - v[2][k], hair) |
-                tbx_is_hair(v[2][k] - v[0][k], hair)) {
-                return not_known;
-            }
-        }
-    }
-    return box;
 }
 
 /* Boxes of the triangles that are not as simple as can be; those that are not known are LARGE. Returns how
@@ -13075,9 +13135,12 @@ TBX_NOINLINE int tbx_block_special(tbx_block *b, const tribox_grid *grid, const 
 {
     unsigned char list[TBX_LIST];
     const int count = tbx_list_of(list, b->of[TBX_CLASS_OTHER]);
+    tbx_boxed last;
     int on_planes = 0;
     int i;
     int j;
+    last.box = tbx_splat_int(TBX_OFF);
+    last.least = last.most = (tbx_f4)tbx_splat_int(-1);
     for (i = 0; i < count; i += TBX_WIDE) {
         tbx_i4 box[TBX_WIDE];
         if (q->lattice) {
@@ -13085,7 +13148,8 @@ TBX_NOINLINE int tbx_block_special(tbx_block *b, const tribox_grid *grid, const 
         }
         for (j = 0; j < TBX_WIDE && i + j < count; j++) {
             if (!q->lattice || box[j][3] == TBX_NOT_KNOWN) {
-                box[j] = tbx_block_box(b, grid, q, source, corners, list[i + j]);
+                tbx_block_box(&last, b, grid, q, source, corners, list[i + j]);
+                box[j] = last.box;
             }
             if (box[j][3] != TBX_OFF) {
                 tbx_block_add(b, q, list[i + j], box[j]);
@@ -13741,6 +13805,15 @@ TBX_FORCED tbx_mp tbx_pair_less(tbx_dp a, tbx_dp b)
     return (tbx_mp)(a < b);
 }
 
+TBX_FORCED tbx_dp tbx_pair_min(tbx_dp a, tbx_dp b)
+{
+#if TBX_WIDE == 8
+    return __builtin_ia32_minpd256(a, b);
+#else
+    return tbx_min2(a, b);
+#endif
+}
+
 TBX_FORCED tbx_dp tbx_pair_kept(tbx_dp a)
 {
     TBX_KEEP_VECTOR(a);
@@ -13797,10 +13870,10 @@ TBX_FORCED void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, 
     const tbx_dp pieces = tbx_pair_all(TBX_PIECES);
     const tbx_dp round = tbx_pair_all(6755399441055744.0); /* 3 * 2^51: what is added to it becomes whole */
     const tbx_mp upper = tbx_pair_bits(~(uint64_t)0x7ffffff);
-    const tbx_dp from = tbx_pair_all(q->origin_high[k]);
-    const tbx_dp origin_low = tbx_pair_all(q->origin_low[k]);
+    const tbx_dp from = tbx_pair_all(q->halves[k].origin_high);
+    const tbx_dp origin_low = tbx_pair_all(q->halves[k].origin_low);
     const tbx_dp zero = tbx_pair_all(0.0);
-    const int is_simple = q->origin_low[k] == 0.0 && !q->is_double;
+    const int is_simple = q->halves[k].origin_low == 0.0 && !q->is_double;
     int i;
     a->whole = tbx_pair_bits(~(uint64_t)0);
     for (i = 0; i < 3; i++) {
@@ -13812,9 +13885,9 @@ TBX_FORCED void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, 
                                            round);
         const tbx_dp at = tbx_pair_kept(whole - round);
         const tbx_dp along = tbx_pair_kept(to - from);
-        const tbx_dp part = at * tbx_pair_all(q->low[k]);
-        tbx_dp rest = tbx_pair_kept(along - at * tbx_pair_all(q->high[k]));
-        if (q->origin_high[k] != 0.0) { /* else nothing is rounded */
+        const tbx_dp part = at * tbx_pair_all(q->halves[k].low);
+        tbx_dp rest = tbx_pair_kept(along - at * tbx_pair_all(q->halves[k].high));
+        if (q->halves[k].origin_high != 0.0) { /* else nothing is rounded */
             *unsure |= (tbx_mp)(tbx_pair_kept(to - along) != from) |
                        (tbx_mp)(tbx_pair_kept(along + from) != to);
         }
@@ -13881,8 +13954,8 @@ TBX_FORCED tbx_mp tbx_precise_outside(const tbx_precise_line *l, int points_x, i
     const tbx_dp zero = tbx_pair_all(0.0);
     const tbx_dp step = l->step_x[0];
     const tbx_dp step_rest = l->step_x[1];
+    tbx_dp least = tbx_pair_all(TBX_BEYOND);
     tbx_mp outside = tbx_pair_bits(0);
-    tbx_mp doubt = outside;
     tbx_mp cell = tbx_pair_bits(1);
     tbx_dp row = l->whole;
     tbx_dp row_rest = l->rest;
@@ -13895,7 +13968,7 @@ TBX_FORCED tbx_mp tbx_precise_outside(const tbx_precise_line *l, int points_x, i
         do {
             const tbx_dp e = tbx_pair_kept(whole) + tbx_pair_kept(rest);
             outside |= tbx_pair_less(e, zero) & bit;
-            doubt |= tbx_pair_less(tbx_pair_abs(e), l->error);
+            least = tbx_pair_min(least, tbx_pair_abs(e));
             whole -= step;
             rest -= step_rest;
             bit = bit << tbx_pair_bits((uint64_t)up_x);
@@ -13904,7 +13977,7 @@ TBX_FORCED tbx_mp tbx_precise_outside(const tbx_precise_line *l, int points_x, i
         row_rest += l->step_y[1];
         cell = cell << tbx_pair_bits((uint64_t)up_y);
     } while (--y > 0);
-    *unsure |= doubt;
+    *unsure |= tbx_pair_less(least, l->error);
     return outside;
 }
 
@@ -13954,7 +14027,8 @@ TBX_FORCED void tbx_precise_edges(tbx_precise_found *found, tbx_precise_normal *
     const tbx_dp zero = tbx_pair_all(0.0);
     const tbx_mp closed = tbx_pair_bits(q->upper_open ? 0 : ~(uint64_t)0);
     const tbx_mp alike = tbx_pair_bits(
-        q->whole_origin[b] == q->whole_origin[c] && q->high[b] == q->high[c] && q->low[b] == q->low[c]
+        q->whole_origin[b] == q->whole_origin[c] && q->halves[b].high == q->halves[c].high &&
+                q->halves[b].low == q->halves[c].low
             ? ~(uint64_t)0
             : 0);
     const tbx_mp across = (x->same[0] & x->same[1]) | (y->same[0] & y->same[1]); /* their box says it all */
@@ -14044,6 +14118,7 @@ TBX_NOINLINE void tbx_precise_plane(tbx_precise_found *found, const tbx_precise_
     int x;
     int y;
     int z;
+    tbx_dp least = tbx_pair_all(TBX_BEYOND);
     tbx_precise_plane_at(&d_at, axis, n);
     for (i = 0; i < 3; i++) {
         step[i][0] = tbx_pair_where(decides, n[i].whole * pieces);
@@ -14067,7 +14142,7 @@ TBX_NOINLINE void tbx_precise_plane(tbx_precise_found *found, const tbx_precise_
                 below |= tbx_pair_less(d, zero) & bit;
                 above |= tbx_pair_less(zero, d) & bit;
                 bit += bit;
-                found->unsure |= tbx_pair_less(tbx_pair_abs(d), error);
+                least = tbx_pair_min(least, tbx_pair_abs(d));
                 at -= step[0][0];
                 rest -= step[0][1];
             }
@@ -14079,6 +14154,7 @@ TBX_NOINLINE void tbx_precise_plane(tbx_precise_found *found, const tbx_precise_
         layer -= step[2][0];
         layer_rest -= step[2][1];
     }
+    found->unsure |= tbx_pair_less(least, error);
 }
 
 /* The voxels of lane i, box `more`. */
