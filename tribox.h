@@ -4329,7 +4329,8 @@ typedef struct tbx_span {
  *         less than SMALL_EDGE_ERROR delta.
  *   area  The sum of three E at the first point: less than that.
  *   D     The normal's 7 n delta times n, three times; its n^2 times delta, three times: less than
- *         SMALL_PLANE_ERROR delta. The signs of n are those of the areas, and sure. */
+ *         SMALL_PLANE_ERROR delta. The signs of n are those of the areas, and sure.
+ * tests/proofs/groups.gappa has the rounding. */
 #define TBX_SMALL_EDGE_ERROR 48.0   /* 12 n */
 #define TBX_SMALL_PLANE_ERROR 512.0 /* 32 n^2 */
 
@@ -14413,6 +14414,8 @@ TBX_FORCED void tbx_voxels_set(const tbx_bits *to, uint64_t *row, uint64_t key, 
  * and d_r, a bound times d_r is a multiple of q s; where d_b is 0 it is one of q, whatever the rows' axis;
  * the plane's, times n_x, is one of q times the step of the normal. An area may be 0 exactly, or known to be
  * where all corners are level; again its edges run to and fro, and the plane says what they say. */
+#define TBX_ROW_ERROR (24.0f * TBX_U32)  /* times 1 + |g| and m + 2 */
+#define TBX_AREA_ERROR (64.0 * TBX_U64) /* tau, times m^2 */
 #define TBX_NOWHERE 65536.0f
 
 /* What the lines of rows are made of, in lanes of triangles. */
@@ -14580,12 +14583,50 @@ TBX_FORCED void tbx_row_touch(tbx_fw *lo_spread, tbx_fw *hi_spread, const tbx_qu
     *hi_spread += tbx_wide_flip(touch, sign & (lower_open | (upper_open & uphill)));
 }
 
-/* Edge i's line in a plane. Edges bound from both sides in lanes `two`; `off` is how far they may be off,
- * times d_r. */
-TBX_FORCED void tbx_row_line(tbx_row_lines *out, const tbx_row_parts *p, const tbx_quick *q, int i,
-                             tbx_fw v_b, tbx_fw v_r, tbx_fw e_b, tbx_fw e_r, tbx_fw area, tbx_iw two,
-                             tbx_fw off, tbx_fw step, tbx_fw step_b)
+/* Of a plane, b over r: twice the area; the lanes in which edges bound from both sides, and how far they may
+ * be off then, times d_r; the lattice's steps. */
+typedef struct tbx_row_sides {
+    tbx_fw area;
+    tbx_iw two;
+    tbx_fw off;
+    tbx_fw step;
+    tbx_fw step_b;
+} TBX_ALIGNED tbx_row_sides;
+
+TBX_FORCED void tbx_row_sides_set(tbx_row_sides *out, tbx_fw area, tbx_iw two, tbx_fw off, tbx_fw step,
+                                  tbx_fw step_b)
 {
+    out->area = area;
+    out->two = two;
+    out->off = tbx_wide_where(two, off);
+    out->step = step;
+    out->step_b = step_b;
+}
+
+/* A corner, and the edge from it, in a plane. */
+typedef struct tbx_row_edge {
+    tbx_fw v_b;
+    tbx_fw v_r;
+    tbx_fw e_b;
+    tbx_fw e_r;
+} TBX_ALIGNED tbx_row_edge;
+
+TBX_FORCED tbx_row_edge tbx_row_edge_of(tbx_fw v_b, tbx_fw v_r, tbx_fw e_b, tbx_fw e_r)
+{
+    tbx_row_edge r;
+    r.v_b = v_b;
+    r.v_r = v_r;
+    r.e_b = e_b;
+    r.e_r = e_r;
+    return r;
+}
+
+/* Edge i's line in a plane. */
+TBX_FORCED void tbx_row_line(tbx_row_lines *out, const tbx_row_parts *p, const tbx_quick *q, int i,
+                             const tbx_row_sides *side, tbx_row_edge edge)
+{
+    const tbx_fw e_b = edge.e_b;
+    const tbx_fw e_r = edge.e_r;
     const tbx_fw zero = tbx_wide_all(0.0f);
     const tbx_fw half = tbx_wide_all(0.5f);
     const tbx_fw one = tbx_wide_all(1.0f);
@@ -14594,19 +14635,19 @@ TBX_FORCED void tbx_row_line(tbx_row_lines *out, const tbx_row_parts *p, const t
     const tbx_fw inverse = tbx_wide_inverse(has, e_r);
     const tbx_fw slope = tbx_wide_where(has, e_b * inverse);
     const tbx_fw steep = tbx_wide_abs(slope);
-    const tbx_fw middle = (v_b + tbx_wide_all(2.0f)) - slope * (v_r + half);
-    const tbx_fw error = (steep + one) * (p->rounding + off * tbx_wide_abs(inverse));
-    const tbx_iw below = ((tbx_iw)area ^ (tbx_iw)e_r) < tbx_wide_int(0);
-    const tbx_iw is_lo = (below | two) & has;
-    const tbx_iw is_hi = (~below | two) & has;
+    const tbx_fw middle = (edge.v_b + tbx_wide_all(2.0f)) - slope * (edge.v_r + half);
+    const tbx_fw error = (steep + one) * (p->rounding + side->off * tbx_wide_abs(inverse));
+    const tbx_iw below = ((tbx_iw)side->area ^ (tbx_iw)e_r) < tbx_wide_int(0);
+    const tbx_iw is_lo = (below | side->two) & has;
+    const tbx_iw is_hi = (~below | side->two) & has;
     tbx_fw lo_spread = half * (q->thin ? tbx_wide_max(steep - one, zero) : steep);
     tbx_fw hi_spread = lo_spread;
     tbx_fw lo;
     tbx_fw hi;
     if (p->on_lattice) {
-        const tbx_fw times_d_r = step * tbx_step_of(e_b, e_r, zero, TBX_PARTS);
+        const tbx_fw times_d_r = side->step * tbx_step_of(e_b, e_r, zero, TBX_PARTS);
         tbx_row_touch(&lo_spread, &hi_spread, q,
-                      half * tbx_wide_choose(e_b == zero, step_b, times_d_r * tbx_wide_abs(inverse)),
+                      half * tbx_wide_choose(e_b == zero, side->step_b, times_d_r * tbx_wide_abs(inverse)),
                       slope > zero);
     }
     lo = tbx_wide_choose(is_lo, middle - lo_spread, -nowhere);
@@ -14668,6 +14709,9 @@ TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q, const tbx_grou
     tbx_row_parts p;
     tbx_points v[3];
     tbx_points first;
+    tbx_row_sides xy;
+    tbx_row_sides xz;
+    tbx_row_sides yz;
     tbx_fw off;
     tbx_iw near_x; /* n might be 0 on this axis, */
     tbx_iw near_y;
@@ -14678,8 +14722,8 @@ TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q, const tbx_grou
     p.reach = one + tbx_wide_max(tbx_wide_max(__builtin_convertvector(tbx_extent(out->extents, 0), tbx_fw),
                                               __builtin_convertvector(tbx_extent(out->extents, 1), tbx_fw)),
                                  __builtin_convertvector(tbx_extent(out->extents, 2), tbx_fw));
-    p.rounding = tbx_wide_all(24.0f * TBX_U32) * (p.reach + one + one) + tbx_wide_all(2.0f * q->delta_low);
-    p.tau = tbx_wide_all((float)(64.0 * TBX_U64)) * p.reach * p.reach;
+    p.rounding = tbx_wide_all(TBX_ROW_ERROR) * (p.reach + one + one) + tbx_wide_all(2.0f * q->delta_low);
+    p.tau = tbx_wide_all((float)TBX_AREA_ERROR) * p.reach * p.reach;
     p.v[0] = v[0];
     p.v[1] = v[1];
     p.v[2] = v[2];
@@ -14705,15 +14749,15 @@ TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q, const tbx_grou
         out->unsure |= near_x | near_y | near_z;
     }
     off = tbx_wide_all(8192.0f) * p.tau * p.reach * p.reach;
+    tbx_row_sides_set(&xy, p.n.z, near_z, off, p.step.z, p.step_b.z);
+    tbx_row_sides_set(&xz, -p.n.y, near_y, off, p.step.y, p.step_b.y);
+    tbx_row_sides_set(&yz, p.n.x, near_x, off, p.step.x, p.step_b.x);
     for (i = 0; i < 3; i++) {
         const tbx_points *a = &p.v[i];
         const tbx_points *e = &p.e[i];
-        tbx_row_line(&out->x_of_y, &p, q, i, a->x, a->y, e->x, e->y, p.n.z, near_z,
-                     tbx_wide_where(near_z, off), p.step.z, p.step_b.z);
-        tbx_row_line(&out->x_of_z, &p, q, i, a->x, a->z, e->x, e->z, -p.n.y, near_y,
-                     tbx_wide_where(near_y, off), p.step.y, p.step_b.y);
-        tbx_row_line(&out->y_of_z, &p, q, i, a->y, a->z, e->y, e->z, p.n.x, near_x,
-                     tbx_wide_where(near_x, off), p.step.x, p.step_b.x);
+        tbx_row_line(&out->x_of_y, &p, q, i, &xy, tbx_row_edge_of(a->x, a->y, e->x, e->y));
+        tbx_row_line(&out->x_of_z, &p, q, i, &xz, tbx_row_edge_of(a->x, a->z, e->x, e->z));
+        tbx_row_line(&out->y_of_z, &p, q, i, &yz, tbx_row_edge_of(a->y, a->z, e->y, e->z));
     }
 }
 
@@ -18003,6 +18047,8 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_PLANE_ERROR
 #undef TBX_SPANS
 #undef TBX_NOWHERE
+#undef TBX_ROW_ERROR
+#undef TBX_AREA_ERROR
 #undef TBX_ROWS
 #undef TBX_WIDE
 #undef TBX_SOLID_ROWS

@@ -62,10 +62,12 @@ export CROSS_EDGE CROSS_PLANE SOLID SOLID_EDGE SOLID_NORMAL SOLID_PLANE SOLID_LI
 SHARE=$(constant '.*const float delta = \([0-9.]*\)f \* TBX_U32 \* (float)n + q->delta_low;.*')
 LINES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)n \* delta).*')
 PLANES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)(n \* n) \* delta).*')
-export SHARE LINES PLANES ULPS TRI NORMAL COORDINATE LINE WALK_NORMAL FIXED GRID
+SMALL_EDGE=$(constant '^#define TBX_SMALL_EDGE_ERROR \([0-9.]*\) .*')
+SMALL_PLANE=$(constant '^#define TBX_SMALL_PLANE_ERROR \([0-9.]*\) .*')
+export SMALL_EDGE SMALL_PLANE SHARE LINES PLANES ULPS TRI NORMAL COORDINATE LINE WALK_NORMAL FIXED GRID
 echo "constants of tribox.h: one box $ULPS; prepared $TRI;" \
     "sign of the normal $NORMAL; walk $COORDINATE, $LINE, $WALK_NORMAL and $FIXED; grid plane $GRID;" \
-    "groups $SHARE, $LINES and $PLANES"
+    "groups $SHARE, $LINES and $PLANES; the walk's small boxes $SMALL_EDGE and $SMALL_PLANE"
 
 # UNITS(n): n + 1/8 units of 2^-P, so that terms of second order fit; sums of several such are one or two units
 # above what the header's comment counts, which leaves them out. BELOW(n): n - 1 units, since the header rounds its
@@ -121,7 +123,21 @@ groups_room() { # n
             exit !(e <= 0.95 * lines * n && a <= 0.95 * lines * n && d <= 0.95 * planes * n * n)
         }'
 }
-export -f prove rounding groups_room
+
+# The same of the walk's boxes of up to 4^3: delta is COORDINATE u reach, reach 16 or more.
+small_room() {
+    rounding 4
+    awk -v c="$COORDINATE" -v lines="$SMALL_EDGE" -v planes="$SMALL_PLANE" -v area="$area" -v edge="$edge" \
+        -v plane="$plane" 'BEGIN {
+            u = 1 / (c * 16)
+            e = 4 * 3 + 4.6 * 4 + edge * u
+            a = 4 * 4 + area * u
+            d = 3 * 3 * a + 3 * 4 * 4 + plane * u
+            print "E", e, "area", a, "of", lines, "D", d, "of", planes
+            exit !(e <= 0.95 * lines && a <= 0.95 * lines && d <= 0.95 * planes)
+        }'
+}
+export -f prove rounding groups_room small_room
 
 # A coordinate of the walk, in units of u reach: 6 (UNITS) of |c + lo|, which is at most 2 reach, and 1 of |c|.
 # A line of the walk, in units of delta, the coordinates' error, which is COORDINATE u reach or more: what multiplies 1 and
@@ -178,6 +194,10 @@ for p in 23 24 52 53; do
     done
 done
 
+job "proof: small boxes of the walk, room in the bounds" small_room
+for contraction in PLAIN FUSED; do
+    job "proof: small boxes of the walk, 2^-52, $contraction" prove groups 52 $contraction 4
+done
 for n in 2 3 4; do
     job "proof: groups of $n^3, room in the bounds" groups_room $n
     for contraction in PLAIN FUSED; do
