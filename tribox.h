@@ -13120,12 +13120,11 @@ TBX_FORCED void tbx_block_box(tbx_boxed *last, const tbx_block *b, const tribox_
             last->most = high;
             last->box = tbx_box_exact(grid, q, least, most);
         }
-        if (last->box[3] >= 0 &&
-            (last->box[3] & (q->precise && (last->box[3] & TBX_IS_CUT) == 0 ? 0xf8f8f8 : 0xfcfcfc)) != 0 &&
-            tbx_box_has_hair(grid, source, b->start + (size_t)i)) {
-            last->box[3] = TBX_NOT_KNOWN;
-            last->least = (tbx_f4)tbx_splat_int(-1);
-        }
+    }
+    if (last->box[3] >= 0 && (q->thin | ((last->box[3] & (TBX_IS_CUT | 0xf8f8f8)) != 0) | !q->precise) &&
+        !q->is_double && tbx_box_has_hair(grid, source, b->start + (size_t)i)) {
+        last->box[3] = TBX_NOT_KNOWN;
+        last->least = (tbx_f4)tbx_splat_int(-1);
     }
 }
 
