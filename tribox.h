@@ -14253,7 +14253,7 @@ TBX_NOINLINE unsigned tbx_precise_some(const tbx_quick *q, const tbx_source *sou
             if (TBX_RARELY(doubt[i] != 0) && !q->is_double &&
                 (tbx_precise_is_tiny(at[0][i] + by) | tbx_precise_is_tiny(at[1][i] + by) |
                  tbx_precise_is_tiny(at[2][i] + by))) {
-                unsure |= 1u << i;
+                unsure |= 1u << (from + i);
             }
         }
         tbx_precise_set(a, q, k, tbx_pair_of(base), &found.unsure);
