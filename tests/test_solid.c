@@ -253,6 +253,42 @@ static void tenths_are_no_doubles(void)
     }
 }
 
+/* Edges whose ends are tenths, some voxels to both sides of a centre, pass it by less than doubles can say; so do
+ * slivers of floats along a line through it, whose corners are turned by rounding alone. */
+static void edges_through_centres_of_tenths(void)
+{
+    int i;
+
+    random_seed(1216);
+    for (i = 0; i < TEST_LOOPS(60); i++) {
+        static solid_case c;
+        int               t;
+        int               k;
+
+        solid_make(&c, 5);
+        for (t = 0; t < c.triangles; t++) {
+            double     v[3][3];
+            const int  sliver = random_below(2);
+            const int  a = 1 + random_below(6);
+            const int  b = 1 + random_below(6);
+            const double along[3] = {random_signed(), random_signed(), random_signed()};
+            for (k = 0; k < 3; k++) {
+                const int at = 2 * (c.grid.lo[k] + random_below(c.n[k])) + 1 + (int)(c.grid.origin[k] / 0.05 + 0.5);
+                const int d = random_below(5) - 2;
+                const double slope = random_signed() * 0.1;
+                v[0][k] = sliver ? 0.05 * at + slope * along[0] : 0.05 * (at + 2 * a * d);
+                v[1][k] = sliver ? 0.05 * at + slope * along[1] : 0.05 * (at - 2 * b * d);
+                v[2][k] = sliver ? 0.05 * at + slope * along[2] : 0.05 * (at + random_below(17) - 8);
+            }
+            for (k = 0; k < 9; k++) {
+                c.positions[9 * t + k] = (float)v[k / 3][k % 3];
+                c.doubles[9 * t + k] = v[k / 3][k % 3];
+            }
+        }
+        solid_check(&c);
+    }
+}
+
 /* Corners on a lattice are computed with as they are while they are near the region; farther off, products of them are
  * no doubles. An edge passes a centre by as little as whole numbers can: Fibonacci's f(n) f(n) - f(n - 1) f(n + 1) is
  * 1 or -1. Integers say on which side the centre is. */
@@ -975,6 +1011,7 @@ int main(void)
     RUN(fill_flips_the_voxels_whose_centre_is_inside);
     RUN(centres_are_no_doubles);
     RUN(tenths_are_no_doubles);
+    RUN(edges_through_centres_of_tenths);
     RUN(corners_far_off_on_a_lattice);
     RUN(rays_cross_as_exact_numbers_say);
     RUN(points_beside_edges_and_planes_of_doubles);
