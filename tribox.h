@@ -1238,12 +1238,8 @@ TBX_FN void tbx_limbs_place(tbx_limb *to, int n, int64_t value, int shift)
     uint64_t rest = tbx_magnitude64(value);
     tbx_two_limbs carry = flip & 1u;
     tbx_two_limbs part = 0;
-    int i = shift / TBX_LIMB_BITS;
-    if (i == n - 1) { /* for speed: the limbs of a short number are one */
-        to[i] += (tbx_limb)(uint64_t)value << (shift % TBX_LIMB_BITS);
-        return;
-    }
-    for (; i < n; i++) {
+    int i;
+    for (i = shift / TBX_LIMB_BITS; i < n; i++) {
         part += (tbx_two_limbs)(tbx_limb)rest << (shift % TBX_LIMB_BITS);
         carry += (tbx_two_limbs)to[i] + ((tbx_limb)part ^ flip);
         to[i] = (tbx_limb)carry;
@@ -1371,9 +1367,12 @@ TBX_COLD int tbx_coords_place(tbx_limb (*to)[TBX_COORD_LIMBS], const tbx_coord *
         for (j = 0; j < n; j++) {
             to[i][j] = 0;
         }
-        for (j = 0; j < 3; j++) {
-            if (x[i].part[j] != 0) {
-                tbx_limbs_place(to[i], n, x[i].part[j], x[i].exponent[j] - e);
+        for (j = 0; j < (x[i].exponent[1] == TBX_NO_EXPONENT ? 1 : 3); j++) {
+            const int shift = x[i].exponent[j] - e;
+            if (n == 1 && shift < TBX_LIMB_BITS) { /* for speed */
+                to[i][0] += (tbx_limb)(uint64_t)x[i].part[j] << shift;
+            } else {
+                tbx_limbs_place(to[i], n, x[i].part[j], shift);
             }
         }
     }
@@ -1663,8 +1662,11 @@ TBX_COLD void tbx_exact_points(tbx_exact *f, const double v0[3], const double v1
 {
     const double *const x[TBX_ROWS] = { v0, v1, v2, lo, v0, hi };
     int i;
-    for (i = 0; i < 3 * TBX_ROWS; i++) {
-        f->x[i / 3][i % 3] = tbx_at(&x[i / 3][i % 3], NULL, 0);
+    int k;
+    for (i = 0; i < TBX_ROWS; i++) {
+        for (k = 0; k < 3; k++) {
+            f->x[i][k] = i == TBX_MID ? f->x[0][k] : tbx_at(&x[i][k], NULL, 0);
+        }
     }
 }
 
