@@ -1348,7 +1348,7 @@ typedef struct tbx_exact {
 } tbx_exact;
 
 /* The coordinates x as integers, in the greatest unit that they have in common. Returns their limbs. */
-TBX_COLD int tbx_coords_place(tbx_limb (*to)[TBX_COORD_LIMBS], const tbx_coord *x, int count)
+TBX_NOINLINE int tbx_coords_place(tbx_limb (*to)[TBX_COORD_LIMBS], const tbx_coord *x, int count)
 {
     int e = TBX_NO_EXPONENT;
     int top = -TBX_NO_EXPONENT;
@@ -1657,8 +1657,8 @@ TBX_COLD int tbx_exact_overlap(tbx_exact *f, unsigned flags)
 }
 
 /* The corners and two opposite corners of the box; its centre is v0 until it is set. */
-TBX_COLD void tbx_exact_points(tbx_exact *f, const double v0[3], const double v1[3], const double v2[3],
-                               const double lo[3], const double hi[3])
+TBX_NOINLINE void tbx_exact_points(tbx_exact *f, const double v0[3], const double v1[3], const double v2[3],
+                                   const double lo[3], const double hi[3])
 {
     const double *const x[TBX_ROWS] = { v0, v1, v2, lo, v0, hi };
     int i;
