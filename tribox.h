@@ -16733,6 +16733,12 @@ typedef struct tbx_solid_boxed {
     tbx_iw narrow; /* lanes that have less of them than was thought */
 } TBX_ALIGNED tbx_solid_boxed;
 
+/* Lanes above 0 that may be flushed to it. */
+TBX_FORCED tbx_iw tbx_solid_tiny(tbx_fw x)
+{
+    return ((tbx_iw)x > tbx_wide_int(0)) & ((tbx_iw)x < tbx_wide_int(0x00800000));
+}
+
 /* Rows on an axis without the first one, where the least corner lies behind its centre, and the last one,
  * where the greatest does not. */
 TBX_FORCED void tbx_solid_narrow(tbx_solid_boxed *b, const tbx_solid_quick *q, int k)
@@ -16745,7 +16751,7 @@ TBX_FORCED void tbx_solid_narrow(tbx_solid_boxed *b, const tbx_solid_quick *q, i
     const tbx_fw low = tbx_solid_from(centres, first, tbx_wide_min(tbx_wide_min(v[0], v[1]), v[2]));
     const tbx_fw high = tbx_solid_from(centres, last, most);
     const tbx_fw error = tbx_wide_all(q->near_error[k]);
-    const tbx_iw tiny = ((tbx_iw)most > tbx_wide_int(0)) & ((tbx_iw)most < tbx_wide_int(0x00800000));
+    const tbx_iw tiny = tbx_solid_tiny(v[0]) | tbx_solid_tiny(v[1]) | tbx_solid_tiny(v[2]);
     const tbx_iw not_first = low > error;
     const tbx_iw not_last = ~((high > -error) | tiny);
     b->before[k] -= not_first;

@@ -346,6 +346,32 @@ static void flushed_faces_differ_by_one_subnormal(void)
     CHECK(answer[3] == 0);
 }
 
+/* A corner that is subnormal lies beyond the centre at 0, also where it is read as zero. */
+static void flushed_corners_end_behind_the_centre(void)
+{
+    static const float v[9] = {-0.25f, -1, 0, -0.25f, 0, -1, -0.25f, 0, 2};
+    static const uint32_t tiny = 0x00012345u;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        static float positions[9 * 16];
+        tribox_grid grid = {{-0.5, -0.5, -0.5}, {1, 1, 1}, {0, 0, 0}, {4, 4, 4}, 0};
+        tribox_mesh mesh;
+        uint64_t bits[16] = {0};
+        memcpy(positions, v, sizeof v);
+        memcpy(positions + 4, &tiny, k != 1 ? sizeof tiny : 0);
+        memcpy(positions + 7, &tiny, k != 1 ? sizeof tiny : 0);
+        mesh.positions = positions;
+        mesh.stride = 0;
+        mesh.indices = NULL;
+        mesh.triangles = 16;
+        flush_subnormals(k == 2);
+        tribox_grid_fill_solid(&grid, &mesh, bits);
+        flush_subnormals(0);
+        CHECK(bits[0] == (k != 1 ? 15u : 0u) && bits[4] == bits[0]);
+    }
+}
+
 int main(void)
 {
     RUN(rounding_up_changes_no_answer);
@@ -357,5 +383,6 @@ int main(void)
     RUN(one_flushed_number_still_decides);
     RUN(long_boxes_are_cut_where_numbers_flush);
     RUN(flushed_faces_differ_by_one_subnormal);
+    RUN(flushed_corners_end_behind_the_centre);
     return test_report("test_mode");
 }
