@@ -1398,13 +1398,16 @@ TBX_COLD int tbx_compare(const tbx_coord *a, const tbx_coord *b)
 }
 
 /* out = (b - a) x (q - a) in the plane of axes x, y, twice f->limbs long; a, b are corners, q is (x of row
- * qx, y of row qy). Of one limb: differences below 2^62, so that nothing overflows. */
+ * qx, y of row qy). Of one limb: differences below 2^62, so that nothing overflows. What is behind
+ * the result, CROSS_LIMBS in all, is for what is computed on the way. */
+#define TBX_CROSS_LIMBS (6 * TBX_COORD_LIMBS)
+
 TBX_NOINLINE void tbx_cross(const tbx_exact *f, tbx_limb *out, int x, int y, int a, int b, int qx, int qy)
 {
     const int n = f->limbs;
-    tbx_limb u[TBX_COORD_LIMBS];
-    tbx_limb v[TBX_COORD_LIMBS];
-    tbx_limb second[2 * TBX_COORD_LIMBS];
+    tbx_limb *const u = out + 2 * TBX_COORD_LIMBS;
+    tbx_limb *const v = out + 3 * TBX_COORD_LIMBS;
+    tbx_limb *const second = out + 4 * TBX_COORD_LIMBS;
     if (n == 1) {
         const tbx_signed_limb from_x = (tbx_signed_limb)f->d[a][x][0];
         const tbx_signed_limb from_y = (tbx_signed_limb)f->d[a][y][0];
@@ -1429,7 +1432,7 @@ TBX_NOINLINE void tbx_cross(const tbx_exact *f, tbx_limb *out, int x, int y, int
 /* The sign of (b - a) x (q - a). */
 TBX_COLD int tbx_orient2(const tbx_exact *f, int x, int y, int a, int b, int qx, int qy)
 {
-    tbx_limb r[2 * TBX_COORD_LIMBS];
+    tbx_limb r[TBX_CROSS_LIMBS];
     tbx_cross(f, r, x, y, a, b, qx, qy);
     return tbx_limbs_sign(r, 2 * f->limbs);
 }
@@ -1444,9 +1447,9 @@ TBX_COLD int tbx_orient3(const tbx_exact *f, const int q[3])
         sum[a] = 0;
     }
     for (a = 0; a < 3; a++) {
-        tbx_limb normal[2 * TBX_COORD_LIMBS];
-        tbx_limb d[TBX_COORD_LIMBS];
-        tbx_limb product[3 * TBX_COORD_LIMBS];
+        tbx_limb normal[TBX_CROSS_LIMBS];
+        tbx_limb *const d = normal + 2 * TBX_COORD_LIMBS;
+        tbx_limb *const product = normal + 3 * TBX_COORD_LIMBS;
         tbx_cross(f, normal, (a + 1) % 3, (a + 2) % 3, 0, 1, 2, 2);
         tbx_limbs_add(d, f->d[q[a]][a], f->d[0][a], n, ~(tbx_limb)0);
         tbx_limbs_product(product, normal, 2 * n, d, n);
@@ -17994,6 +17997,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_POW2
 #undef TBX_COORD_ROOM
 #undef TBX_COORD_LIMBS
+#undef TBX_CROSS_LIMBS
 #undef TBX_OCTANTS_UNSURE
 #undef TBX_TRI_ULPS
 #undef TBX_NORMAL_ULPS
