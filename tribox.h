@@ -5121,7 +5121,7 @@ typedef struct tbx_solid {
     int fits;           /* the filter's bounds hold */
     double unit[3];     /* that corners close to a centre are told in */
     int exponent[3];    /* of it, a power of two */
-    double near[3];     /* how close that is */
+    double within[3];   /* how close that is */
     uint64_t origin[3]; /* in such units */
     uint64_t half[3];   /* of a voxel's size */
 } tbx_solid;
@@ -5146,10 +5146,10 @@ TBX_FN void tbx_solid_units(tbx_solid *s, int k)
     const int of_origin = tbx_split(tbx_bits64(origin), &mantissa);
     const int of_half = tbx_split(tbx_bits64(size), &mantissa) - 1;
     const int exponent = (of_origin < of_half ? of_origin : of_half) - 2;
-    const double near = tbx_from_bits64((uint64_t)(exponent > -900 ? exponent + 59 + 1023 : 1) << 52);
+    const double most = tbx_from_bits64((uint64_t)(exponent > -900 ? exponent + 59 + 1023 : 1) << 52);
     s->exponent[k] = exponent;
-    s->unit[k] = near * TBX_POW2(-59);
-    s->near[k] = near > 4.0 * TBX_SOLID_ERROR * s->reach[k] ? near : 0.0;
+    s->unit[k] = most * TBX_POW2(-59);
+    s->within[k] = most > 4.0 * TBX_SOLID_ERROR * s->reach[k] ? most : 0.0;
     tbx_in_units(origin, exponent, &s->origin[k]);
     tbx_in_units(size, exponent + 1, &s->half[k]);
 }
@@ -5164,7 +5164,7 @@ TBX_FN void tbx_solid_init(tbx_solid *s, const tribox_grid *grid, uint64_t *bits
         const double lo = (double)grid->lo[k];
         const double hi = (double)grid->hi[k];
         s->n[k] = (int64_t)grid->hi[k] - grid->lo[k];
-        s->middle[k] = s->reach[k] = s->scale[k] = s->near[k] = 0.0;
+        s->middle[k] = s->reach[k] = s->scale[k] = s->within[k] = 0.0;
         if (tbx_solid_in_range(&grid->origin[k]) && tbx_solid_in_range(&grid->size[k]) &&
             tbx_bits64(&grid->size[k]) >= (uint64_t)(1023 - 150) << 52) {
             const double size = grid->size[k];
@@ -5261,7 +5261,7 @@ TBX_FN tbx_solid_off tbx_solid_off_centre(const tbx_solid *s, int k, const doubl
     off.x = *x - (s->middle[k] + (double)index * s->grid->size[k]);
     off.error = (s->reach[k] + tbx_abs(*x)) * TBX_SOLID_ERROR;
     off.units = 0;
-    off.close = tbx_abs(off.x) < s->near[k] && tbx_in_units(x, s->exponent[k], &units);
+    off.close = tbx_abs(off.x) < s->within[k] && tbx_in_units(x, s->exponent[k], &units);
     if (off.close) {
         units -= s->origin[k] + (uint64_t)(2 * (s->grid->lo[k] + index) + 1) * s->half[k];
         off.units = units >> 63 ? -(int64_t)(~units) - 1 : (int64_t)units;
@@ -17857,10 +17857,10 @@ TBX_FORCED tbx_iw tbx_solid_refined(tbx_solid_fill *fill, const tbx_points v[3],
                                     tbx_iw *z, tbx_iw *n_y, tbx_iw *n_z)
 {
     const tbx_iw rows = tbx_wide_int(TBX_SOLID_ROWS);
-    const tbx_iw small = some & ~((*n_y > rows) | (*n_z > rows));
+    const tbx_iw few = some & ~((*n_y > rows) | (*n_z > rows));
     tbx_solid_boxed b;
     int c;
-    if (!tbx_wide_any(small)) {
+    if (!tbx_wide_any(few)) {
         return some;
     }
     for (c = 0; c < 3; c++) {
@@ -17871,14 +17871,14 @@ TBX_FORCED tbx_iw tbx_solid_refined(tbx_solid_fill *fill, const tbx_points v[3],
     b.before[1] = *z;
     b.n[0] = *n_y;
     b.n[1] = *n_z;
-    b.some = small;
+    b.some = few;
     tbx_solid_refine(&b, &fill->quick);
-    fill->narrows |= tbx_wide_signs(b.narrow & small);
-    *y = tbx_wide_select(small, b.before[0], *y);
-    *z = tbx_wide_select(small, b.before[1], *z);
-    *n_y = tbx_wide_select(small, b.n[0], *n_y);
-    *n_z = tbx_wide_select(small, b.n[1], *n_z);
-    return b.some | (some & ~small);
+    fill->narrows |= tbx_wide_signs(b.narrow & few);
+    *y = tbx_wide_select(few, b.before[0], *y);
+    *z = tbx_wide_select(few, b.before[1], *z);
+    *n_y = tbx_wide_select(few, b.n[0], *n_y);
+    *n_z = tbx_wide_select(few, b.n[1], *n_z);
+    return b.some | (some & ~few);
 }
 
 /* A block of `count` triangles, a multiple of WIDE. Returns a bit for each that has rows. */
