@@ -121,13 +121,21 @@ static BENCH_NOINLINE uint64_t run_two_threads(void *context)
     return 0;
 }
 
+/* Of three runs the best, since others may have the processor for a while. */
 static double slab_seconds(job *j, int lo, int hi)
 {
-    double start;
-    clear(j);
-    start = bench_now();
-    fill_slab(j, lo, hi);
-    return bench_now() - start;
+    double best = 0.0;
+    int run;
+    for (run = 0; run < 3; run++) {
+        double start;
+        double seconds;
+        clear(j);
+        start = bench_now();
+        fill_slab(j, lo, hi);
+        seconds = bench_now() - start;
+        best = run == 0 || seconds < best ? seconds : best;
+    }
+    return best;
 }
 
 /* The z that cuts the region into two slabs of equal work, found by timing them. */
