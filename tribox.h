@@ -3169,7 +3169,12 @@ TBX_FN void tbx_halves_set(tbx_halves *h, const tribox_grid *grid, int k)
  * with what rounding takes, off by 2^-104 of their magnitudes where it is not to nearest; a rest of 2^-50 of
  * these is right to 2^-54 and 3 u then, and with the factor 1 / size, in voxels, to 8 u: REST_ERROR. What is
  * less is not known, but that it is 0 where there is one lower part. Returns 0 if it is not known; the
- * numbers are ordinary. tests/errors.c looks for its error. */
+ * numbers are ordinary. tests/errors.c looks for its error.
+ *
+ * "Exact" above asks that the upper parts' difference, of the order of the lower parts, has 53 bits above the
+ * last one of at * size: origins must lie less than 2^47 sizes off. Callers see to 2^40, FARTHEST; a sign
+ * alone is right also farther off. */
+#define TBX_FARTHEST 1099511627776.0              /* 2^40 */
 #define TBX_REST_ERROR (1.0 / 281474976710656.0)  /* 2^-48 */
 #define TBX_REST_LEAST (1.0 / 1125899906842624.0) /* 2^-50 */
 
@@ -3563,6 +3568,9 @@ TBX_FN int tbx_walk_place(tbx_walk *w)
         const double units = w->frame->inverse[k] * TBX_PIECES;
         tbx_halves h;
         tbx_halves_set(&h, grid, k);
+        if (tbx_abs(w->frame->origin[k]) > TBX_FARTHEST * grid->size[k]) {
+            return 0;
+        }
         for (i = 0; i < 3; i++) {
             double at = (w->corner[i][k] - w->frame->origin[k]) * units;
             if (!(at < 67108000.0 && at > -67108000.0)) {
@@ -10482,7 +10490,7 @@ TBX_COLD int tbx_filter4_rare(const float v0[3], const float v1[3], const float 
     for (i = 0; i < 3 && found == TBX_UNSURE; i++) {
         if (!tbx_is_outside4(t, p, q)) {
             /* An edge with the triangle's bounding box: as in tbx_clipped_edge. */
-            const int is_end = !tbx_any((t < p) | (t > p)) | !tbx_any((t < q) | (t > q));
+            const int is_end = !(tbx_any((t < p) | (t > p)) && tbx_any((t < q) | (t > q)));
             int open;
             int refused;
             const int hit = tbx_segment4(p, q, tbx_max4(lo, tbx_min4(p, q)), tbx_min4(hi, tbx_max4(p, q)),
@@ -11951,7 +11959,6 @@ typedef union tbx_corners {
 typedef uint16_t tbx_hw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
 typedef int16_t tbx_sw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
 typedef uint64_t tbx_mw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
-typedef long long tbx_qw __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
 typedef int16_t tbx_s8 __attribute__((vector_size(16)));
 typedef uint16_t tbx_h8 __attribute__((vector_size(16)));
 typedef signed char tbx_b16 __attribute__((vector_size(16)));
@@ -11981,11 +11988,12 @@ TBX_FORCED tbx_uw tbx_words_above(tbx_uw a, tbx_uw b)
 TBX_FORCED tbx_sw tbx_words_join(tbx_iw a, tbx_iw b)
 {
 #if defined(__AVX2__) /* packs halves with halves */
-    const tbx_qw r = (tbx_qw)__builtin_ia32_packssdw256(a, b);
+    const tbx_mw r = (tbx_mw)__builtin_ia32_packssdw256(a, b);
 #if defined(__clang__)
     return (tbx_sw)__builtin_shufflevector(r, r, 0, 2, 1, 3);
 #else
-    return (tbx_sw)__builtin_ia32_permdi256(r, 0xd8);
+    const tbx_mw order = { 0, 2, 1, 3 };
+    return (tbx_sw)__builtin_shuffle(r, order);
 #endif
 #elif defined(__SSE2__)
     return (tbx_sw)__builtin_ia32_packssdw128(a, b);
@@ -18038,6 +18046,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_PRECISE
 #undef TBX_PRECISE_EDGE_ERROR
 #undef TBX_REST_ERROR
+#undef TBX_FARTHEST
 #undef TBX_REST_LEAST
 #undef TBX_PRECISE_PLANE_ERROR
 #undef TBX_CACHED
