@@ -4697,7 +4697,7 @@ TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], c
     return tbx_spans(grid, v, finite ? TBX_ALL_ORDINARY : TBX_NO_POINTS, on_span, user);
 }
 
-#if TRIBOX_SIMD /* section 11.4 */
+#if TRIBOX_SIMD /* section 11.3 */
 TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source, tribox_mesh_span_fn on_span,
                                    void *user, size_t *count);
 #endif
@@ -4791,7 +4791,7 @@ TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid)
     return words;
 }
 
-/* ---- Fill */
+/* ---- 9. Fill, solid, fit, get and locate -------------------------------------------------------------- */
 
 /* The bit array of a fill. */
 typedef struct tbx_target {
@@ -4885,7 +4885,7 @@ TBX_FN double tbx_floor_to(double x, double q)
     return (whole > units ? whole - 1.0 : whole) * q;
 }
 
-#if TRIBOX_SIMD /* section 11.4 */
+#if TRIBOX_SIMD /* section 11.3 */
 TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, const tbx_target *target);
 #endif
 
@@ -5663,7 +5663,7 @@ TBX_NOINLINE void tbx_solid_part(const tbx_solid *s, double v[3][3], int kind, i
     }
 }
 
-#if TRIBOX_SIMD /* section 11.6 */
+#if TRIBOX_SIMD /* section 11.5 */
 TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source);
 #endif
 
@@ -6059,7 +6059,7 @@ TBX_FN unsigned tbx_odd1(const float *x)
     return (unsigned)(magnitude - 0x00800000u >= 0x7f000000u) & (unsigned)(magnitude != 0);
 }
 
-#if TRIBOX_SIMD /* section 11.5 */
+#if TRIBOX_SIMD /* section 11.4 */
 TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const float d[3]);
 #else
 TBX_FN unsigned tbx_odd3(const float x[3])
@@ -6687,7 +6687,7 @@ TBX_FOR_FORMAT int tbx_box_box(const void *a_min, const void *a_max, const void 
     return meet;
 }
 
-#if TRIBOX_SIMD /* section 11.5 */
+#if TRIBOX_SIMD /* section 11.4 */
 TBX_FN int tbx_box_box4(const float a_min[3], const float a_max[3], const float b_min[3],
                         const float b_max[3]);
 #endif
@@ -7096,7 +7096,7 @@ TBX_FN tbx_ray_ask tbx_ray_asked(const void *origin, const void *dir, const void
     return a;
 }
 
-#if TRIBOX_SIMD /* section 11.5 */
+#if TRIBOX_SIMD /* section 11.4 */
 TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float t[2], const float box_min[3],
                           const float box_max[3], float *out_t0, float *out_t1);
 TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float box_min[3],
@@ -8234,7 +8234,7 @@ TBX_NOINLINE void tbx_gap_answer(const float *const v[3], const float box_min[3]
     }
 }
 
-#if TRIBOX_SIMD && TBX_DOUBLE_IS_53_BITS /* section 11.5 */
+#if TRIBOX_SIMD && TBX_DOUBLE_IS_53_BITS /* section 11.4 */
 /* 1/|l|, about, of edges 0..2 with units z, x, y, and, in the first row's last place, of the normal. */
 typedef struct tbx_gap_roots {
     float of[12];
@@ -9362,7 +9362,7 @@ TBX_FN int tbx_ball_kind(const tbx_real c[3], const tbx_real *r)
     return r->key == TBX_KEY_INFINITY ? TBX_BALL_SPACE : TBX_BALL;
 }
 
-#if TRIBOX_SIMD /* section 11.5 */
+#if TRIBOX_SIMD /* section 11.4 */
 TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const float b[3],
                               const float *b_radius);
 TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius);
@@ -11316,7 +11316,7 @@ TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
 }
 #endif
 
-/* ---- 11.4 Fill */
+/* ---- 11.3 Fill */
 
 /* ---- Meshes, many triangles at once -----------------------------------------------------------------------
  *
@@ -15576,7 +15576,7 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
     return t;
 }
 
-/* ---- 11.5 Companions */
+/* ---- 11.4 Companions */
 
 #ifndef TRIBOX_NO_COMPANIONS
 /* Three floats' keys: integers that order as they do, 0 for both zeros. */
@@ -16433,7 +16433,7 @@ TBX_FN int tbx_gap_near(const float *const v[5], const float lo[3], const float 
 
 #endif
 
-/* ---- 11.6 Solid
+/* ---- 11.5 Solid
  *
  * Seen along x, most triangles of a fine mesh hold no row's centre: their boxes tell, WIDE at a time. Those
  * of up to SOLID_ROWS rows on each axis wait in lists, and all rows of WIDE boxes are decided together, in
@@ -16444,7 +16444,7 @@ TBX_FN int tbx_gap_near(const float *const v[5], const float lo[3], const float 
  * off by u |Y| for each of the difference, inverse, product and sum, by u |rest|, and by u more for what rest
  * is widened by: 7 u (n + |rest| + 2) between the region's ends; beyond them it does not come back, since
  * each operation is monotone: the least corner has the least Y. Triangles with a corner beyond 2^22 voxels go
- * the scalar way. The first centre itself is off by 2 * 2^-52 M (section 8): MIDDLE_ERROR allows for twice
+ * the scalar way. The first centre itself is off by 2 * 2^-52 M (section 9): MIDDLE_ERROR allows for twice
  * that.
  *
  * A box of one row is looked at again, before it waits, Y about that row: from its centre corners lie at most
@@ -17138,7 +17138,7 @@ TBX_FORCED void tbx_solid_flip_wide(uint64_t *word, size_t left, uint64_t paddin
 }
 
 /* Lines. What tbx_solid_least looks for, in row or layer r, is at + slope * r, rounded up, if that is not
- * within an error of a whole number: the value's own bound (section 8) over its step, and what the quotient
+ * within an error of a whole number: the value's own bound (section 9) over its step, and what the quotient
  * and the sum round off; a division may be off by 4 u. On the lattice half the least step of the value goes
  * on top, and no quotient is whole. The edges that bound y from below are lower[0] and [1], maybe one twice.
  *
