@@ -16585,7 +16585,7 @@ TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const t
         double size_high = tbx_floor_to(size, spacing);
         TBX_KEEP(base_high);
         TBX_KEEP(size_high);
-        q->on &= rho < 2048.0 && tbx_abs(middle) * scale < 67108864.0; /* 2^26 */
+        q->on &= tbx_more(2048.0, rho) & tbx_more(67108864.0, tbx_abs(middle) * scale); /* 2^26 */
         q->origin[k] = (float)middle;
         q->most_reach[k] = s->reach[k] + tbx_abs(middle) + 2097152.0 * size;
         q->inverse[k] = (float)(1.0 / size);
