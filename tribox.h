@@ -12203,7 +12203,7 @@ TBX_FORCED int tbx_block_has_first(const tbx_source *source, size_t first, int c
                                                        (tbx_i4)tbx_load_words(index + i + 12));
         none |= (tbx_b16)((tbx_b16)__builtin_ia32_packsswb128(low, high) == (tbx_b16)tbx_splat_int(0));
     }
-    zero = tbx_any((tbx_i4)none);
+    zero = tbx_any((tbx_i4)none != tbx_splat_int(0));
 #endif
     for (; i < 3 * count; i++) {
         zero |= index[i] == 0;

@@ -544,6 +544,46 @@ static void a_box_beside_a_plane_sets_no_other(void)
     }
 }
 
+/* Corners are read as 16 bytes from before their first number, so the first vertex goes another way, wherever in a
+ * block its number stands: nothing before the positions is read, as the address sanitizer can tell, and the bits
+ * are those of the same corner last in the array. */
+static void nothing_is_read_before_the_first_vertex(void)
+{
+    enum { TRIANGLES = 70, VERTICES = 300 };
+    static uint32_t index[2][3 * TRIANGLES];
+    static uint64_t bits[2][16 * 16];
+    float          *positions = (float *)malloc((VERTICES + 1) * 3 * sizeof(float)); /* no padding before it */
+    tribox_grid     grid = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {16, 16, 16}, 0};
+    tribox_mesh     mesh;
+    int             at;
+    int             i;
+    if (!CHECK(positions != NULL)) {
+        return;
+    }
+    random_seed(271);
+    for (i = 0; i < 3 * VERTICES; i++) {
+        positions[i] = 0.01f * (float)random_below(1600);
+    }
+    memcpy(positions + 3 * VERTICES, positions, 3 * sizeof(float));
+    mesh.positions = positions;
+    mesh.stride = 0;
+    mesh.triangles = TRIANGLES;
+    for (at = 0; at < 3 * TRIANGLES; at++) {
+        for (i = 0; i < 3 * TRIANGLES; i++) { /* also where the numbers' bytes are 0 */
+            index[0][i] = index[1][i] = i % 5 ? (uint32_t)(1 + random_below(VERTICES - 1)) : 256;
+        }
+        index[0][at] = 0;
+        index[1][at] = VERTICES;
+        memset(bits, 0, sizeof bits);
+        for (i = 0; i < 2; i++) {
+            mesh.indices = index[i];
+            tribox_grid_fill(&grid, &mesh, bits[i]);
+        }
+        CHECK(memcmp(bits[0], bits[1], sizeof bits[0]) == 0);
+    }
+    free(positions);
+}
+
 int main(void)
 {
     RUN(fill_is_the_union_of_spans);
@@ -560,5 +600,6 @@ int main(void)
     RUN(hairs_of_doubles_in_long_rows);
     RUN(empty_mesh_sets_nothing);
     RUN(a_box_beside_a_plane_sets_no_other);
+    RUN(nothing_is_read_before_the_first_vertex);
     return test_report("test_fill");
 }
