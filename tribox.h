@@ -5262,21 +5262,20 @@ typedef struct tbx_solid_off {
     int close;
 } tbx_solid_off;
 
-TBX_FN tbx_solid_off tbx_solid_off_centre(const tbx_solid *s, int k, const double *x, int64_t index)
+TBX_FN void tbx_solid_off_centre(tbx_solid_off *off, const tbx_solid *s, int k, const double *x,
+                                 int64_t index)
 {
-    tbx_solid_off off;
     uint64_t units;
-    off.x = *x - (s->middle[k] + (double)index * s->grid->size[k]);
-    off.error = (s->reach[k] + tbx_abs(*x)) * TBX_SOLID_ERROR;
-    off.units = 0;
-    off.close = tbx_abs(off.x) < s->within[k] && tbx_in_units(x, s->exponent[k], &units);
-    if (off.close) {
+    off->x = *x - (s->middle[k] + (double)index * s->grid->size[k]);
+    off->error = (s->reach[k] + tbx_abs(*x)) * TBX_SOLID_ERROR;
+    off->units = 0;
+    off->close = tbx_abs(off->x) < s->within[k] && tbx_in_units(x, s->exponent[k], &units);
+    if (off->close) {
         units -= s->origin[k] + (uint64_t)(2 * (s->grid->lo[k] + index) + 1) * s->half[k];
-        off.units = units >> 63 ? -(int64_t)(~units) - 1 : (int64_t)units;
-        off.x = (double)off.units * s->unit[k];
-        off.error = tbx_abs(off.x) * TBX_U64;
+        off->units = units >> 63 ? -(int64_t)(~units) - 1 : (int64_t)units;
+        off->x = (double)off->units * s->unit[k];
+        off->error = tbx_abs(off->x) * TBX_U64;
     }
-    return off;
 }
 
 /* The sign of a*b - c*d, magnitudes at most 2^60: as high * 2^60 + middle * 2^30 + low. */
@@ -5308,23 +5307,22 @@ typedef struct tbx_solid_value {
     double error;
 } tbx_solid_value;
 
-TBX_FN tbx_solid_value tbx_solid_cross(const tbx_solid_off a[3], const tbx_solid_off b[3])
+TBX_FN void tbx_solid_cross(tbx_solid_value *out, const tbx_solid_off a[3], const tbx_solid_off b[3])
 {
     const double forth = a[1].x * b[2].x;
     const double back = a[2].x * b[1].x;
-    tbx_solid_value r;
-    r.value = forth - back;
-    r.error =
+    out->value = forth - back;
+    out->error =
         1.01 * (tbx_abs(a[1].x) * b[2].error + tbx_abs(b[2].x) * a[1].error + tbx_abs(a[2].x) * b[1].error +
                 tbx_abs(b[1].x) * a[2].error + a[1].error * b[2].error + a[2].error * b[1].error) +
         (tbx_abs(forth) + tbx_abs(back)) * TBX_SOLID_CLOSE_ERROR;
-    return r;
 }
 
 /* The sign of an edge's value, corners a and b from the centre; 2: not sure. */
 TBX_FN int tbx_solid_close_edge(const tbx_solid_off a[3], const tbx_solid_off b[3])
 {
-    const tbx_solid_value e = tbx_solid_cross(a, b);
+    tbx_solid_value e;
+    tbx_solid_cross(&e, a, b);
     if (tbx_abs(e.value) > e.error) {
         return (e.value > 0.0) - (e.value < 0.0);
     }
@@ -5346,7 +5344,8 @@ TBX_FN int tbx_solid_close_plane(tbx_solid_off v[3][3], int sign)
         return (v[0][0].units < 0) - (v[0][0].units > 0);
     }
     for (i = 0; i < 3; i++) {
-        const tbx_solid_value e = tbx_solid_cross(v[i < 2 ? i + 1 : 0], v[i < 1 ? 2 : i - 1]);
+        tbx_solid_value e;
+        tbx_solid_cross(&e, v[i < 2 ? i + 1 : 0], v[i < 1 ? 2 : i - 1]);
         value -= v[i][0].x * e.value;
         error += (tbx_abs(v[i][0].x) + v[i][0].error) * e.error +
                  (v[i][0].error + tbx_abs(v[i][0].x) * TBX_SOLID_CLOSE_ERROR) * tbx_abs(e.value);
@@ -5367,13 +5366,14 @@ TBX_NOINLINE int tbx_solid_sign_close(const tbx_solid_tri *t, const tbx_growing 
     int k;
     if (t->fits && g->id > 3) {
         const double *face = g->id == 4 ? t->least : t->most;
-        const tbx_solid_off off = tbx_solid_off_centre(s, g->axis, &face[g->axis], index[g->axis]);
+        tbx_solid_off off;
+        tbx_solid_off_centre(&off, s, g->axis, &face[g->axis], index[g->axis]);
         sign = off.close ? (off.units < 0) - (off.units > 0) : 2;
     } else if (t->fits) {
         tbx_solid_off v[3][3];
         for (i = 0; i < 3; i++) {
             for (k = g->id < 3; k < 3; k++) {
-                v[i][k] = tbx_solid_off_centre(s, k, &t->v[i][k], index[k]);
+                tbx_solid_off_centre(&v[i][k], s, k, &t->v[i][k], index[k]);
             }
         }
         if (g->id < 3) {
