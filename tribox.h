@@ -783,7 +783,8 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 
 /* Before a short loop of scalar code: unrolled where that is what answers, kept short where section 11 leaves
  * little to it. */
-#if TBX_GNU && !defined(__clang__) && __GNUC__ >= 8 && !TRIBOX_SIMD
+#if TBX_GNU && !defined(__clang__) && !defined(__CUDACC__) && !defined(__EDG__) && __GNUC__ >= 8 && \
+    !TRIBOX_SIMD
 #define TBX_UNROLL _Pragma("GCC unroll 8")
 #else
 #define TBX_UNROLL

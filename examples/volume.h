@@ -444,6 +444,11 @@ static inline int vox_model_at(const vox_scan *s, int number, int place[3]) {
     return 0;
 }
 
+/* Models may lie anywhere, so that few bytes can ask for any number of voxels: 5 GB, rows padded, are enough. */
+#ifndef VOX_MOST_BITS
+#define VOX_MOST_BITS 4e10
+#endif
+
 /* `up` is the mesh's axis that points up, 'x', 'y' or 'z'. */
 static inline int vox_read(volume *v, const volume_file *f, char up) {
     tribox_grid grid;
@@ -471,7 +476,7 @@ static inline int vox_read(volume *v, const volume_file *f, char up) {
         grid.size[a] = 1;
         grid.hi[a] = (int)n[a];
     }
-    if ((double)n[0] * (double)n[1] * (double)n[2] > 4e10) {
+    if ((double)((n[0] + 63) / 64 * 64) * (double)n[1] * (double)n[2] > VOX_MOST_BITS) {
         return volume_fail(f, "its models are too far apart");
     }
     if (!voxels_make(&v->bits, &grid, f->error)) {

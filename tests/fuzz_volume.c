@@ -4,6 +4,7 @@
  *
  * The first byte names the format.
  */
+#define VOX_MOST_BITS 4e9 /* 500 MB: libFuzzer allows 2 GB */
 #include "examples/volume.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
