@@ -2009,7 +2009,8 @@ TBX_FN int tbx_is_outside(const double t[3], const double p[3], const double q[3
 
 /* Triangles without area, whose plane the filter never decides: corners on a line, or that repeat. An edge
  * with the same bounding box as the triangle is asked alone: where it is surely hit, so is the triangle, and
- * where the third corner is an end of it, they are one. */
+ * where the third corner is an end of it, they are one. The bound is the edges' one above, without n: r_0,
+ * 10, c_0, 20, and their sum, 4, of 128. */
 TBX_COLD int tbx_clipped_edge(const double v0[3], const double v1[3], const double v2[3],
                               const tbx_clip *clip)
 {
@@ -10784,8 +10785,7 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
     const tbx_d2 zero = { 0.0, 0.0 };
     const tbx_l2 none = { 0, 0 };
     const tbx_l2 tiny = { 0, 1 }; /* 2^-1074 */
-    const double ulp = TBX_ULPS * TBX_U64;
-    const tbx_d2 ulps = tbx_pair(ulp, ulp);
+    const tbx_d2 ulps = tbx_pair(TBX_ULPS * TBX_U64, TBX_ULPS * TBX_U64);
     tbx_d2 p0 = tbx_load2(v0);
     tbx_d2 p1 = tbx_load2(v1);
     tbx_d2 p2 = tbx_load2(v2);
@@ -10804,8 +10804,7 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
     tbx_d2 n_x;
     tbx_d2 n_y;
     tbx_d2 n_z;
-    tbx_i4 greatest;
-    greatest = tbx_greatest5(TBX_HIGH_WORDS(p0, p1), TBX_HIGH_WORDS(p2, lo), TBX_HIGH_WORDS(hi, z0),
+    tbx_i4 greatest = tbx_greatest5(TBX_HIGH_WORDS(p0, p1), TBX_HIGH_WORDS(p2, lo), TBX_HIGH_WORDS(hi, z0),
                              TBX_HIGH_WORDS(z1, z2), TBX_HIGH_WORDS(z_lo, z_hi));
     if (TBX_RARELY(tbx_any(tbx_splat_int(((1023 + 300) << 20) - 1) - greatest))) {
         return TBX_UNSURE;
@@ -16675,25 +16674,58 @@ TBX_FORCED void tbx_solid_rows_between(const tbx_solid_axis *axis, tbx_fw x0, tb
     *out_end = __builtin_convertvector(tbx_solid_in_rows(axis, high, axis->rest_high), tbx_iw);
 }
 
+/* Edge functions at the centre that y and z are told from, what they grow by with y and z of the centre, and
+ * their sum, twice the area: all times the sign of that sum, so that they are positive within. */
+typedef struct tbx_solid_edges {
+    tbx_fw e0;
+    tbx_fw e1;
+    tbx_fw e2;
+    tbx_fw by_y[3];
+    tbx_fw by_z[3];
+    tbx_fw area;
+} TBX_ALIGNED tbx_solid_edges;
+
+TBX_FORCED void tbx_solid_edges_set(tbx_solid_edges *out, const tbx_fw y[3], const tbx_fw z[3])
+{
+    const tbx_fw e0 = y[0] * z[1] - z[0] * y[1];
+    const tbx_fw e1 = y[1] * z[2] - z[1] * y[2];
+    const tbx_fw e2 = y[2] * z[0] - z[2] * y[0];
+    const tbx_fw area = e0 + e1 + e2;
+    const tbx_iw sign = (tbx_iw)area & tbx_wide_int(TBX_SIGN_BIT);
+    out->e0 = tbx_wide_flip(e0, sign);
+    out->e1 = tbx_wide_flip(e1, sign);
+    out->e2 = tbx_wide_flip(e2, sign);
+    out->by_y[0] = tbx_wide_flip(z[0] - z[1], sign);
+    out->by_y[1] = tbx_wide_flip(z[1] - z[2], sign);
+    out->by_y[2] = tbx_wide_flip(z[2] - z[0], sign);
+    out->by_z[0] = tbx_wide_flip(y[1] - y[0], sign);
+    out->by_z[1] = tbx_wide_flip(y[2] - y[1], sign);
+    out->by_z[2] = tbx_wide_flip(y[0] - y[2], sign);
+    out->area = tbx_wide_abs(area);
+}
+
+TBX_FORCED tbx_fw tbx_solid_least_edge(const tbx_solid_edges *e)
+{
+    return tbx_wide_min(tbx_wide_min(e->e0, e->e1), e->e2);
+}
+
 /* Lanes whose triangle does not hold the centre of the row behind `before`. */
-TBX_FORCED tbx_iw tbx_solid_missed(const tbx_solid_quick *q, const tbx_points v[3], tbx_iw y, tbx_iw z)
+TBX_FORCED tbx_iw tbx_solid_missed(const tbx_solid_quick *q, const tbx_points v[3], tbx_iw row_y, tbx_iw row_z)
 {
     const tbx_fw one = tbx_wide_all(1.0f);
-    const tbx_fw to_y = q->axis[0].rest - (__builtin_convertvector(y, tbx_fw) + one);
-    const tbx_fw to_z = q->axis[1].rest - (__builtin_convertvector(z, tbx_fw) + one);
-    const tbx_fw y0 = tbx_solid_in_rows(&q->axis[0], v[0].y, to_y);
-    const tbx_fw y1 = tbx_solid_in_rows(&q->axis[0], v[1].y, to_y);
-    const tbx_fw y2 = tbx_solid_in_rows(&q->axis[0], v[2].y, to_y);
-    const tbx_fw z0 = tbx_solid_in_rows(&q->axis[1], v[0].z, to_z);
-    const tbx_fw z1 = tbx_solid_in_rows(&q->axis[1], v[1].z, to_z);
-    const tbx_fw z2 = tbx_solid_in_rows(&q->axis[1], v[2].z, to_z);
-    const tbx_fw e0 = y0 * z1 - z0 * y1;
-    const tbx_fw e1 = y1 * z2 - z1 * y2;
-    const tbx_fw e2 = y2 * z0 - z2 * y0;
-    const tbx_iw sign = (tbx_iw)(e0 + e1 + e2) & tbx_wide_int(TBX_SIGN_BIT);
-    const tbx_fw least =
-        tbx_wide_min(tbx_wide_min(tbx_wide_flip(e0, sign), tbx_wide_flip(e1, sign)), tbx_wide_flip(e2, sign));
-    return least < -q->one_error;
+    const tbx_fw to_y = q->axis[0].rest - (__builtin_convertvector(row_y, tbx_fw) + one);
+    const tbx_fw to_z = q->axis[1].rest - (__builtin_convertvector(row_z, tbx_fw) + one);
+    tbx_fw y[3];
+    tbx_fw z[3];
+    tbx_solid_edges e;
+    y[0] = tbx_solid_in_rows(&q->axis[0], v[0].y, to_y);
+    y[1] = tbx_solid_in_rows(&q->axis[0], v[1].y, to_y);
+    y[2] = tbx_solid_in_rows(&q->axis[0], v[2].y, to_y);
+    z[0] = tbx_solid_in_rows(&q->axis[1], v[0].z, to_z);
+    z[1] = tbx_solid_in_rows(&q->axis[1], v[1].z, to_z);
+    z[2] = tbx_solid_in_rows(&q->axis[1], v[2].z, to_z);
+    tbx_solid_edges_set(&e, y, z);
+    return tbx_solid_least_edge(&e) < -q->one_error;
 }
 
 /* x from the centre i. */
@@ -16726,14 +16758,20 @@ TBX_FORCED tbx_iw tbx_solid_whole(const tbx_solid_quick *q, int k, tbx_fw x)
            (tbx_wide_abs(x) < tbx_wide_all(q->part[k] * 4194304.0f));
 }
 
-/* Half the least step of an edge function on the lattice, up where a tie counts, else down: a = -d_z and
- * b = d_y after the normal's sign. */
-TBX_FORCED tbx_fw tbx_solid_tie(tbx_fw a, tbx_fw b, tbx_iw on_lattice)
+/* Half the least step of an edge function on the lattice, up where a tie counts, else down. */
+TBX_FORCED tbx_fw tbx_solid_tie(tbx_fw by_y, tbx_fw by_z, tbx_iw on_lattice)
 {
     const tbx_fw half = tbx_wide_all(0.5f / (TBX_SOLID_PARTS * TBX_SOLID_PARTS));
     const tbx_fw zero = tbx_wide_all(0.0f);
-    const tbx_iw counts = (a > zero) | ((a == zero) & (b > zero));
+    const tbx_iw counts = (by_y > zero) | ((by_y == zero) & (by_z > zero));
     return tbx_wide_where(on_lattice, tbx_wide_choose(counts, half, -half));
+}
+
+TBX_FORCED void tbx_solid_ties(tbx_solid_edges *e, tbx_iw on_lattice)
+{
+    e->e0 += tbx_solid_tie(e->by_y[0], e->by_z[0], on_lattice);
+    e->e1 += tbx_solid_tie(e->by_y[1], e->by_z[1], on_lattice);
+    e->e2 += tbx_solid_tie(e->by_y[2], e->by_z[2], on_lattice);
 }
 
 /* WIDE triangles, and their rows: n of them behind `before`. */
@@ -16775,51 +16813,37 @@ TBX_FORCED void tbx_solid_narrow(tbx_solid_boxed *b, const tbx_solid_quick *q, i
 TBX_FORCED tbx_iw tbx_solid_outside(const tbx_solid_boxed *b, const tbx_solid_quick *q, tbx_iw asked)
 {
     const tbx_iw to_first = tbx_wide_int(TBX_SOLID_MARGIN - 1);
-    tbx_fw y0 = b->v[0][0];
-    tbx_fw y1 = b->v[0][1];
-    tbx_fw y2 = b->v[0][2];
-    tbx_fw z0 = b->v[1][0];
-    tbx_fw z1 = b->v[1][1];
-    tbx_fw z2 = b->v[1][2];
-    tbx_fw e0;
-    tbx_fw e1;
-    tbx_fw e2;
-    tbx_fw area;
+    tbx_fw y[3];
+    tbx_fw z[3];
+    tbx_solid_edges e;
     tbx_iw on = tbx_wide_int(0);
-    tbx_iw sign;
-    tbx_iw out;
+    tbx_iw out = tbx_wide_int(0);
+    y[0] = b->v[0][0];
+    y[1] = b->v[0][1];
+    y[2] = b->v[0][2];
+    z[0] = b->v[1][0];
+    z[1] = b->v[1][1];
+    z[2] = b->v[1][2];
     if (q->lattice) {
-        on = tbx_solid_whole(q, 1, y0) & tbx_solid_whole(q, 1, y1) & tbx_solid_whole(q, 1, y2) &
-             tbx_solid_whole(q, 2, z0) & tbx_solid_whole(q, 2, z1) & tbx_solid_whole(q, 2, z2);
+        on = tbx_solid_whole(q, 1, y[0]) & tbx_solid_whole(q, 1, y[1]) & tbx_solid_whole(q, 1, y[2]) &
+             tbx_solid_whole(q, 2, z[0]) & tbx_solid_whole(q, 2, z[1]) & tbx_solid_whole(q, 2, z[2]);
     }
-    tbx_solid_place(&q->centres[1], b->before[0] - to_first, &y0, &y1, &y2);
-    tbx_solid_place(&q->centres[2], b->before[1] - to_first, &z0, &z1, &z2);
-    e0 = y0 * z1 - z0 * y1;
-    e1 = y1 * z2 - z1 * y2;
-    e2 = y2 * z0 - z2 * y0;
-    area = e0 + e1 + e2;
-    sign = (tbx_iw)area & tbx_wide_int(TBX_SIGN_BIT);
-    e0 = tbx_wide_flip(e0, sign);
-    e1 = tbx_wide_flip(e1, sign);
-    e2 = tbx_wide_flip(e2, sign);
-    area = tbx_wide_abs(area);
+    tbx_solid_place(&q->centres[1], b->before[0] - to_first, &y[0], &y[1], &y[2]);
+    tbx_solid_place(&q->centres[2], b->before[1] - to_first, &z[0], &z[1], &z[2]);
+    tbx_solid_edges_set(&e, y, z);
     if (tbx_wide_any(asked & ~on)) {
         const tbx_fw relative = tbx_wide_all(TBX_SOLID_ALONE_ERROR);
         const tbx_fw absolute = tbx_wide_all(TBX_SOLID_ALONE_REST * q->rho + 1e-18f);
-        const tbx_fw error0 = relative * (tbx_wide_abs(y0 * z1) + tbx_wide_abs(z0 * y1)) + absolute;
-        const tbx_fw error1 = relative * (tbx_wide_abs(y1 * z2) + tbx_wide_abs(z1 * y2)) + absolute;
-        const tbx_fw error2 = relative * (tbx_wide_abs(y2 * z0) + tbx_wide_abs(z2 * y0)) + absolute;
-        out = (e0 < -error0) | (e1 < -error1) | (e2 < -error2);
-        out &= ~on & (area > tbx_wide_all(2.0f) * (error0 + error1 + error2));
-    } else {
-        out = tbx_wide_int(0);
+        const tbx_fw error0 = relative * (tbx_wide_abs(y[0] * z[1]) + tbx_wide_abs(z[0] * y[1])) + absolute;
+        const tbx_fw error1 = relative * (tbx_wide_abs(y[1] * z[2]) + tbx_wide_abs(z[1] * y[2])) + absolute;
+        const tbx_fw error2 = relative * (tbx_wide_abs(y[2] * z[0]) + tbx_wide_abs(z[2] * y[0])) + absolute;
+        out = (e.e0 < -error0) | (e.e1 < -error1) | (e.e2 < -error2);
+        out &= ~on & (e.area > tbx_wide_all(2.0f) * (error0 + error1 + error2));
     }
     if (q->lattice) {
-        e0 += tbx_solid_tie(tbx_wide_flip(z0 - z1, sign), tbx_wide_flip(y1 - y0, sign), on);
-        e1 += tbx_solid_tie(tbx_wide_flip(z1 - z2, sign), tbx_wide_flip(y2 - y1, sign), on);
-        e2 += tbx_solid_tie(tbx_wide_flip(z2 - z0, sign), tbx_wide_flip(y0 - y2, sign), on);
-        out |= on &
-               ((tbx_wide_min(tbx_wide_min(e0, e1), e2) < tbx_wide_all(0.0f)) | (area == tbx_wide_all(0.0f)));
+        const tbx_fw zero = tbx_wide_all(0.0f);
+        tbx_solid_ties(&e, on);
+        out |= on & ((tbx_solid_least_edge(&e) < zero) | (e.area == zero));
     }
     return out;
 }
@@ -17001,24 +17025,15 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
 {
     const float u = TBX_U32;
     const float reach = 2.0f * (float)n + 0.1f;
-    const float e = TBX_SOLID_PLACE_ERROR * (reach + q->rho);
-    const float error_all = TBX_SOLID_ROW_ERROR * reach * e + TBX_SOLID_ROW_ULPS * reach * reach;
+    const float place = TBX_SOLID_PLACE_ERROR * (reach + q->rho);
+    const float error_all = TBX_SOLID_ROW_ERROR * reach * place + TBX_SOLID_ROW_ULPS * reach * reach;
     const tbx_fw one = tbx_wide_all(1.0f);
+    const tbx_fw y[3] = { p->v[0].y, p->v[1].y, p->v[2].y };
+    const tbx_fw z[3] = { p->v[0].z, p->v[1].z, p->v[2].z };
     tbx_fw error = tbx_wide_all(error_all);
-    tbx_fw e0 = p->v[0].y * p->v[1].z - p->v[0].z * p->v[1].y;
-    tbx_fw e1 = p->v[1].y * p->v[2].z - p->v[1].z * p->v[2].y;
-    tbx_fw e2 = p->v[2].y * p->v[0].z - p->v[2].z * p->v[0].y;
-    tbx_fw area = e0 + e1 + e2;
-    const tbx_iw sign = (tbx_iw)area & tbx_wide_int(TBX_SIGN_BIT);
     const tbx_fw over_step = tbx_wide_all(q->over_step);
     const tbx_fw step_y = tbx_wide_all(q->step[1]);
     const tbx_fw step_z = tbx_wide_all(q->step[2]);
-    const tbx_fw a0 = tbx_wide_flip(p->v[0].z - p->v[1].z, sign);
-    const tbx_fw a1 = tbx_wide_flip(p->v[1].z - p->v[2].z, sign);
-    const tbx_fw a2 = tbx_wide_flip(p->v[2].z - p->v[0].z, sign);
-    const tbx_fw b0 = tbx_wide_flip(p->v[1].y - p->v[0].y, sign);
-    const tbx_fw b1 = tbx_wide_flip(p->v[2].y - p->v[1].y, sign);
-    const tbx_fw b2 = tbx_wide_flip(p->v[0].y - p->v[2].y, sign);
     const tbx_fw dx1 = p->v[1].x - p->v[0].x;
     const tbx_fw dx2 = p->v[2].x - p->v[0].x;
     const tbx_fw spread = tbx_wide_abs(dx1) + tbx_wide_abs(dx2);
@@ -17026,35 +17041,31 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     const tbx_fw x0 = p->v[0].x * over_step;
     const tbx_iw end = tbx_wide_int((int32_t)q->solid->n[0]);
     tbx_iw unsure = p->unsure;
+    tbx_solid_edges e;
     tbx_fw over_area;
     tbx_fw x_error;
     tbx_fw below;
     tbx_iw tiny;
     int j;
     int k;
-    e0 = tbx_wide_flip(e0, sign);
-    e1 = tbx_wide_flip(e1, sign);
-    e2 = tbx_wide_flip(e2, sign);
-    area = tbx_wide_flip(area, sign);
-    tiny = area <= error;
-    over_area = tbx_wide_inverse(~tiny, area);
+    tbx_solid_edges_set(&e, y, z);
+    tiny = e.area <= error;
+    over_area = tbx_wide_inverse(~tiny, e.area);
     x_error = spread * (tbx_wide_all(2.0f * error_all) * over_area + tbx_wide_all(24.0f * u)) +
               tbx_wide_all(20.0f * u) * (m + tbx_wide_all(q->rho));
     x_error = x_error * over_step;
     over_area = over_area * over_step;
     if (q->lattice && tbx_wide_any(p->on_lattice)) {
-        e0 += tbx_solid_tie(a0, b0, p->on_lattice);
-        e1 += tbx_solid_tie(a1, b1, p->on_lattice);
-        e2 += tbx_solid_tie(a2, b2, p->on_lattice);
+        tbx_solid_ties(&e, p->on_lattice);
         error = tbx_wide_where(~p->on_lattice, error);
         x_error = tbx_wide_choose(p->on_lattice, -one, x_error); /* never unsure */
-        tiny = area <= error;
+        tiny = e.area <= error;
     }
     below = error * tbx_wide_all(-2.0f);
     for (k = 0; k < n; k++) {
-        tbx_fw r0 = e0;
-        tbx_fw r1 = e1;
-        tbx_fw r2 = e2;
+        tbx_fw r0 = e.e0;
+        tbx_fw r1 = e.e1;
+        tbx_fw r2 = e.e2;
         uint32_t layer = 0;
         for (j = 0; j < n; j++) {
             const tbx_fw least = tbx_wide_min(tbx_wide_min(r0, r1), r2);
@@ -17069,14 +17080,14 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
             layer |= (uint32_t)tbx_wide_signs(within & ((voxel < end) | p->on_lattice)) << (TBX_WIDE * j);
             voxel &= voxel > tbx_wide_int(0);
             TBX_COPY(out->voxel + TBX_WIDE * (j + n * k), &voxel, sizeof voxel);
-            r0 += step_y * a0;
-            r1 += step_y * a1;
-            r2 += step_y * a2;
+            r0 += step_y * e.by_y[0];
+            r1 += step_y * e.by_y[1];
+            r2 += step_y * e.by_y[2];
         }
         out->within[k] = layer;
-        e0 += step_z * b0;
-        e1 += step_z * b1;
-        e2 += step_z * b2;
+        e.e0 += step_z * e.by_z[0];
+        e.e1 += step_z * e.by_z[1];
+        e.e2 += step_z * e.by_z[2];
     }
     out->unsure = tbx_wide_signs(unsure);
 }
