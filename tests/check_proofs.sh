@@ -40,6 +40,10 @@ SOLID_BOX=$(constant '^#define TBX_SOLID_BOX_ERROR (\([0-9.]*\)f \* TBX_U32)$')
 SOLID_PLACE=$(constant '^#define TBX_SOLID_PLACE_ERROR (\([0-9.]*\)f \* TBX_U32)$')
 SOLID_ROW=$(constant '^#define TBX_SOLID_ROW_ERROR \([0-9.]*\)f$')
 SOLID_ROW_ULPS=$(constant '^#define TBX_SOLID_ROW_ULPS (\([0-9.]*\)f \* TBX_U32)$')
+SOLID_NEAR=$(constant '^#define TBX_SOLID_NEAR_ERROR (\([0-9.]*\)f \* TBX_U32)$')
+SOLID_ALONE=$(constant '^#define TBX_SOLID_ALONE_ERROR (\([0-9.]*\)f \* TBX_U32)$')
+SOLID_REST=$(constant '^#define TBX_SOLID_ALONE_REST (\([0-9.]*\)f \* TBX_U32)$')
+SOLID_CLOSE=$(constant '^#define TBX_SOLID_CLOSE_ERROR (\([0-9.]*\) \* TBX_U64)$')
 BALL=$(constant '^#define TBX_BALL_ERROR (\([0-9.]*\) \* TBX_U64)$')
 BALL4=$(constant '^#define TBX_BALL_ERROR4 (\([0-9.]*\)f \* TBX_U32)$')
 PLANE_SPHERE=$(constant '^#define TBX_PLANE_SPHERE_ERROR (\([0-9.]*\) \* TBX_U64)$')
@@ -57,7 +61,7 @@ GAP_GUESS=$(constant '^#define TBX_GAP_GUESS \([0-9.e-]*\) .*')
 PIERCE4=$(constant '^#define TBX_PIERCE_ERROR4 (\([0-9.]*\)f \* TBX_U32)$')
 export PIERCE4 SHOT BALL BALL4 PLANE_SPHERE PLANE_SPHERE4 TOUCH PIERCE SEGMENT GAP4 GAP_EDGE GAP_NORMAL GAP_SURE GAP_LENGTH GAP_GUESS
 export CROSS_EDGE CROSS_PLANE SOLID SOLID_EDGE SOLID_NORMAL SOLID_PLANE SOLID_LINE SOLID_BOX SOLID_PLACE SOLID_ROW \
-    SOLID_ROW_ULPS
+    SOLID_ROW_ULPS SOLID_NEAR SOLID_ALONE SOLID_REST SOLID_CLOSE
 # groups: delta's share of n u; the bounds in units of n delta and n^2 delta
 SHARE=$(constant '.*const float delta = \([0-9.]*\)f \* TBX_U32 \* (float)n + q->delta_low;.*')
 LINES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)n \* delta).*')
@@ -164,6 +168,22 @@ solid_room() {
 }
 export -f solid_room
 job "proof: solid, room in the bounds of rows" solid_room
+
+# The solid from close by. A corner c is off by PLACE u (|c| + rho), so its sign is sure where |c| > NEAR u rho. A product of
+# two such, and their difference, in units of u: PLACE twice, 1 and 1, of the products; PLACE 2.2 rho four times; the errors'
+# own product, rho being below 2048. Their sum has two roundings more, of twice the bound. Of CLOSE: three roundings of
+# an edge, three more of the plane.
+solid_close_room() {
+    awk -v place="$SOLID_PLACE" -v near="$SOLID_NEAR" -v alone="$SOLID_ALONE" -v rest="$SOLID_REST" -v close_="$SOLID_CLOSE" 'BEGIN {
+        u = 2 ^ -23
+        relative = 2 * place + 2
+        absolute = 4 * place * 2.2 + 2 * place * place * u * 2048
+        print "near:", place, "of", near, "alone:", relative, "of", alone, "and", absolute, "of", rest, "close:", 6, "of", close_
+        exit !(place <= 0.9 * near && relative <= 0.95 * alone && relative + 2 <= 0.95 * 2 * alone && absolute <= rest - 0.5 && 6 <= 0.8 * close_)
+    }'
+}
+export -f solid_close_room
+job "proof: solid, room in the bounds from close by" solid_close_room
 
 # A gap is known to 2^-40: what SURE leaves to the sums; the error of l, 4 u of what is at most 1 / sqrt(LENGTH) of it; a
 # quarter of the guess's fifth power; some units of rounding.

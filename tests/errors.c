@@ -3,7 +3,7 @@
  * at from below: it fails where a value is beyond its bound, and prints the worst that it found.
  *
  *   build/errors [thousands of questions for each line, three times as many for a fill] [seed] */
-#include "tribox.h"
+#include "tribox_errors.h"
 
 #include <fenv.h>
 #include <gmp.h>
@@ -215,15 +215,27 @@ __attribute__((noinline)) static void walked(computed *r, const numbers *q)
     }
 }
 
+static void grid_of(tribox_grid *grid, const numbers *q)
+{
+    int k;
+
+    memset(grid, 0, sizeof *grid);
+    for (k = 0; k < 3; k++) {
+        grid->origin[k] = q->x[9 + k];
+        grid->size[k] = q->x[12 + k];
+        grid->lo[k] = q->lo[k];
+        grid->hi[k] = q->lo[k] + q->n[k];
+    }
+}
+
 #if TRIBOX_SIMD
 enum { ROWS_ASKED = 2 };
-enum { MARGIN = 16 };   /* TBX_MARGIN, which the header undefines */
 
 /* What the header computed of a triangle's way through the fill. */
 typedef struct filled {
     int    boxed;               /* the grid's numbers are in range; what follows of the box holds */
     int    unsure;
-    int    first[3];            /* MARGIN added */
+    int    first[3];            /* TBX_MARGIN added */
     int    last[3];
     int    end[3];
     float  face[3][2][2];       /* of each axis: low and high, by shift_down and shift_up */
@@ -256,12 +268,7 @@ __attribute__((noinline)) static void fill_boxes(filled *r, tbx_quick *quick, co
 
     memset(r, 0, sizeof *r);
     memset(&target, 0, sizeof target);
-    for (k = 0; k < 3; k++) {
-        grid.origin[k] = q->x[9 + k];
-        grid.size[k] = q->x[12 + k];
-        grid.lo[k] = q->lo[k];
-        grid.hi[k] = q->lo[k] + q->n[k];
-    }
+    grid_of(&grid, q);
     grid.flags = q->thin ? TRIBOX_THIN : 0u;
     if (!tbx_grid_valid(&grid)) {
         return;
@@ -321,10 +328,10 @@ __attribute__((noinline)) static void fill_rows(filled *r, const tbx_quick *quic
         return;
     }
     for (k = 0; k < 3; k++) {
-        r->at[k] = r->first[k] - MARGIN;
+        r->at[k] = r->first[k] - TBX_MARGIN;
         count[k] = r->last[k] - r->first[k] + 1;
-        if (r->last[k] < MARGIN || r->first[k] > r->end[k] || r->first[k] <= 0 ||
-            r->last[k] > r->end[k] + MARGIN || count[k] > TBX_ROWS) {
+        if (r->last[k] < TBX_MARGIN || r->first[k] > r->end[k] || r->first[k] <= 0 ||
+            r->last[k] > r->end[k] + TBX_MARGIN || count[k] > TBX_ROWS) {
             return;
         }
         r->start[k] = r->at[k] < 0 ? -r->at[k] : 0;
@@ -664,7 +671,7 @@ static int floor_of(mpq_t x, mpq_t over, int least, int most)
     return r;
 }
 
-/* Index boxes, voxels counted from the region's minimum corner, MARGIN added. */
+/* Index boxes, voxels counted from the region's minimum corner, TBX_MARGIN added. */
 static double boxes_part(const filled *r, const numbers *q)
 {
     double worst = 0.0;
@@ -672,7 +679,7 @@ static double boxes_part(const filled *r, const numbers *q)
     int k;
 
     for (k = 0; k < 3; k++) {
-        from[k] = q->lo[k] - MARGIN;
+        from[k] = q->lo[k] - TBX_MARGIN;
     }
     exact_place(q, from);
     for (k = 0; k < 3; k++) {
@@ -680,7 +687,7 @@ static double boxes_part(const filled *r, const numbers *q)
         int side;
         mpq_set(factor, size_of[k]);
         for (side = 0; side < 2; side++) {
-            const int far_out = r->end[k] + 1 + MARGIN;
+            const int far_out = r->end[k] + 1 + TBX_MARGIN;
             int index;
             mpq_set(middle, v[0][k]);
             for (c = 1; c < 3; c++) {
@@ -696,7 +703,7 @@ static double boxes_part(const filled *r, const numbers *q)
             }
             /* off the region: also strictly, since no bound is met */
             if (side == 0 ? r->first[k] > r->end[k] && index <= r->end[k]
-                          : r->last[k] < MARGIN && index >= MARGIN) {
+                          : r->last[k] < TBX_MARGIN && index >= TBX_MARGIN) {
                 return wrong;
             }
             if (!r->unsure && index >= 0 && index < far_out &&
@@ -894,7 +901,7 @@ static double ask_fill(const numbers *q, int kind, int mode)
 
 /* ---- places and rests: decimals near the places of a grid ------------------------------------------------ */
 
-enum { PIECES = 40, SUMS = 26 };    /* TBX_PIECES */
+enum { PIECES = (int)TBX_PIECES, SUMS = 26 };
 
 /* Of each corner and axis what is left of its place, of each edge E, and D: by the walk, then by lanes. */
 typedef struct placed {
@@ -912,51 +919,45 @@ __attribute__((noinline)) static void places(placed *r, const numbers *q)
 {
     tbx_frame f;
     tbx_part all;
-    tbx_walk w;
+    tbx_walk walk;
     tribox_grid grid;
-    double v[3][3];
+    double corner[3][3];
     double p[3];
     int i;
     int k;
 
     memset(r, 0, sizeof *r);
-    memset(&grid, 0, sizeof grid);
-    for (k = 0; k < 3; k++) {
-        grid.origin[k] = q->x[9 + k];
-        grid.size[k] = q->x[12 + k];
-        grid.lo[k] = q->lo[k];
-        grid.hi[k] = q->lo[k] + q->n[k];
-    }
+    grid_of(&grid, q);
     for (i = 0; i < 9; i++) {
-        v[i / 3][i % 3] = q->x[i];
+        corner[i / 3][i % 3] = q->x[i];
     }
     tbx_frame_init(&f, &grid);
     tbx_part_all(&all, &grid);
-    if (!tbx_walk_box(&w, &f, v, tbx_corners_kind(v), &all) || !tbx_walk_place(&w)) {
+    if (!tbx_walk_box(&walk, &f, corner, tbx_corners_kind(corner), &all) || !tbx_walk_place(&walk)) {
         return;
     }
     r->known = 1;
     for (k = 0; k < 3; k++) {
-        r->at[k] = PIECES * (int)(q->lo[k] + w.whole[k] + 1 + q->index[k]);
+        r->at[k] = PIECES * (int)(q->lo[k] + walk.whole[k] + 1 + q->index[k]);
         p[k] = (double)r->at[k];
         for (i = 0; i < 3; i++) {
-            r->place[3 * i + k] = w.place[i][k];
-            r->rest[3 * i + k] = w.rest[i][k];
+            r->place[3 * i + k] = walk.place[i][k];
+            r->rest[3 * i + k] = walk.rest[i][k];
         }
     }
     for (i = 0; i < 10; i++) {
-        tbx_fine sum;
+        tbx_fine fine;
         if (i < 9) {
-            tbx_fine_edge(&sum, &w, i % 3, i / 3, p);
+            tbx_fine_edge(&fine, &walk, i % 3, i / 3, p);
         } else {
-            tbx_fine_plane(&sum, &w, p);
+            tbx_fine_plane(&fine, &walk, p);
         }
-        r->whole[i] = sum.whole;
-        r->other[i] = sum.rest;
-        r->error[i] = sum.error;
+        r->whole[i] = fine.whole;
+        r->other[i] = fine.rest;
+        r->error[i] = fine.error;
     }
 #if TRIBOX_SIMD
-    if (w.more[0] < 8 && w.more[1] < 8 && w.more[2] < 8) {
+    if (walk.more[0] < 8 && walk.more[1] < 8 && walk.more[2] < 8) {
         static const tbx_target target;
         tbx_quick quick;
         tbx_precise_axis axis[3];
@@ -973,7 +974,7 @@ __attribute__((noinline)) static void places(placed *r, const numbers *q)
         }
         for (k = 0; k < 3; k++) {
             for (i = 0; i < 3; i++) {
-                axis[k].x[i] = tbx_pair_all(v[i][k]);
+                axis[k].x[i] = tbx_pair_all(corner[i][k]);
             }
             tbx_precise_set(&axis[k], &quick, k, tbx_pair_all((double)(r->at[k] - PIECES * q->index[k])), &unsure);
         }
@@ -1053,7 +1054,7 @@ static double ask_places(const numbers *q, int mode)
         mpq_div(*x, *x, t);
         mpq_set_si(t, PIECES, 1);
         mpq_mul(*x, *x, t);
-        part = part_of_sum(r.place[i], r.rest[i], fabs(r.rest[i]) * ldexp(1.0, -48), *x);
+        part = part_of_sum(r.place[i], r.rest[i], fabs(r.rest[i]) * TBX_REST_ERROR, *x);
         worst = part > worst ? part : worst;
         mpq_set_si(t, r.at[i % 3], 1);
         mpq_sub(*x, *x, t);
