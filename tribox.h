@@ -13211,20 +13211,9 @@ TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribo
 
 /* ---- Groups: boxes of up to n^3 voxels, n = 2, 3 or 4
  *
- * The triangle lies strictly inside its box and meets every grid plane that crosses the box, so that a voxel
- * may as well reach to infinity where it has a face in common with the box: what the triangle shares with it
- * stays the same. A separating axis then needs the support of such a voxel to be finite, which leaves these:
- * across an edge, in the plane of axes b and c, where an inner grid point p, 1 <= p_b, p_c <= n - 1, is the
- * voxel's corner nearest to the triangle; and along the normal, where an inner grid point of space is. With v
- * relative to p
- *
- *   E(p) = v_i x v_j    its sign against that of the area: outside of edge i, j?
- *   D(p) = n . v_0      its sign: on which side of the plane?
- *
- * If p is outside of the edge, the one cell at p that is missed is where |E| grows: at p + (s_b, s_c), s =
- * sign(E) * (-d_c, d_b), d = v_j - v_i, the gradient of E. The plane misses exactly one voxel at p, at p +
- * (s_x, s_y, s_z), s = -sign(D) * sign(n). All E and D are affine in p. Points on or beyond the far faces of
- * a box smaller than n^3 separate nothing that is in it, truly.
+ * Decided as "Boxes of up to 4^3 voxels" in section 8, by the signs of E and D at inner grid points p, here
+ * 1 <= p_b, p_c <= n - 1 for every box of the class: points on or beyond the far faces of a box smaller than
+ * n^3 separate nothing that is in it, truly.
  *
  * Bounds, delta = delta(n) >= 4.1 u n, |v| <= n - 1 as computed; tests/proofs/groups.gappa has the rounding:
  *   E     The coordinates 4 (n - 1) delta. Rounding, in units of u: 4 (n - 1)^2 at the first point, 2 n and
@@ -16710,7 +16699,8 @@ TBX_FORCED tbx_fw tbx_solid_least_edge(const tbx_solid_edges *e)
 }
 
 /* Lanes whose triangle does not hold the centre of the row behind `before`. */
-TBX_FORCED tbx_iw tbx_solid_missed(const tbx_solid_quick *q, const tbx_points v[3], tbx_iw row_y, tbx_iw row_z)
+TBX_FORCED tbx_iw tbx_solid_missed(const tbx_solid_quick *q, const tbx_points v[3], tbx_iw row_y,
+                                   tbx_iw row_z)
 {
     const tbx_fw one = tbx_wide_all(1.0f);
     const tbx_fw to_y = q->axis[0].rest - (__builtin_convertvector(row_y, tbx_fw) + one);
