@@ -5927,36 +5927,17 @@ TBX_FN int tbx_key_is_nan(int64_t key)
     return key > TBX_KEY_INFINITY || key < -TBX_KEY_INFINITY;
 }
 
-/* The magnitude of a float's bits as a double's, where exponents are not merely moved: infinity, NaN, and
- * subnormals, which are mantissa * 2^-149. */
-TBX_NOINLINE uint64_t tbx_widen_odd(uint32_t magnitude)
-{
-    uint64_t mantissa = magnitude;
-    uint64_t exponent = 1023 - 126;
-    if (magnitude >= 0x7f800000u) {
-        return ((uint64_t)magnitude << 29) + ((uint64_t)(2047 - 255) << 52);
-    }
-    while (mantissa < 0x00800000u) {
-        mantissa <<= 1;
-        exponent--;
-    }
-    return (exponent << 52) | ((mantissa & 0x007fffffu) << 29);
-}
-
+/* The magnitude of a float's bits as a double's. */
 TBX_FN uint64_t tbx_widen_magnitude(uint32_t magnitude)
 {
     if (TBX_RARELY(magnitude - 0x00800000u >= 0x7f000000u)) {
-        return magnitude == 0 ? 0 : tbx_widen_odd(magnitude);
+        double wide = 0.0;
+        if (magnitude != 0) {
+            tbx_widen_unusual(&wide, magnitude);
+        }
+        return tbx_bits64(&wide);
     }
     return ((uint64_t)magnitude << 29) + ((uint64_t)(1023 - 127) << 52);
-}
-
-/* Sets a number from the bits of a double's magnitude and its sign. */
-TBX_FN void tbx_real_set(tbx_real *r, uint64_t magnitude, uint64_t sign)
-{
-    const uint64_t finite = magnitude < (uint64_t)TBX_KEY_INFINITY ? magnitude : 0;
-    r->key = (int64_t)((magnitude ^ (0u - sign)) + sign);
-    r->value = tbx_from_bits64(finite | (sign << 63));
 }
 
 /* Numbers of doubles' magnitudes for which the run in double holds. */
@@ -5967,29 +5948,48 @@ TBX_FN int tbx_is_odd(uint64_t magnitude)
     return (magnitude - 1u < least - 1u) | (magnitude >= most);
 }
 
-/* Reads n numbers of the format, at any alignment. Returns 1 if one is finite, and beyond the range of
- * the run in double. */
-TBX_FN int tbx_read(tbx_real *out, const void *x, int n, int format)
+/* Reads a number of the format, at any alignment. Returns 1 if it is finite, and beyond the range of the run
+ * in double. */
+TBX_FN int tbx_read1(tbx_real *out, const void *x, int format)
 {
+    uint64_t magnitude;
+    uint64_t sign;
+    uint64_t finite;
+    if (format == TBX_FLOAT) {
+        uint32_t bits;
+        TBX_COPY(&bits, x, sizeof bits);
+        bits = tbx_opaque32(bits);
+        magnitude = tbx_widen_magnitude(bits & 0x7fffffffu);
+        sign = bits >> 31;
+    } else {
+        uint64_t bits;
+        TBX_COPY(&bits, x, sizeof bits);
+        bits = tbx_opaque64(bits);
+        magnitude = bits & 0x7fffffffffffffffu;
+        sign = bits >> 63;
+    }
+    finite = magnitude < (uint64_t)TBX_KEY_INFINITY ? magnitude : 0;
+    out->key = (int64_t)((magnitude ^ (0u - sign)) + sign);
+    out->value = tbx_from_bits64(finite | (sign << 63));
+    return format == TBX_DOUBLE && tbx_is_odd(finite);
+}
+
+/* Reads n numbers, likewise. */
+TBX_NOINLINE int tbx_read(tbx_real *out, const void *x, int n, int format)
+{
+    const int size = format == TBX_FLOAT ? 4 : 8;
     int odd = 0;
     int i;
     for (i = 0; i < n; i++) {
-        if (format == TBX_FLOAT) {
-            uint32_t bits;
-            TBX_COPY(&bits, (const char *)x + 4 * i, sizeof bits);
-            bits = tbx_opaque32(bits);
-            tbx_real_set(&out[i], tbx_widen_magnitude(bits & 0x7fffffffu), bits >> 31);
-        } else {
-            uint64_t bits;
-            uint64_t magnitude;
-            TBX_COPY(&bits, (const char *)x + 8 * i, sizeof bits);
-            bits = tbx_opaque64(bits);
-            magnitude = bits & 0x7fffffffffffffffu;
-            odd |= tbx_is_odd(magnitude) & (magnitude < (uint64_t)TBX_KEY_INFINITY);
-            tbx_real_set(&out[i], magnitude, bits >> 63);
-        }
+        odd |= tbx_read1(&out[i], (const char *)x + size * i, format);
     }
     return odd;
+}
+
+/* Three points. */
+TBX_FN int tbx_read3(tbx_real out[3][3], const void *x, const void *y, const void *z, int format)
+{
+    return tbx_read(out[0], x, 3, format) | tbx_read(out[1], y, 3, format) | tbx_read(out[2], z, 3, format);
 }
 
 /* A function that is inlined twice, with each of the formats as a constant. */
@@ -6054,17 +6054,16 @@ TBX_FOR_FORMAT void tbx_take3(double out[3], const void *x, int format)
     }
 }
 
-/* Not 0: one of three floats is subnormal, infinite or NaN, which plain double does not take. */
-TBX_FN unsigned tbx_odd1(const float *x)
+/* Is the float subnormal, infinite or NaN, which plain double does not take? */
+TBX_FN int tbx_odd1(const float *x)
 {
-    const uint32_t magnitude = tbx_bits32(x) & 0x7fffffffu;
-    return (unsigned)(magnitude - 0x00800000u >= 0x7f000000u) & (unsigned)(magnitude != 0);
+    return tbx_is_unusual(tbx_bits32(x));
 }
 
 #if TRIBOX_SIMD /* section 11.4 */
 TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const float d[3]);
 #else
-TBX_FN unsigned tbx_odd3(const float x[3])
+TBX_FN int tbx_odd3(const float x[3])
 {
     return tbx_odd1(x) | tbx_odd1(x + 1) | tbx_odd1(x + 2);
 }
@@ -6072,7 +6071,7 @@ TBX_FN unsigned tbx_odd3(const float x[3])
 /* Is one of twelve floats odd? */
 TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const float d[3])
 {
-    return (tbx_odd3(a) | tbx_odd3(b) | tbx_odd3(c) | tbx_odd3(d)) != 0;
+    return tbx_odd3(a) | tbx_odd3(b) | tbx_odd3(c) | tbx_odd3(d);
 }
 #endif
 
@@ -6155,6 +6154,22 @@ typedef struct tbx_calc {
     int used;        /* limbs of the store */
     tbx_limb *store; /* in integers */
 } tbx_calc;
+
+TBX_FN void tbx_calc_begin(tbx_calc *c, int exact, tbx_limb *store)
+{
+    c->exact = exact;
+    c->unsure = 0;
+    c->used = 0;
+    c->store = store;
+}
+
+/* Behind a run: is another one needed, in integers? These are never unsure. */
+TBX_FN int tbx_calc_again(tbx_calc *c)
+{
+    const int unsure = c->unsure;
+    tbx_calc_begin(c, 1, c->store);
+    return unsure;
+}
 
 /* A value of either kind. Limbs are never changed once they are written, so numbers may be copied. */
 typedef struct tbx_num {
@@ -6744,39 +6759,35 @@ TBX_FN int tbx_plane_side(tbx_calc *c, const tbx_plane *p, int side)
     return side * tbx_num_sign(c, &sum);
 }
 
-TBX_FN int tbx_plane_box(tbx_calc *c, const tbx_plane *p)
-{
-    if (tbx_plane_side(c, p, 1) < 0) {
-        return -1;
-    }
-    return tbx_plane_side(c, p, -1) < 0;
-}
-
-TBX_COLD int tbx_plane_box_exact(const tbx_plane *p)
+TBX_NOINLINE int tbx_plane_box(const tbx_plane *p)
 {
     tbx_limb store[TBX_STORE];
-    tbx_calc c = { 1, 0, 0, NULL };
-    c.store = store;
-    return tbx_plane_box(&c, p);
+    tbx_calc c;
+    int side;
+    tbx_calc_begin(&c, 0, store);
+    do {
+        side = tbx_plane_side(&c, p, 1) < 0 ? -1 : tbx_plane_side(&c, p, -1) < 0;
+    } while (tbx_calc_again(&c));
+    return side;
 }
 
 TRIBOX_FN int tribox_plane_box(const float n[3], float d, const float box_min[3], const float box_max[3])
 {
-    tbx_calc c = { 0, 0, 0, NULL };
     tbx_plane p;
-    int side;
-    tbx_read(p.n, n, 3, TBX_FLOAT);
-    tbx_read(&p.d, &d, 1, TBX_FLOAT);
-    tbx_read(p.lo, box_min, 3, TBX_FLOAT);
-    tbx_read(p.hi, box_max, 3, TBX_FLOAT);
+    int k;
+    tbx_read1(&p.d, &d, TBX_FLOAT);
+    for (k = 0; k < 3; k++) {
+        tbx_read1(&p.n[k], &n[k], TBX_FLOAT);
+        tbx_read1(&p.lo[k], &box_min[k], TBX_FLOAT);
+        tbx_read1(&p.hi[k], &box_max[k], TBX_FLOAT);
+    }
     if (!tbx_finite(p.n, 3) || tbx_key_is_nan(p.d.key) || !tbx_box_valid(p.lo, p.hi)) {
         return 2;
     }
     if (!tbx_key_is_finite(p.d.key)) {
         return tbx_key_sign(p.d.key);
     }
-    side = tbx_plane_box(&c, &p);
-    return c.unsure ? tbx_plane_box_exact(&p) : side;
+    return tbx_plane_box(&p);
 }
 
 /* ---- ray and box */
@@ -6864,22 +6875,6 @@ TBX_FN int64_t tbx_slabs_end(tbx_calc *c, const tbx_slabs *s, int e, int format)
     }
     tbx_slab_time(c, s, s->axis[e], e, &t);
     return tbx_fraction_round(c, &t, format, e == 0 ? TBX_DOWN : TBX_UP);
-}
-
-TBX_NOINLINE int tbx_slabs_run_exact(tbx_slabs *s)
-{
-    tbx_limb store[TBX_STORE];
-    tbx_calc c = { 1, 0, 0, NULL };
-    c.store = store;
-    return tbx_slabs_run(&c, s);
-}
-
-TBX_NOINLINE int64_t tbx_slabs_end_exact(const tbx_slabs *s, int e, int format)
-{
-    tbx_limb store[TBX_STORE];
-    tbx_calc c = { 1, 0, 0, NULL };
-    c.store = store;
-    return tbx_slabs_end(&c, s, e, format);
 }
 
 /* Bounds of the filter below. A difference, a reciprocal and their product are each rounded once, by 2^-52 in
@@ -7026,33 +7021,32 @@ TBX_FN int tbx_slabs_read(tbx_slabs *s, const tbx_ray_ask *a)
 /* An end of the interval that one axis is known to bring. */
 TBX_NOINLINE int64_t tbx_slabs_round(const tbx_ray_ask *a, int axis, int e)
 {
-    tbx_calc c = { 0, 0, 0, NULL };
+    tbx_limb store[TBX_STORE];
+    tbx_calc c;
     tbx_slabs s;
-    const int odd = tbx_slabs_read(&s, a);
-    int64_t key = 0;
+    int64_t key;
+    tbx_calc_begin(&c, tbx_slabs_read(&s, a), store);
     s.axis[e] = axis;
-    if (!odd) {
+    do {
         key = tbx_slabs_end(&c, &s, e, a->format);
-    }
-    return odd || c.unsure ? tbx_slabs_end_exact(&s, e, a->format) : key;
+    } while (tbx_calc_again(&c));
+    return key;
 }
 
-/* What the filter leaves open: in double with bounds, then in integers. Leaves the axes. */
+/* What the filter leaves open. Leaves the axes. */
 TBX_NOINLINE int tbx_slabs_slow(const tbx_ray_ask *a, int axis[2])
 {
-    tbx_calc c = { 0, 0, 0, NULL };
+    tbx_limb store[TBX_STORE];
+    tbx_calc c;
     tbx_slabs s;
-    const int odd = tbx_slabs_read(&s, a);
-    int hit = 0;
+    int hit;
+    tbx_calc_begin(&c, tbx_slabs_read(&s, a), store);
     if (!tbx_ray_valid(&s.ray) || !tbx_box_valid(s.face[0], s.face[1])) {
         return 0;
     }
-    if (!odd) {
+    do {
         hit = tbx_slabs_run(&c, &s);
-    }
-    if (odd || c.unsure) {
-        hit = tbx_slabs_run_exact(&s);
-    }
+    } while (tbx_calc_again(&c));
     axis[0] = s.axis[0];
     axis[1] = s.axis[1];
     return hit;
@@ -7495,27 +7489,6 @@ TBX_FN int64_t tbx_motion_round(tbx_motion *m, int e, int format)
                               : tbx_fraction_round(&m->calc, &m->end[e], format, e == 0 ? TBX_DOWN : TBX_UP);
 }
 
-/* The same in integers, of an end that was found in double. */
-TBX_NOINLINE int64_t tbx_motion_round_exact(const tbx_motion *found, int e, int format)
-{
-    tbx_limb store[TBX_STORE];
-    tbx_motion m = *found;
-    const int side = -m.end_side[e];
-    tbx_num l[3];
-    int l_sign[3];
-    m.calc.exact = 1;
-    m.calc.unsure = 0;
-    m.calc.used = 0;
-    m.calc.store = store;
-    (void)tbx_motion_signs(&m, m.end_axis[e], l, l_sign);
-    tbx_motion_speed(&m, m.end_axis[e], l, l_sign, &m.end[e].d);
-    (void)tbx_motion_gap(&m, m.end_axis[e], side, l, l_sign, &m.end[e].n);
-    tbx_num_flip(&m.calc, &m.end[e].d, side);
-    tbx_fraction_orient(&m.calc, &m.end[e], m.end[e].d.sign);
-    tbx_num_flip(&m.calc, &m.end[e].n, -1);
-    return tbx_motion_round(&m, e, format);
-}
-
 /* ---- ray and triangle */
 
 typedef struct tbx_shot {
@@ -7649,69 +7622,54 @@ TBX_FN int tbx_shot_run(tbx_calc *c, const tbx_shot *s, tbx_fraction *t)
     return c->unsure ? TBX_UNSURE : TBX_HIT;
 }
 
-/* In integers; a line in the plane of T, or a T without a plane, by the 13 axes. */
-TBX_NOINLINE int tbx_shot_run_exact(const tbx_shot *s, int format, int64_t *out_key)
+/* A line in the plane of T, or a T without a plane, by the 13 axes; m->calc is that of a run in integers. */
+TBX_FN int tbx_shot_flat(tbx_motion *m, const tbx_shot *s)
+{
+    int k;
+    for (k = 0; k < 3; k++) {
+        m->v[0][k] = s->v[0][k];
+        m->v[1][k] = s->v[1][k];
+        m->v[2][k] = s->v[2][k];
+        m->lo[k] = s->ray.origin[k];
+        m->hi[k] = s->ray.origin[k];
+        m->velocity[k] = s->ray.dir[k];
+    }
+    m->axes = TBX_AXES;
+    m->open = 0;
+    m->t[0] = s->ray.t[0];
+    m->t[1] = s->ray.t[1];
+    return tbx_motion_run(m);
+}
+
+/* Reads the question and answers it. A hit that was found in double is only rounded again. */
+TBX_NOINLINE int tbx_shot_answer(const void *const ray[3], const void *const v[3], int format, void *out_t)
 {
     tbx_limb store[TBX_STORE];
     tbx_motion m;
-    tbx_fraction t;
-    int verdict;
-    m.calc.exact = 1;
-    m.calc.unsure = 0;
-    m.calc.used = 0;
-    m.calc.store = store;
-    verdict = tbx_shot_run(&m.calc, s, &t);
-    if (verdict == TBX_HIT) {
-        *out_key = tbx_fraction_round(&m.calc, &t, format, TBX_DOWN);
-    } else if (verdict == TBX_UNSURE) {
-        int k;
-        for (k = 0; k < 3; k++) {
-            m.v[0][k] = s->v[0][k];
-            m.v[1][k] = s->v[1][k];
-            m.v[2][k] = s->v[2][k];
-            m.lo[k] = s->ray.origin[k];
-            m.hi[k] = s->ray.origin[k];
-            m.velocity[k] = s->ray.dir[k];
-        }
-        m.axes = TBX_AXES;
-        m.open = 0;
-        m.t[0] = s->ray.t[0];
-        m.t[1] = s->ray.t[1];
-        verdict = tbx_motion_run(&m);
-        *out_key = verdict ? tbx_motion_round(&m, 0, format) : 0;
-    }
-    return verdict;
-}
-
-/* The time of a hit that was found in double. */
-TBX_NOINLINE int64_t tbx_shot_round_exact(const tbx_shot *s, int format)
-{
-    tbx_limb store[TBX_STORE];
-    tbx_calc c = { 1, 0, 0, NULL };
-    tbx_fraction t;
-    c.store = store;
-    (void)tbx_shot_time(&c, s, &t);
-    return tbx_fraction_round(&c, &t, format, TBX_DOWN);
-}
-
-/* The answer for a shot that was read; odd: it is beyond the range of double. */
-TBX_NOINLINE int tbx_shot_answer(const tbx_shot *s, int odd, int format, void *out_t)
-{
-    tbx_calc c = { 0, 0, 0, NULL };
+    tbx_shot s;
     tbx_fraction t;
     int64_t key = 0;
     int verdict = TBX_UNSURE;
-    if (!tbx_ray_valid(&s->ray) || !tbx_finite(s->v[0], 9)) {
+    const int odd = tbx_ray_read(&s.ray, ray[0], ray[1], ray[2], format) |
+                    tbx_read3(s.v, v[0], v[1], v[2], format);
+    if (!tbx_ray_valid(&s.ray) || !tbx_finite(s.v[0], 9)) {
         return 0;
     }
-    if (!odd) {
-        verdict = tbx_shot_run(&c, s, &t);
-    }
+    tbx_calc_begin(&m.calc, odd, store);
+    do {
+        if (verdict == TBX_HIT) {
+            (void)tbx_shot_time(&m.calc, &s, &t);
+        } else {
+            verdict = tbx_shot_run(&m.calc, &s, &t);
+        }
+        if (verdict == TBX_HIT && out_t != NULL) {
+            key = tbx_fraction_round(&m.calc, &t, format, TBX_DOWN);
+        }
+        m.calc.unsure |= verdict == TBX_UNSURE && !m.calc.exact;
+    } while (tbx_calc_again(&m.calc));
     if (verdict == TBX_UNSURE) {
-        verdict = tbx_shot_run_exact(s, format, &key);
-    } else if (verdict == TBX_HIT && out_t != NULL) {
-        key = tbx_fraction_round(&c, &t, format, TBX_DOWN);
-        key = c.unsure ? tbx_shot_round_exact(s, format) : key;
+        verdict = tbx_shot_flat(&m, &s);
+        key = verdict ? tbx_motion_round(&m, 0, format) : 0;
     }
     if (verdict == TBX_HIT && out_t != NULL) {
         tbx_write(out_t, 0, format, key);
@@ -7722,33 +7680,28 @@ TBX_NOINLINE int tbx_shot_answer(const tbx_shot *s, int odd, int format, void *o
 TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], float t_min, float t_max,
                                   const float v0[3], const float v1[3], const float v2[3], float *out_t)
 {
-    const float *const v[3] = { v0, v1, v2 };
-    tbx_shot s;
+    const float *const corner[3] = { v0, v1, v2 };
+    const void *const v[3] = { v0, v1, v2 };
     float t[2];
-    if (tbx_shot_misses(origin, dir, v)) { /* most rays */
+    const void *const ray[3] = { origin, dir, t };
+    if (tbx_shot_misses(origin, dir, corner)) { /* most rays */
         return 0;
     }
     TBX_COPY(&t[0], &t_min, sizeof t_min);
     TBX_COPY(&t[1], &t_max, sizeof t_max);
-    tbx_ray_read(&s.ray, origin, dir, t, TBX_FLOAT);
-    tbx_read(s.v[0], v0, 3, TBX_FLOAT);
-    tbx_read(s.v[1], v1, 3, TBX_FLOAT);
-    tbx_read(s.v[2], v2, 3, TBX_FLOAT);
-    return tbx_shot_answer(&s, 0, TBX_FLOAT, out_t);
+    return tbx_shot_answer(ray, v, TBX_FLOAT, out_t);
 }
 
 TRIBOX_FN int tribox_ray_triangle_f64(const double origin[3], const double dir[3], double t_min, double t_max,
                                       const double v0[3], const double v1[3], const double v2[3],
                                       double *out_t)
 {
-    tbx_shot s;
+    const void *const v[3] = { v0, v1, v2 };
     double t[2];
-    int odd;
+    const void *const ray[3] = { origin, dir, t };
     TBX_COPY(&t[0], &t_min, sizeof t_min);
     TBX_COPY(&t[1], &t_max, sizeof t_max);
-    odd = tbx_ray_read(&s.ray, origin, dir, t, TBX_DOUBLE) | tbx_read(s.v[0], v0, 3, TBX_DOUBLE) |
-          tbx_read(s.v[1], v1, 3, TBX_DOUBLE) | tbx_read(s.v[2], v2, 3, TBX_DOUBLE);
-    return tbx_shot_answer(&s, odd, TBX_DOUBLE, out_t);
+    return tbx_shot_answer(ray, v, TBX_DOUBLE, out_t);
 }
 
 /* ---- sweep */
@@ -7840,48 +7793,32 @@ TBX_FN void tbx_motion_contact(tbx_motion *m, float out_axis[3])
     }
 }
 
-/* Everything about the sweep in one of the two runs. The exact one is never unsure, and has no room for a
- * second store of integers. */
-TBX_FOR_FORMAT int tbx_sweep_run(tbx_motion *m, int exact, int64_t out_t[2], float out_axis[3])
+/* Everything about the sweep in one of the two runs. */
+TBX_FN int tbx_sweep_run(tbx_motion *m, int64_t out_t[2], float out_axis[3])
 {
     const int hit = tbx_motion_run(m);
-    int e;
     if (hit && !m->calc.unsure) {
         tbx_motion_contact(m, out_axis);
-    }
-    for (e = 0; e < 2 && hit && !m->calc.unsure; e++) {
-        out_t[e] = tbx_motion_round(m, e, TBX_FLOAT);
-        if (!exact && m->calc.unsure) { /* of the last digit only */
-            out_t[e] = tbx_motion_round_exact(m, e, TBX_FLOAT);
-            m->calc.unsure = 0;
-        }
+        out_t[0] = tbx_motion_round(m, 0, TBX_FLOAT);
+        out_t[1] = tbx_motion_round(m, 1, TBX_FLOAT);
     }
     return hit;
 }
 
-TBX_NOINLINE int tbx_sweep_exact(tbx_motion *m, int64_t out_t[2], float out_axis[3])
-{
-    tbx_limb store[TBX_STORE];
-    m->calc.exact = 1;
-    m->calc.store = store;
-    return tbx_sweep_run(m, 1, out_t, out_axis);
-}
-
-/* Both runs as far as needed, by the first so many axes; what the caller wants of the outputs. */
+/* The answer by the first so many axes, and what the caller wants of the outputs. */
 TBX_NOINLINE int tbx_sweep_answer(tbx_motion *m, int axes, float *out_t0, float *out_t1, float out_axis[3])
 {
     const float t[2] = { 0.0f, 1.0f };
+    tbx_limb store[TBX_STORE];
     int64_t key[2] = { 0, 0 };
     float axis[3];
     int hit;
     tbx_read(m->t, t, 2, TBX_FLOAT);
     m->axes = axes;
-    m->calc.exact = 0;
-    m->calc.store = NULL;
-    hit = tbx_sweep_run(m, 0, key, axis);
-    if (m->calc.unsure) {
-        hit = tbx_sweep_exact(m, key, axis);
-    }
+    tbx_calc_begin(&m->calc, 0, store);
+    do {
+        hit = tbx_sweep_run(m, key, axis);
+    } while (tbx_calc_again(&m->calc));
     if (hit && out_t0 != NULL) {
         tbx_write(out_t0, 0, TBX_FLOAT, key[0]);
     }
@@ -7917,9 +7854,7 @@ TRIBOX_FN int tribox_sweep_rule(const float v0[3], const float v1[3], const floa
                                 unsigned flags, float *out_t0, float *out_t1, float out_axis[3])
 {
     tbx_motion m;
-    tbx_read(m.v[0], v0, 3, TBX_FLOAT);
-    tbx_read(m.v[1], v1, 3, TBX_FLOAT);
-    tbx_read(m.v[2], v2, 3, TBX_FLOAT);
+    tbx_read3(m.v, v0, v1, v2, TBX_FLOAT);
     if (!tbx_finite(m.v[0], 9) || !tbx_sweep_box_valid(&m, box_min, box_max, velocity, flags)) {
         return 0;
     }
@@ -7939,9 +7874,7 @@ TRIBOX_FN int tribox_sweep_box(const float a_min[3], const float a_max[3], const
                                float *out_t1, float out_axis[3])
 {
     tbx_motion m;
-    tbx_read(m.v[0], b_min, 3, TBX_FLOAT);
-    tbx_read(m.v[1], b_max, 3, TBX_FLOAT);
-    tbx_read(m.v[2], b_max, 3, TBX_FLOAT);
+    tbx_read3(m.v, b_min, b_max, b_max, TBX_FLOAT);
     if (!tbx_box_valid(m.v[0], m.v[1]) || !tbx_sweep_box_valid(&m, a_min, a_max, velocity, flags)) {
         return 0;
     }
@@ -8188,26 +8121,17 @@ TBX_FN double tbx_gap_run(tbx_motion *m, unsigned axes, float out_axis[3])
     return best.s;
 }
 
-TBX_COLD double tbx_gap_exact(tbx_motion *m, unsigned axes, float out_axis[3])
-{
-    tbx_limb store[TBX_STORE];
-    m->calc.exact = 1;
-    m->calc.store = store;
-    return tbx_gap_run(m, axes, out_axis);
-}
-
 /* Whatever the floats are, by these axes. The result may be infinite, so it goes by its bits. */
 TBX_NOINLINE void tbx_gap_answer(const float *const v[3], const float box_min[3], const float box_max[3],
                                  unsigned axes, double *out_s, float out_axis[3])
 {
+    tbx_limb store[TBX_STORE];
     tbx_motion m;
     uint64_t bits = (uint64_t)TBX_KEY_INFINITY;
     float axis[3];
     int bounded = 0;
     int k;
-    for (k = 0; k < 3; k++) {
-        tbx_read(m.v[k], v[k], 3, TBX_FLOAT);
-    }
+    tbx_read3(m.v, v[0], v[1], v[2], TBX_FLOAT);
     tbx_read(m.lo, box_min, 3, TBX_FLOAT);
     tbx_read(m.hi, box_max, 3, TBX_FLOAT);
     if (!tbx_finite(m.v[0], 9) || !tbx_box_valid(m.lo, m.hi)) {
@@ -8222,15 +8146,11 @@ TBX_NOINLINE void tbx_gap_answer(const float *const v[3], const float box_min[3]
         TBX_COPY(out_s, &bits, sizeof bits);
         return;
     }
-    m.calc.exact = 0;
-    m.calc.store = NULL;
-    m.calc.unsure = 1;
-    if (TBX_DOUBLE_IS_53_BITS && (axes & (axes - 1u)) != 0) { /* one alone has been asked in double */
+    /* one axis alone has been asked in double */
+    tbx_calc_begin(&m.calc, !TBX_DOUBLE_IS_53_BITS || (axes & (axes - 1u)) == 0, store);
+    do {
         *out_s = tbx_gap_run(&m, axes, axis);
-    }
-    if (m.calc.unsure) {
-        *out_s = tbx_gap_exact(&m, axes, axis);
-    }
+    } while (tbx_calc_again(&m.calc));
     if (out_axis != NULL) {
         TBX_COPY(out_axis, axis, sizeof axis);
     }
@@ -8392,32 +8312,25 @@ TBX_FN void tbx_nearest_run(tbx_calc *c, const tbx_nearest *p, int format, int64
     }
 }
 
-TBX_NOINLINE void tbx_nearest_exact(const tbx_nearest *p, int format, int64_t one, int64_t weights[3])
-{
-    tbx_limb store[TBX_STORE];
-    tbx_calc c = { 1, 0, 0, NULL };
-    c.store = store;
-    tbx_nearest_run(&c, p, format, one, weights);
-}
-
-/* The answer for a question that was read; odd: it is beyond the range of double. */
-TBX_NOINLINE void tbx_nearest_answer(const tbx_nearest *p, int odd, int format, void *out_weights)
+/* Reads the question and answers it. */
+TBX_NOINLINE void tbx_nearest_answer(const void *const v[3], const void *q, int format, void *out_weights)
 {
     const int64_t one = format == TBX_FLOAT ? (int64_t)127 << 23 : (int64_t)1023 << 52;
-    tbx_calc c = { 0, 0, 0, NULL };
-    int64_t weights[3] = { 0, 0, 0 };
+    tbx_limb store[TBX_STORE];
+    tbx_calc c;
+    tbx_nearest p;
+    int64_t weights[3];
     int k;
-    if (!tbx_finite(p->v[0], 9) || !tbx_finite(p->q, 3)) {
-        weights[0] = one;
-    } else {
-        if (!odd) {
-            tbx_nearest_run(&c, p, format, one, weights);
+    const int odd = tbx_read3(p.v, v[0], v[1], v[2], format) | tbx_read(p.q, q, 3, format);
+    tbx_calc_begin(&c, odd, store);
+    do {
+        weights[0] = weights[1] = weights[2] = 0;
+        if (!tbx_finite(p.v[0], 9) || !tbx_finite(p.q, 3)) {
+            weights[0] = one;
+        } else {
+            tbx_nearest_run(&c, &p, format, one, weights);
         }
-        if (odd || c.unsure) {
-            weights[0] = weights[1] = weights[2] = 0;
-            tbx_nearest_exact(p, format, one, weights);
-        }
-    }
+    } while (tbx_calc_again(&c));
     for (k = 0; k < 3; k++) {
         tbx_write(out_weights, k, format, weights[k]);
     }
@@ -8426,21 +8339,15 @@ TBX_NOINLINE void tbx_nearest_answer(const tbx_nearest *p, int odd, int format, 
 TRIBOX_FN void tribox_closest(const float v0[3], const float v1[3], const float v2[3], const float q[3],
                               float out_weights[3])
 {
-    tbx_nearest p;
-    tbx_read(p.v[0], v0, 3, TBX_FLOAT);
-    tbx_read(p.v[1], v1, 3, TBX_FLOAT);
-    tbx_read(p.v[2], v2, 3, TBX_FLOAT);
-    tbx_read(p.q, q, 3, TBX_FLOAT);
-    tbx_nearest_answer(&p, 0, TBX_FLOAT, out_weights);
+    const void *const v[3] = { v0, v1, v2 };
+    tbx_nearest_answer(v, q, TBX_FLOAT, out_weights);
 }
 
 TRIBOX_FN void tribox_closest_f64(const double v0[3], const double v1[3], const double v2[3],
                                   const double q[3], double out_weights[3])
 {
-    tbx_nearest p;
-    const int odd = tbx_read(p.v[0], v0, 3, TBX_DOUBLE) | tbx_read(p.v[1], v1, 3, TBX_DOUBLE) |
-                    tbx_read(p.v[2], v2, 3, TBX_DOUBLE) | tbx_read(p.q, q, 3, TBX_DOUBLE);
-    tbx_nearest_answer(&p, odd, TBX_DOUBLE, out_weights);
+    const void *const v[3] = { v0, v1, v2 };
+    tbx_nearest_answer(v, q, TBX_DOUBLE, out_weights);
 }
 
 /* ---- clip
@@ -8698,44 +8605,33 @@ TBX_FN int tbx_cut_round(tbx_cut *t, const tbx_polygon *p, int format, int64_t o
     return count;
 }
 
-/* In integers: all of it, or the corners of a polygon that was found in double. */
-TBX_NOINLINE int tbx_cut_exact(tbx_cut *t, tbx_polygon *p, int found, int format, int64_t out[9][3])
+/* Reads the question and answers it. The corners of a polygon that was found in double are only rounded
+ * again. */
+TBX_NOINLINE int tbx_cut_answer(const void *const v[3], const void *const box[2], int format,
+                                void *out_polygon)
 {
     tbx_limb store[TBX_STORE];
-    t->calc.exact = 1;
-    t->calc.unsure = 0;
-    t->calc.store = store;
-    if (found) {
-        tbx_num_normal(&t->calc, t->n, t->v[0], t->v[1], t->v[2]);
-    } else {
-        tbx_cut_run(t, p);
-    }
-    return tbx_cut_round(t, p, format, out);
-}
-
-/* The answer for a question that was read; odd: it is beyond the range of double. */
-TBX_NOINLINE int tbx_cut_answer(tbx_cut *t, int odd, int format, void *out_polygon)
-{
+    tbx_cut t;
     tbx_polygon p;
     int64_t corner[9][3];
     int found = 0;
-    int count = 0;
+    int count;
     int i;
-    if (!tbx_finite(t->v[0], 9) || !tbx_box_valid(t->face[0], t->face[1])) {
+    const int odd = tbx_read3(t.v, v[0], v[1], v[2], format) | tbx_read(t.face[0], box[0], 3, format) |
+                    tbx_read(t.face[1], box[1], 3, format);
+    if (!tbx_finite(t.v[0], 9) || !tbx_box_valid(t.face[0], t.face[1])) {
         return 0;
     }
-    t->calc.exact = 0;
-    t->calc.unsure = odd;
-    t->calc.used = 0;
-    t->calc.store = NULL;
-    if (!odd) {
-        tbx_cut_run(t, &p);
-        found = !t->calc.unsure;
-        count = tbx_cut_round(t, &p, format, corner);
-    }
-    if (t->calc.unsure) {
-        count = tbx_cut_exact(t, &p, found, format, corner);
-    }
+    tbx_calc_begin(&t.calc, odd, store);
+    do {
+        if (found) {
+            tbx_num_normal(&t.calc, t.n, t.v[0], t.v[1], t.v[2]);
+        } else {
+            tbx_cut_run(&t, &p);
+            found = !t.calc.unsure;
+        }
+        count = tbx_cut_round(&t, &p, format, corner);
+    } while (tbx_calc_again(&t.calc));
     for (i = 0; i < 3 * count; i++) {
         tbx_write(out_polygon, i, format, corner[i / 3][i % 3]);
     }
@@ -8745,33 +8641,24 @@ TBX_NOINLINE int tbx_cut_answer(tbx_cut *t, int odd, int format, void *out_polyg
 TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
                           const float box_max[3], float out_polygon[9][3])
 {
-    tbx_cut t;
-    tbx_read(t.v[0], v0, 3, TBX_FLOAT);
-    tbx_read(t.v[1], v1, 3, TBX_FLOAT);
-    tbx_read(t.v[2], v2, 3, TBX_FLOAT);
-    tbx_read(t.face[0], box_min, 3, TBX_FLOAT);
-    tbx_read(t.face[1], box_max, 3, TBX_FLOAT);
-    return tbx_cut_answer(&t, 0, TBX_FLOAT, out_polygon);
+    const void *const v[3] = { v0, v1, v2 };
+    const void *const box[2] = { box_min, box_max };
+    return tbx_cut_answer(v, box, TBX_FLOAT, out_polygon);
 }
 
 TRIBOX_FN int tribox_clip_f64(const double v0[3], const double v1[3], const double v2[3],
                               const double box_min[3], const double box_max[3], double out_polygon[9][3])
 {
-    tbx_cut t;
-    const int odd = tbx_read(t.v[0], v0, 3, TBX_DOUBLE) | tbx_read(t.v[1], v1, 3, TBX_DOUBLE) |
-                    tbx_read(t.v[2], v2, 3, TBX_DOUBLE) | tbx_read(t.face[0], box_min, 3, TBX_DOUBLE) |
-                    tbx_read(t.face[1], box_max, 3, TBX_DOUBLE);
-    return tbx_cut_answer(&t, odd, TBX_DOUBLE, out_polygon);
+    const void *const v[3] = { v0, v1, v2 };
+    const void *const box[2] = { box_min, box_max };
+    return tbx_cut_answer(v, box, TBX_DOUBLE, out_polygon);
 }
 
 /* ---- meshes */
 
-/* A mesh of floats or doubles, and what is asked of it. */
+/* A mesh, and what is asked of it. */
 typedef struct tbx_query {
-    const char *positions;
-    size_t stride;
-    const uint32_t *index;
-    size_t triangles;
+    tbx_source mesh;
     const void *box_min;
     const void *box_max;
     uint32_t *out_triangles;
@@ -8862,8 +8749,8 @@ TBX_NOINLINE int tbx_query_touches(const char *v0, const char *v1, const char *v
 /* Neighbours in a mesh lie beyond the same face: the one that served last is asked first. */
 TBX_FOR_FORMAT size_t tbx_query_run(const tbx_query *q, const uint32_t *index, size_t stride, int format)
 {
-    const char *positions = q->positions;
-    const size_t triangles = q->triangles;
+    const char *positions = q->mesh.positions;
+    const size_t triangles = q->mesh.triangles;
     tbx_query_face faces[6];
     tbx_query_face last;
     size_t count = 0;
@@ -8900,20 +8787,17 @@ TBX_FOR_FORMAT size_t tbx_query_run(const tbx_query *q, const uint32_t *index, s
 TBX_NOINLINE size_t tbx_query_float(const tbx_query *q)
 {
     const size_t packed = 3 * sizeof(float);
-    if (q->index != NULL && q->stride == packed) {
-        return tbx_query_run(q, q->index, packed, TBX_FLOAT);
+    if (q->mesh.indices != NULL && q->mesh.stride == packed) {
+        return tbx_query_run(q, q->mesh.indices, packed, TBX_FLOAT);
     }
-    return tbx_query_run(q, q->index, q->stride, TBX_FLOAT);
+    return tbx_query_run(q, q->mesh.indices, q->mesh.stride, TBX_FLOAT);
 }
 
 TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[3], const float box_max[3],
                                    uint32_t *out_triangles, size_t capacity)
 {
     tbx_query q;
-    q.positions = (const char *)mesh->positions;
-    q.stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
-    q.index = mesh->indices;
-    q.triangles = mesh->triangles;
+    tbx_source_float(&q.mesh, mesh);
     q.box_min = box_min;
     q.box_max = box_max;
     q.out_triangles = out_triangles;
@@ -8925,15 +8809,12 @@ TRIBOX_FN size_t tribox_mesh_query_f64(const tribox_mesh_f64 *mesh, const double
                                        const double box_max[3], uint32_t *out_triangles, size_t capacity)
 {
     tbx_query q;
-    q.positions = (const char *)mesh->positions;
-    q.stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(double);
-    q.index = mesh->indices;
-    q.triangles = mesh->triangles;
+    tbx_source_double(&q.mesh, mesh);
     q.box_min = box_min;
     q.box_max = box_max;
     q.out_triangles = out_triangles;
     q.capacity = capacity;
-    return tbx_query_run(&q, q.index, q.stride, TBX_DOUBLE);
+    return tbx_query_run(&q, q.mesh.indices, q.mesh.stride, TBX_DOUBLE);
 }
 
 /* ---- segment through a grid
@@ -8981,9 +8862,9 @@ TBX_FN void tbx_segment_offset(tbx_calc *c, const tbx_segment *s, int k, int64_t
     tbx_real x[3];
     tbx_num y;
     tbx_num z;
-    tbx_read(&x[0], &s->grid->origin[k], 1, TBX_DOUBLE);
-    tbx_read(&x[1], &s->grid->size[k], 1, TBX_DOUBLE);
-    tbx_read(&x[2], &s->p[k], 1, TBX_DOUBLE);
+    tbx_read1(&x[0], &s->grid->origin[k], TBX_DOUBLE);
+    tbx_read1(&x[1], &s->grid->size[k], TBX_DOUBLE);
+    tbx_read1(&x[2], &s->p[k], TBX_DOUBLE);
     tbx_num_difference(c, r, &x[0], &x[2]);
     tbx_num_of(c, &y, &x[1]);
     tbx_num_integer(c, &z, i, 0);
@@ -8996,16 +8877,16 @@ TBX_FN void tbx_segment_offset(tbx_calc *c, const tbx_segment *s, int k, int64_t
 TBX_COLD int tbx_segment_order_exact(const tbx_segment *s, int k, int64_t i, int l, int64_t j)
 {
     tbx_limb store[TBX_STORE];
-    tbx_calc c = { 1, 0, 0, NULL };
+    tbx_calc c;
     tbx_real x[4];
     tbx_num a;
     tbx_num b;
     tbx_num d;
-    c.store = store;
-    tbx_read(&x[0], &s->q[l], 1, TBX_DOUBLE);
-    tbx_read(&x[1], &s->p[l], 1, TBX_DOUBLE);
-    tbx_read(&x[2], &s->q[k], 1, TBX_DOUBLE);
-    tbx_read(&x[3], &s->p[k], 1, TBX_DOUBLE);
+    tbx_calc_begin(&c, 1, store);
+    tbx_read1(&x[0], &s->q[l], TBX_DOUBLE);
+    tbx_read1(&x[1], &s->p[l], TBX_DOUBLE);
+    tbx_read1(&x[2], &s->q[k], TBX_DOUBLE);
+    tbx_read1(&x[3], &s->p[k], TBX_DOUBLE);
     tbx_segment_offset(&c, s, k, i, &a);
     tbx_num_difference(&c, &d, &x[0], &x[1]);
     tbx_num_mul(&c, &a, &a, &d);
@@ -9375,9 +9256,9 @@ TBX_FN int tbx_pierce4(const float origin[3], const float dir[3], const float *f
 #endif
 
 /* As a radius: also what is below 0. */
-TBX_FN unsigned tbx_odd_radius(const float *r)
+TBX_FN int tbx_odd_radius(const float *r)
 {
-    return tbx_odd1(r) | (unsigned)(tbx_bits32(r) >> 31);
+    return tbx_odd1(r) | (int)(tbx_bits32(r) >> 31);
 }
 
 /* Squares of differences and their sum err by less than 6 u of themselves, a radius squared and a sum of
@@ -9408,7 +9289,7 @@ TBX_FN int tbx_ball_compare(tbx_calc *c, const tbx_num x[3], const tbx_num *r)
 TBX_COLD int tbx_sphere_sphere_exact(const float a[3], const float b[3], const float radius[2])
 {
     tbx_limb store[TBX_STORE];
-    tbx_calc c = { 1, 0, 0, NULL };
+    tbx_calc c;
     tbx_real x[2][3];
     tbx_real r[2];
     tbx_num d[3];
@@ -9416,7 +9297,7 @@ TBX_COLD int tbx_sphere_sphere_exact(const float a[3], const float b[3], const f
     tbx_num of_b;
     int kind_a;
     int kind_b;
-    c.store = store;
+    tbx_calc_begin(&c, 1, store);
     tbx_read(x[0], a, 3, TBX_FLOAT);
     tbx_read(x[1], b, 3, TBX_FLOAT);
     tbx_read(r, radius, 2, TBX_FLOAT);
@@ -9446,7 +9327,7 @@ TBX_NOINLINE int tbx_sphere_sphere_wide(const float a[3], uint32_t a_bits, const
     tbx_float_of(&radius[0], a_bits);
     tbx_float_of(&radius[1], b_bits);
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY(tbx_odd4(a, a, b, b) || (tbx_odd_radius(&radius[0]) | tbx_odd_radius(&radius[1])) != 0)) {
+    if (!TBX_RARELY(tbx_odd4(a, a, b, b) || (tbx_odd_radius(&radius[0]) | tbx_odd_radius(&radius[1])))) {
         const double r = tbx_take(&radius[0]) + tbx_take(&radius[1]);
         double p[3];
         double q[3];
@@ -9479,7 +9360,7 @@ TBX_COLD int tbx_plane_sphere_exact(const float n[3], const float *d, const floa
                                     const float *radius)
 {
     tbx_limb store[TBX_STORE];
-    tbx_calc c = { 1, 0, 0, NULL };
+    tbx_calc c;
     tbx_real x[2][3];
     tbx_real of[2];
     tbx_num normal[3];
@@ -9488,11 +9369,11 @@ TBX_COLD int tbx_plane_sphere_exact(const float n[3], const float *d, const floa
     tbx_num r;
     int sign;
     int k;
-    c.store = store;
+    tbx_calc_begin(&c, 1, store);
     tbx_read(x[0], n, 3, TBX_FLOAT);
     tbx_read(x[1], center, 3, TBX_FLOAT);
-    tbx_read(&of[0], d, 1, TBX_FLOAT);
-    tbx_read(&of[1], radius, 1, TBX_FLOAT);
+    tbx_read1(&of[0], d, TBX_FLOAT);
+    tbx_read1(&of[1], radius, TBX_FLOAT);
     if (!tbx_finite(x[0], 3) || tbx_key_is_nan(of[0].key) || tbx_ball_kind(x[1], &of[1]) == TBX_BALL_EMPTY) {
         return 2;
     }
@@ -9560,7 +9441,7 @@ TBX_NOINLINE int tbx_plane_sphere_wide(const float n[3], uint32_t d_bits, const 
     tbx_float_of(&d, d_bits);
     tbx_float_of(&radius, radius_bits);
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY(tbx_odd4(n, n, c, c) || (tbx_odd1(&d) | tbx_odd_radius(&radius)) != 0)) {
+    if (!TBX_RARELY(tbx_odd4(n, n, c, c) || (tbx_odd1(&d) | tbx_odd_radius(&radius)))) {
         const int verdict = tbx_plane_sphere_filter(n, tbx_take(&d), c, tbx_take(&radius));
         if (!TBX_RARELY(verdict == TBX_UNSURE)) {
             return verdict;
@@ -9586,7 +9467,7 @@ TBX_COLD int tbx_sphere_box_exact(const float center[3], const float *radius, co
                                   const float box_max[3])
 {
     tbx_limb store[TBX_STORE];
-    tbx_calc c = { 1, 0, 0, NULL };
+    tbx_calc c;
     tbx_real x[3];
     tbx_real lo[3];
     tbx_real hi[3];
@@ -9595,11 +9476,11 @@ TBX_COLD int tbx_sphere_box_exact(const float center[3], const float *radius, co
     tbx_num of_r;
     int kind;
     int k;
-    c.store = store;
+    tbx_calc_begin(&c, 1, store);
     tbx_read(x, center, 3, TBX_FLOAT);
     tbx_read(lo, box_min, 3, TBX_FLOAT);
     tbx_read(hi, box_max, 3, TBX_FLOAT);
-    tbx_read(&r, radius, 1, TBX_FLOAT);
+    tbx_read1(&r, radius, TBX_FLOAT);
     kind = tbx_ball_kind(x, &r);
     if (kind != TBX_BALL || !tbx_box_valid(lo, hi)) {
         return kind == TBX_BALL_SPACE && tbx_box_valid(lo, hi);
@@ -9655,7 +9536,7 @@ TBX_NOINLINE int tbx_sphere_box_wide(const float c[3], uint32_t radius_bits, con
     float radius;
     tbx_float_of(&radius, radius_bits);
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY(tbx_odd4(c, c, box_min, box_max) || tbx_odd_radius(&radius) != 0)) {
+    if (!TBX_RARELY(tbx_odd4(c, c, box_min, box_max) || tbx_odd_radius(&radius))) {
         const int verdict = tbx_sphere_box_filter(c, tbx_take(&radius), box_min, box_max);
         if (!TBX_RARELY(verdict == TBX_UNSURE)) {
             return verdict;
@@ -9759,15 +9640,10 @@ TBX_COLD int tbx_sphere_triangle_exact(const float center[3], const float *radiu
     tbx_real r;
     int kind;
     int i;
-    t.calc.exact = 1;
-    t.calc.unsure = 0;
-    t.calc.used = 0;
-    t.calc.store = store;
+    tbx_calc_begin(&t.calc, 1, store);
     tbx_read(t.center, center, 3, TBX_FLOAT);
-    tbx_read(&r, radius, 1, TBX_FLOAT);
-    for (i = 0; i < 3; i++) {
-        tbx_read(t.v[i], v[i], 3, TBX_FLOAT);
-    }
+    tbx_read1(&r, radius, TBX_FLOAT);
+    tbx_read3(t.v, v[0], v[1], v[2], TBX_FLOAT);
     kind = tbx_ball_kind(t.center, &r);
     if (kind != TBX_BALL || !tbx_finite(t.v[0], 9)) {
         return kind == TBX_BALL_SPACE && tbx_finite(t.v[0], 9);
@@ -9905,7 +9781,7 @@ TRIBOX_FN int tribox_sphere_triangle(const float c[3], float radius, const float
 {
     const float *const v[3] = { v0, v1, v2 };
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY(tbx_odd4(c, v0, v1, v2) || tbx_odd_radius(&radius) != 0)) {
+    if (!TBX_RARELY(tbx_odd4(c, v0, v1, v2) || tbx_odd_radius(&radius))) {
         const int verdict = tbx_touch_filter(c, tbx_take(&radius), v);
         if (!TBX_RARELY(verdict == TBX_UNSURE)) {
             return verdict;
@@ -9965,7 +9841,7 @@ TBX_FN int64_t tbx_pierce_round(tbx_pierce *x, int e)
         float number;
         tbx_real t;
         tbx_write(&number, 0, TBX_FLOAT, way * mid);
-        tbx_read(&t, &number, 1, TBX_FLOAT);
+        tbx_read1(&t, &number, TBX_FLOAT);
         if (tbx_pierce_side(x, e, &t) <= 0) {
             lo = mid;
         } else {
@@ -10017,15 +9893,10 @@ TBX_COLD int tbx_ray_sphere_exact(const float origin[3], const float dir[3], con
     tbx_num square;
     int kind;
     int k;
-    x.calc.exact = 1;
-    x.calc.unsure = 0;
-    x.calc.used = 0;
-    x.calc.store = store;
-    tbx_read(ray.origin, origin, 3, TBX_FLOAT);
-    tbx_read(ray.dir, dir, 3, TBX_FLOAT);
-    tbx_read(ray.t, t_ends, 2, TBX_FLOAT);
+    tbx_calc_begin(&x.calc, 1, store);
+    tbx_ray_read(&ray, origin, dir, t_ends, TBX_FLOAT);
     tbx_read(middle, center, 3, TBX_FLOAT);
-    tbx_read(&r, radius, 1, TBX_FLOAT);
+    tbx_read1(&r, radius, TBX_FLOAT);
     kind = tbx_ball_kind(middle, &r);
     if (kind == TBX_BALL_EMPTY || !tbx_ray_valid(&ray)) {
         return 0;
@@ -10059,7 +9930,7 @@ TBX_FN int tbx_pierce_ends(const float t[2], double out[2])
     const int32_t to = tbx_key32(&t[1]);
     const int from_infinite = from == -infinity;
     const int to_infinite = to == infinity;
-    if (from > to || (!from_infinite && tbx_odd1(&t[0]) != 0) || (!to_infinite && tbx_odd1(&t[1]) != 0)) {
+    if (from > to || (!from_infinite && tbx_odd1(&t[0])) || (!to_infinite && tbx_odd1(&t[1]))) {
         return 0;
     }
     out[0] = from_infinite ? -TBX_SLAB_BEYOND : tbx_take(&t[0]);
@@ -10171,7 +10042,7 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #endif
     (void)usual;
 #if TBX_DOUBLE_IS_53_BITS
-    if (usual == TBX_HIT || !(tbx_odd4(origin, dir, c, c) || tbx_odd_radius(&radius) != 0)) {
+    if (usual == TBX_HIT || !(tbx_odd4(origin, dir, c, c) || tbx_odd_radius(&radius))) {
         hit = tbx_pierce_filter(origin, dir, t, c, tbx_take(&radius), key);
     }
 #endif

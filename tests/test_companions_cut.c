@@ -766,11 +766,11 @@ static void sure_runs_equal_exact_runs(void)
         CHECK(fast.unsure || memcmp(w[0], w[1], sizeof w[0]) == 0);
         unsure += fast.unsure;
         m.calc = fast;
-        hit = tbx_sweep_run(&m, 0, t[0], axis[0]);
+        hit = tbx_sweep_run(&m, t[0], axis[0]);
         unsure += m.calc.unsure;
         if (!m.calc.unsure) {
             test_exactly(&m.calc);
-            CHECK(hit == tbx_sweep_run(&m, 1, t[1], axis[1]));
+            CHECK(hit == tbx_sweep_run(&m, t[1], axis[1]));
             CHECK(!hit || memcmp(t[0], t[1], sizeof t[0]) == 0);
             for (k = 0; k < 3; k++) {
                 float apart = hit ? axis[0][k] - axis[1][k] : 0;
