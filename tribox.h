@@ -875,6 +875,60 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #define TBX_KEEP_POINTER(p) TBX_KEEP(p)
 #endif
 
+/* What section 11 adds to the scalar code, where TRIBOX_SIMD is 1, and how it is asked: in the place of a
+ * value, or first, for an answer that may be UNSURE. */
+#if TRIBOX_SIMD
+#define TBX_EITHER(by_vectors, scalar) by_vectors
+#define TBX_RETURN_IF_SURE(call)                     \
+    do {                                             \
+        const int by_vectors = call;                 \
+        if (!TBX_RARELY(by_vectors == TBX_UNSURE)) { \
+            return by_vectors;                       \
+        }                                            \
+    } while (0)
+struct tbx_frame;
+struct tbx_solid;
+struct tbx_source;
+struct tbx_target;
+TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3], const double box_min[3],
+                       const double box_max[3], int rule);
+TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                       const float box_max[3], int rule);
+TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[3], const float v2[3],
+                             const float size[3], unsigned flags);
+TBX_FN int tbx_tri_narrow(float out[4][3], const double v[3][3], const double size[3]);
+TBX_FN int tbx_tri_test_simd(const tribox_tri *tri, const float p[3]);
+TBX_FN size_t tbx_mesh_spans_quick(const struct tbx_frame *f, const struct tbx_source *source,
+                                   tribox_mesh_span_fn on_span, void *user, size_t *count);
+TBX_FN size_t tbx_fill_quick(const struct tbx_frame *frame, const struct tbx_source *source,
+                             const struct tbx_target *target);
+TBX_FN size_t tbx_solid_quick_fill(const struct tbx_solid *s, const struct tbx_source *source);
+#ifndef TRIBOX_NO_COMPANIONS
+TBX_FN unsigned tbx_octant_values_simd(const tribox_tri *tri, const float lower[3], const float upper[3],
+                                       unsigned asked, unsigned *out_unsure);
+TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3]);
+TBX_FN int tbx_box_box4(const float a_min[3], const float a_max[3], const float b_min[3],
+                        const float b_max[3]);
+TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float t[2], const float box_min[3],
+                          const float box_max[3], float *out_t0, float *out_t1);
+TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float box_min[3],
+                              const float box_max[3]);
+TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const float d[3]);
+TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const float b[3],
+                              const float *b_radius);
+TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius);
+TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3],
+                           const float box_max[3]);
+TBX_FN int tbx_pierce4(const float origin[3], const float dir[3], const float *from, const float center[3],
+                       const float *radius);
+TBX_FN unsigned tbx_gap_quick(const float *const v[5], const float box_min[3], const float box_max[3],
+                              double *out_s, float out_axis[3]);
+#endif
+#else
+#define TBX_EITHER(by_vectors, scalar) scalar
+#define TBX_RETURN_IF_SURE(call) ((void)0)
+#endif
+
 /* ---- 4. Bits of floating-point numbers ------------------------------------------------------------------
  *
  * Whatever decides is read from the bits, so that no compiler flag (-ffast-math folds x != x) and no
@@ -2169,22 +2223,10 @@ TBX_FN float tbx_absf(float a)
 #endif
 }
 
-#if TRIBOX_SIMD /* section 11.1 */
-TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3], const double box_min[3],
-                       const double box_max[3], int rule);
-TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                       const float box_max[3], int rule);
-#endif
-
 TBX_FN int tbx_overlap_double(const double v0[3], const double v1[3], const double v2[3],
                               const double box_min[3], const double box_max[3], unsigned rule)
 {
-#if TRIBOX_SIMD
-    const int verdict = tbx_filter2(v0, v1, v2, box_min, box_max, rule != 0);
-    if (verdict != TBX_UNSURE) {
-        return verdict;
-    }
-#endif
+    TBX_RETURN_IF_SURE(tbx_filter2(v0, v1, v2, box_min, box_max, rule != 0));
     return tbx_overlap(v0, v1, v2, box_min, box_max, rule);
 }
 
@@ -2229,12 +2271,7 @@ TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const
 TBX_FN int tbx_overlap_float(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
                              const float box_max[3], unsigned rule)
 {
-#if TRIBOX_SIMD
-    const int verdict = tbx_filter4(v0, v1, v2, box_min, box_max, rule != 0);
-    if (verdict != TBX_UNSURE) {
-        return verdict;
-    }
-#endif
+    TBX_RETURN_IF_SURE(tbx_filter4(v0, v1, v2, box_min, box_max, rule != 0));
     return tbx_overlap_widened(v0, v1, v2, box_min, box_max, rule);
 }
 
@@ -2733,13 +2770,6 @@ TBX_NOINLINE void tbx_tri_init(tribox_tri *tri, const double v[3][3], const doub
     tri->hidden.in_range = 1;
 }
 
-#if TRIBOX_SIMD /* section 11.2 */
-TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[3], const float v2[3],
-                             const float size[3], unsigned flags);
-TBX_FN int tbx_tri_narrow(float out[4][3], const double v[3][3], const double size[3]);
-TBX_FN int tbx_tri_test_simd(const tribox_tri *tri, const float p[3]);
-#endif
-
 TBX_NOINLINE void tbx_tri_init_wide(tribox_tri *tri, const double v[3][3], const double size[3],
                                     unsigned flags)
 {
@@ -2934,12 +2964,7 @@ TBX_NOINLINE TBX_PURE int tbx_tri_test_float(const tribox_tri *tri, const float 
 
 TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3])
 {
-#if TRIBOX_SIMD
-    const int verdict = tbx_tri_test_simd(tri, p);
-    if (!TBX_RARELY(verdict == TBX_UNSURE)) {
-        return verdict;
-    }
-#endif
+    TBX_RETURN_IF_SURE(tbx_tri_test_simd(tri, p));
     return tbx_tri_test_float(tri, p);
 }
 
@@ -2947,12 +2972,6 @@ TRIBOX_FN int tribox_tri_test(const tribox_tri *tri, const float p[3])
 /* ---- Octree descent */
 
 #define TBX_OCTANTS_UNSURE 256u
-
-#if TRIBOX_SIMD /* section 11.2 */
-TBX_FN unsigned tbx_octant_values_simd(const tribox_tri *tri, const float lower[3], const float upper[3],
-                                       unsigned *out_unsure);
-TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3]);
-#endif
 
 TRIBOX_FN void tribox_tri_resize_f64(tribox_tri *tri, const double size[3])
 {
@@ -3046,12 +3065,7 @@ TBX_NOINLINE unsigned tbx_octants(const tribox_tri *tri, const double p[3])
         }
         TBX_KEEP(lower);
         TBX_KEEP(upper);
-#if TRIBOX_SIMD
-        hits = asked & tbx_octant_values_simd(tri, lower, upper, &unsure);
-        unsure &= asked;
-#else
-        hits = tbx_octant_values(tri, lower, upper, asked, &unsure);
-#endif
+        hits = TBX_EITHER(tbx_octant_values_simd, tbx_octant_values)(tri, lower, upper, asked, &unsure);
     }
     for (o = 0; TBX_RARELY(unsure >> o != 0); o++) {
         if ((unsure >> o & 1u) != 0) {
@@ -3075,13 +3089,8 @@ TBX_NOINLINE unsigned tbx_octants_widened(const tribox_tri *tri, const float p[3
 
 TRIBOX_FN unsigned tribox_tri_octants(const tribox_tri *tri, const float p[3])
 {
-#if TRIBOX_SIMD
-    const unsigned octants = tbx_octants_simd(tri, p);
-    if (!TBX_RARELY(octants == TBX_OCTANTS_UNSURE)) {
-        return octants;
-    }
-#endif
-    return tbx_octants_widened(tri, p);
+    const unsigned octants = TBX_EITHER(tbx_octants_simd(tri, p), TBX_OCTANTS_UNSURE);
+    return TBX_RARELY(octants == TBX_OCTANTS_UNSURE) ? tbx_octants_widened(tri, p) : octants;
 }
 #endif /* TRIBOX_NO_COMPANIONS */
 
@@ -4699,11 +4708,6 @@ TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], c
     return tbx_spans(grid, v, finite ? TBX_ALL_ORDINARY : TBX_NO_POINTS, on_span, user);
 }
 
-#if TRIBOX_SIMD /* section 11.3 */
-TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source, tribox_mesh_span_fn on_span,
-                                   void *user, size_t *count);
-#endif
-
 /* Adds up spans of one triangle and tells them. */
 TBX_FN void tbx_tell(const tbx_span *span, int n, size_t triangle, tribox_mesh_span_fn on_span, void *user,
                      size_t *count)
@@ -4741,13 +4745,11 @@ TBX_FN size_t tbx_mesh_spans(const tribox_grid *grid, const tbx_source *source, 
     tbx_frame f;
     tbx_walked w;
     size_t count = 0;
-    size_t t = 0;
+    size_t t;
     if (!tbx_frame_init(&f, grid)) {
         return 0;
     }
-#if TRIBOX_SIMD
-    t = tbx_mesh_spans_quick(&f, source, on_span, user, &count);
-#endif
+    t = TBX_EITHER(tbx_mesh_spans_quick(&f, source, on_span, user, &count), 0);
     for (; t < source->triangles; t++) {
         int n = tbx_walked_begin(&w, &f, source, t);
         while (n > 0) {
@@ -4887,16 +4889,12 @@ TBX_FN double tbx_floor_to(double x, double q)
     return (whole > units ? whole - 1.0 : whole) * q;
 }
 
-#if TRIBOX_SIMD /* section 11.3 */
-TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, const tbx_target *target);
-#endif
-
 TBX_FN void tbx_fill_mesh(const tribox_grid *grid, const tbx_source *source, uint64_t *bits)
 {
     tbx_target target;
     tbx_frame f;
     tbx_part all;
-    size_t t = 0;
+    size_t t;
     if (tribox_grid_words(grid) == 0 || !tbx_frame_init(&f, grid)) {
         return;
     }
@@ -4904,9 +4902,7 @@ TBX_FN void tbx_fill_mesh(const tribox_grid *grid, const tbx_source *source, uin
     target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
     target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
     tbx_part_all(&all, grid);
-#if TRIBOX_SIMD
-    t = tbx_fill_quick(&f, source, &target);
-#endif
+    t = TBX_EITHER(tbx_fill_quick(&f, source, &target), 0);
     for (; t < source->triangles; t++) {
         tbx_fill_triangle(&f, source, t, &all, &target);
     }
@@ -5665,22 +5661,16 @@ TBX_NOINLINE void tbx_solid_part(const tbx_solid *s, double v[3][3], int kind, i
     }
 }
 
-#if TRIBOX_SIMD /* section 11.5 */
-TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source);
-#endif
-
 TBX_FN void tbx_solid_fill_mesh(const tribox_grid *grid, const tbx_source *source, uint64_t *bits)
 {
     tbx_solid s;
     double v[3][3];
-    size_t t = 0;
+    size_t t;
     if (tribox_grid_words(grid) == 0) {
         return;
     }
     tbx_solid_init(&s, grid, bits);
-#if TRIBOX_SIMD
-    t = tbx_solid_quick_fill(&s, source);
-#endif
+    t = TBX_EITHER(tbx_solid_quick_fill(&s, source), 0);
     for (; t < source->triangles; t++) {
         const int kind = tbx_source_triangle(source, t, v);
         if (kind != TBX_NO_POINTS) {
@@ -6060,9 +6050,7 @@ TBX_FN int tbx_odd1(const float *x)
     return tbx_is_unusual(tbx_bits32(x));
 }
 
-#if TRIBOX_SIMD /* section 11.4 */
-TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const float d[3]);
-#else
+#if !TRIBOX_SIMD
 TBX_FN int tbx_odd3(const float x[3])
 {
     return tbx_odd1(x) | tbx_odd1(x + 1) | tbx_odd1(x + 2);
@@ -6704,19 +6692,11 @@ TBX_FOR_FORMAT int tbx_box_box(const void *a_min, const void *a_max, const void 
     return meet;
 }
 
-#if TRIBOX_SIMD /* section 11.4 */
-TBX_FN int tbx_box_box4(const float a_min[3], const float a_max[3], const float b_min[3],
-                        const float b_max[3]);
-#endif
-
 TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const float b_min[3],
                              const float b_max[3])
 {
-#if TRIBOX_SIMD
-    return tbx_box_box4(a_min, a_max, b_min, b_max);
-#else
-    return tbx_box_box(a_min, a_max, b_min, b_max, TBX_FLOAT);
-#endif
+    return TBX_EITHER(tbx_box_box4(a_min, a_max, b_min, b_max),
+                      tbx_box_box(a_min, a_max, b_min, b_max, TBX_FLOAT));
 }
 
 TRIBOX_FN int tribox_box_box_f64(const double a_min[3], const double a_max[3], const double b_min[3],
@@ -7092,13 +7072,6 @@ TBX_FN tbx_ray_ask tbx_ray_asked(const void *origin, const void *dir, const void
     return a;
 }
 
-#if TRIBOX_SIMD /* section 11.4 */
-TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float t[2], const float box_min[3],
-                          const float box_max[3], float *out_t0, float *out_t1);
-TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float box_min[3],
-                              const float box_max[3]);
-#endif
-
 TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_min, float t_max,
                              const float box_min[3], const float box_max[3], float *out_t0, float *out_t1)
 {
@@ -7106,14 +7079,7 @@ TRIBOX_FN int tribox_ray_box(const float origin[3], const float dir[3], float t_
     float t[2];
     TBX_COPY(&t[0], &t_min, sizeof t_min);
     TBX_COPY(&t[1], &t_max, sizeof t_max);
-#if TRIBOX_SIMD
-    {
-        const int verdict = tbx_ray_filter(origin, dir, t, box_min, box_max, out_t0, out_t1);
-        if (!TBX_RARELY(verdict == TBX_UNSURE)) {
-            return verdict;
-        }
-    }
-#endif
+    TBX_RETURN_IF_SURE(tbx_ray_filter(origin, dir, t, box_min, box_max, out_t0, out_t1));
     a = tbx_ray_asked(origin, dir, t, box_min, box_max, TBX_FLOAT);
     return tbx_ray_box(&a, out_t0, out_t1);
 }
@@ -7208,13 +7174,8 @@ TBX_NOINLINE int tbx_segment_float(const float *p, const float *q, const float *
 TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float box_min[3],
                                  const float box_max[3])
 {
-    int verdict = TBX_UNSURE;
-#if TRIBOX_SIMD
-    verdict = tbx_segment_filter(p, q, box_min, box_max);
-    if (!TBX_RARELY(verdict == TBX_UNSURE)) {
-        return verdict;
-    }
-#endif
+    int verdict;
+    TBX_RETURN_IF_SURE(tbx_segment_filter(p, q, box_min, box_max));
     verdict = tbx_segment_float(p, q, box_min, box_max);
     return verdict != TBX_UNSURE ? verdict : tbx_overlap_widened(p, q, q, box_min, box_max, 0);
 }
@@ -8156,36 +8117,16 @@ TBX_NOINLINE void tbx_gap_answer(const float *const v[3], const float box_min[3]
     }
 }
 
-#if TRIBOX_SIMD && TBX_DOUBLE_IS_53_BITS /* section 11.4 */
-/* 1/|l|, about, of edges 0..2 with units z, x, y, and, in the first row's last place, of the normal. */
-typedef struct tbx_gap_roots {
-    float of[12];
-} tbx_gap_roots;
-
-TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float v2[3],
-                               const float box_min[3], const float box_max[3], tbx_gap_roots *out_roots);
-TBX_FN int tbx_gap_near(const float *const v[5], const float lo[3], const float hi[3], unsigned mask,
-                        const tbx_gap_roots *roots, double *out_s, float out_axis[3]);
-TBX_FN unsigned tbx_gap_axes(unsigned mask);
-#endif
-
 TRIBOX_FN double tribox_gap(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
                             const float box_max[3], float out_axis[3])
 {
     const float *const v[5] = { v0, v1, v2, v0, v1 };
-    unsigned axes = TBX_GAP_ALL;
     double s;
-#if TRIBOX_SIMD && TBX_DOUBLE_IS_53_BITS
-    tbx_gap_roots roots;
-    const unsigned mask = tbx_gap_filter(v0, v1, v2, box_min, box_max, &roots);
-    if (!TBX_RARELY(mask == 0) &&
-        !TBX_RARELY(tbx_gap_near(v, box_min, box_max, mask, &roots, &s, out_axis) == 0)) {
-        return s;
+    const unsigned axes = TBX_EITHER(tbx_gap_quick(v, box_min, box_max, &s, out_axis), TBX_GAP_ALL);
+    if (TBX_RARELY(axes != 0)) {
+        tbx_gap_answer(v, box_min, box_max, axes, &s, out_axis);
+        TBX_KEEP(s); /* it may be infinite */
     }
-    axes = tbx_gap_axes(mask);
-#endif
-    tbx_gap_answer(v, box_min, box_max, axes, &s, out_axis);
-    TBX_KEEP(s); /* it may be infinite */
     return s;
 }
 
@@ -9245,16 +9186,6 @@ TBX_FN int tbx_ball_kind(const tbx_real c[3], const tbx_real *r)
     return r->key == TBX_KEY_INFINITY ? TBX_BALL_SPACE : TBX_BALL;
 }
 
-#if TRIBOX_SIMD /* section 11.4 */
-TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const float b[3],
-                              const float *b_radius);
-TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3], const float *radius);
-TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float box_min[3],
-                           const float box_max[3]);
-TBX_FN int tbx_pierce4(const float origin[3], const float dir[3], const float *from, const float center[3],
-                       const float *radius);
-#endif
-
 /* As a radius: also what is below 0. */
 TBX_FN int tbx_odd_radius(const float *r)
 {
@@ -9346,12 +9277,7 @@ TBX_NOINLINE int tbx_sphere_sphere_wide(const float a[3], uint32_t a_bits, const
 
 TRIBOX_FN int tribox_sphere_sphere(const float a[3], float a_radius, const float b[3], float b_radius)
 {
-#if TRIBOX_SIMD
-    const int quick = tbx_sphere_sphere4(a, &a_radius, b, &b_radius);
-    if (!TBX_RARELY(quick == TBX_UNSURE)) {
-        return quick;
-    }
-#endif
+    TBX_RETURN_IF_SURE(tbx_sphere_sphere4(a, &a_radius, b, &b_radius));
     return tbx_sphere_sphere_wide(a, tbx_bits32(&a_radius), b, tbx_bits32(&b_radius));
 }
 
@@ -9453,12 +9379,7 @@ TBX_NOINLINE int tbx_plane_sphere_wide(const float n[3], uint32_t d_bits, const 
 
 TRIBOX_FN int tribox_plane_sphere(const float n[3], float d, const float c[3], float radius)
 {
-#if TRIBOX_SIMD
-    const int quick = tbx_plane_sphere4(n, &d, c, &radius);
-    if (!TBX_RARELY(quick == TBX_UNSURE)) {
-        return quick;
-    }
-#endif
+    TBX_RETURN_IF_SURE(tbx_plane_sphere4(n, &d, c, &radius));
     return tbx_plane_sphere_wide(n, tbx_bits32(&d), c, tbx_bits32(&radius));
 }
 
@@ -9549,12 +9470,7 @@ TBX_NOINLINE int tbx_sphere_box_wide(const float c[3], uint32_t radius_bits, con
 TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_min[3],
                                 const float box_max[3])
 {
-#if TRIBOX_SIMD
-    const int quick = tbx_sphere_box4(c, &radius, box_min, box_max);
-    if (!TBX_RARELY(quick == TBX_UNSURE)) {
-        return quick;
-    }
-#endif
+    TBX_RETURN_IF_SURE(tbx_sphere_box4(c, &radius, box_min, box_max));
     return tbx_sphere_box_wide(c, tbx_bits32(&radius), box_min, box_max);
 }
 
@@ -11125,9 +11041,11 @@ TBX_FN unsigned tbx_octant_lanes(const tribox_tri *tri, tbx_f4 lower, tbx_f4 upp
 
 /* tbx_octant_values in lanes. */
 TBX_FN unsigned tbx_octant_values_simd(const tribox_tri *tri, const float lower[3], const float upper[3],
-                                       unsigned *out_unsure)
+                                       unsigned asked, unsigned *out_unsure)
 {
-    return tbx_octant_lanes(tri, tbx_load3(lower), tbx_load3(upper), out_unsure);
+    const unsigned hits = tbx_octant_lanes(tri, tbx_load3(lower), tbx_load3(upper), out_unsure);
+    *out_unsure &= asked;
+    return hits & asked;
 }
 
 /* The octants in the lower, or the upper, halves of axes that bits 0..2 name. */
@@ -15791,8 +15709,13 @@ TBX_FN int tbx_pierce4(const float origin[3], const float dir[3], const float *f
     }
 }
 
-#if TBX_DOUBLE_IS_53_BITS
 /* ---- Gap */
+
+#if TBX_DOUBLE_IS_53_BITS
+/* 1/|l|, about, of edges 0..2 with units z, x, y, and, in the first row's last place, of the normal. */
+typedef struct tbx_gap_roots {
+    float of[12];
+} tbx_gap_roots;
 
 /* 1/sqrt(x) to 1.5 * 2^-12: the processor's guess; or one that is off by 4 %, and two steps, each of which
  * squares that, times 1.5. x counts as 2^-113 at least, so that no square overflows. */
@@ -16290,6 +16213,24 @@ TBX_FN int tbx_gap_near(const float *const v[5], const float lo[3], const float 
     return sure;
 }
 #endif
+
+/* tribox_gap in lanes: the axes that are left to ask, none where it is sure. */
+TBX_FN unsigned tbx_gap_quick(const float *const v[5], const float box_min[3], const float box_max[3],
+                              double *out_s, float out_axis[3])
+{
+#if TBX_DOUBLE_IS_53_BITS
+    tbx_gap_roots roots;
+    const unsigned mask = tbx_gap_filter(v[0], v[1], v[2], box_min, box_max, &roots);
+    if (!TBX_RARELY(mask == 0) &&
+        !TBX_RARELY(tbx_gap_near(v, box_min, box_max, mask, &roots, out_s, out_axis) == 0)) {
+        return 0;
+    }
+    return tbx_gap_axes(mask);
+#else
+    (void)v, (void)box_min, (void)box_max, (void)out_s, (void)out_axis;
+    return TBX_GAP_ALL;
+#endif
+}
 
 #endif
 
@@ -17875,6 +17816,8 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_ALIGNED
 #undef TBX_EVAL_METHOD
 #undef TBX_DOUBLE_IS_53_BITS
+#undef TBX_EITHER
+#undef TBX_RETURN_IF_SURE
 #undef TBX_POW2
 #undef TBX_COORD_ROOM
 #undef TBX_COORD_LIMBS
