@@ -737,6 +737,13 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #define TBX_COLD TBX_NOINLINE
 #endif
 
+/* Inlined wherever it is called: a format or a number of voxels is a constant there. */
+#if TBX_GNU && !defined(__CUDACC__)
+#define TBX_FORCED TBX_FN __attribute__((always_inline))
+#else
+#define TBX_FORCED TBX_FN
+#endif
+
 /* The slow way of a test: rare, and kept to a single branch that the processor can foresee. */
 #if TBX_GNU
 #define TBX_RARELY(condition) __builtin_expect((condition), 0)
@@ -874,6 +881,20 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #define TBX_KEEP_SCALAR(x) TBX_KEEP(x)
 #define TBX_KEEP_POINTER(p) TBX_KEEP(p)
 #endif
+
+/* Several of a kind, SCALAR or VECTOR. */
+#define TBX_KEEP2(kind, a, b) \
+    TBX_KEEP_##kind(a);       \
+    TBX_KEEP_##kind(b)
+#define TBX_KEEP3(kind, a, b, c) \
+    TBX_KEEP_##kind(a);          \
+    TBX_KEEP_##kind(b);          \
+    TBX_KEEP_##kind(c)
+#define TBX_KEEP4(kind, a, b, c, d) \
+    TBX_KEEP_##kind(a);             \
+    TBX_KEEP_##kind(b);             \
+    TBX_KEEP_##kind(c);             \
+    TBX_KEEP_##kind(d)
 
 /* What section 11 adds to the scalar code, where TRIBOX_SIMD is 1, and how it is asked: in the place of a
  * value, or first, for an answer that may be UNSURE. */
@@ -1517,7 +1538,7 @@ TBX_COLD int tbx_orient3(const tbx_exact *f, const int q[3])
 
 /* The touching rule: which faces of a box are open, all lower ones, all upper ones. THIN means closed. A rule
  * moves exact zeros only, so no bound of floating-point arithmetic sees it. Who asks these two: of one box
- * tbx_exact_overlap, tbx_clip_box and tbx_clip_axis; of prepared boxes tbx_tri_start, tbx_tri_test,
+ * tbx_exact_overlap, tbx_clip_box and tbx_clip_axis; of prepared boxes tbx_tri_start, tbx_tri_faces,
  * tbx_octant_faces and, in lanes, tbx_tri_init_simd; of a grid tbx_frame_init and, in lanes,
  * tbx_quick_init; of a sweep tbx_sweep_box_valid; tribox_grid_segment.
  * All of these hold one answer for all three axes; a rule that differs by axis needs a mask in its place.
@@ -1921,10 +1942,7 @@ TBX_FN void tbx_axis_set(tbx_axis *r, double v0, double v1, double v2, double lo
     double a2 = v2 - v0;
     double from = lo - v0;
     double h = hi - lo;
-    TBX_KEEP_SCALAR(a1);
-    TBX_KEEP_SCALAR(a2);
-    TBX_KEEP_SCALAR(from);
-    TBX_KEEP_SCALAR(h);
+    TBX_KEEP4(SCALAR, a1, a2, from, h);
     r->a1 = a1;
     r->a2 = a2;
     r->m = 2.0 * from + h;
@@ -2090,9 +2108,7 @@ TBX_COLD int tbx_clipped_edge(const double v0[3], const double v1[3], const doub
         double from = clip->lo[k] - p[k];
         a[k] = q[k] - p[k];
         h[k] = clip->hi[k] - clip->lo[k];
-        TBX_KEEP_SCALAR(a[k]);
-        TBX_KEEP_SCALAR(h[k]);
-        TBX_KEEP_SCALAR(from);
+        TBX_KEEP3(SCALAR, a[k], h[k], from);
         m[k] = 2.0 * from + h[k];
     }
     for (k = 0; k < 3; k++) {
@@ -2900,22 +2916,26 @@ TBX_COLD int tbx_tri_decide(const tribox_tri *tri, const double p[3], unsigned o
                    : tbx_tri_exact(tri, p, octant);
 }
 
+/* Do the faces of axis k hold for [p, p + size]? */
+TBX_FN int tbx_tri_faces(const tribox_tri *tri, int k, const double *p)
+{
+    const double t_min = tri->t_min[k];
+    const double t_max = tri->t_max[k];
+    const double size = tri->size[k];
+    return tbx_key64(p) + tbx_lo_is_open(tri->flags) <= tbx_key64(&t_max) &&
+           tbx_face_sign(p, &size, 1, &t_min) >= tbx_hi_is_open(tri->flags);
+}
+
 /* The specification of the test: faces, the conditions in float, and exactly what they leave unsure. */
 TBX_NOINLINE int tbx_tri_test(const tribox_tri *tri, const double p[3])
 {
-    const int lo_is_open = tbx_lo_is_open(tri->flags);
-    const int hi_is_open = tbx_hi_is_open(tri->flags);
     int verdict = TBX_UNSURE;
     int k;
     if (tri->empty || !tbx_finite3(p)) {
         return 0;
     }
     for (k = 0; k < 3; k++) {
-        const double t_min = tri->t_min[k];
-        const double t_max = tri->t_max[k];
-        const double size = tri->size[k];
-        if (tbx_key64(&p[k]) + lo_is_open > tbx_key64(&t_max) ||
-            tbx_face_sign(&p[k], &size, 1, &t_min) < hi_is_open) {
+        if (!tbx_tri_faces(tri, k, &p[k])) {
             return 0;
         }
     }
@@ -2992,19 +3012,13 @@ TRIBOX_FN void tribox_tri_resize(tribox_tri *tri, const float size[3])
  * size, only the first is a box. */
 TBX_FN unsigned tbx_octant_faces(const tribox_tri *tri, int k, const double *p)
 {
-    const int lo_is_open = tbx_lo_is_open(tri->flags);
-    const int hi_is_open = tbx_hi_is_open(tri->flags);
     const double t_min = tri->t_min[k];
     const double t_max = tri->t_max[k];
     const double size = tri->size[k];
-    unsigned lower;
-    unsigned upper;
-    if (tbx_key64(p) + lo_is_open > tbx_key64(&t_max)) {
-        return 0;
-    }
-    lower = tbx_face_sign(p, &size, 1, &t_min) >= hi_is_open;
-    upper = tbx_is_finite(&size) && tbx_face_sign(p, &size, 1, &t_max) <= -lo_is_open &&
-            tbx_face_sign(p, &size, 2, &t_min) >= hi_is_open;
+    const unsigned lower = (unsigned)tbx_tri_faces(tri, k, p);
+    const unsigned upper = tbx_is_finite(&size) &&
+                           tbx_face_sign(p, &size, 1, &t_max) <= -tbx_lo_is_open(tri->flags) &&
+                           tbx_face_sign(p, &size, 2, &t_min) >= tbx_hi_is_open(tri->flags);
     return lower | upper << 1;
 }
 
@@ -5902,9 +5916,15 @@ typedef struct tbx_real {
 
 #define TBX_KEY_INFINITY ((int64_t)2047 << 52)
 
+/* The sign of a - b. */
+TBX_FN int tbx_key_order(int64_t a, int64_t b)
+{
+    return (a > b) - (a < b);
+}
+
 TBX_FN int tbx_key_sign(int64_t key)
 {
-    return (key > 0) - (key < 0);
+    return tbx_key_order(key, 0);
 }
 
 TBX_FN int tbx_key_is_finite(int64_t key)
@@ -5982,16 +6002,9 @@ TBX_FN int tbx_read3(tbx_real out[3][3], const void *x, const void *y, const voi
     return tbx_read(out[0], x, 3, format) | tbx_read(out[1], y, 3, format) | tbx_read(out[2], z, 3, format);
 }
 
-/* A function that is inlined twice, with each of the formats as a constant. */
-#if TBX_GNU && !defined(__CUDACC__)
-#define TBX_FOR_FORMAT TBX_FN __attribute__((always_inline))
-#else
-#define TBX_FOR_FORMAT TBX_FN
-#endif
-
 /* Looks at a number: negative unless it is 0, or finite, in the range of the run in double, and no subnormal
  * float. */
-TBX_FOR_FORMAT int64_t tbx_scan(const char *x, int format)
+TBX_FORCED int64_t tbx_scan(const char *x, int format)
 {
     int64_t magnitude;
     int64_t least = (int64_t)(1023 - 97) << 52;
@@ -6010,7 +6023,7 @@ TBX_FOR_FORMAT int64_t tbx_scan(const char *x, int format)
     return ((magnitude - least) & -magnitude) | (most - magnitude);
 }
 
-TBX_FOR_FORMAT int64_t tbx_scan3(const void *x, int format)
+TBX_FORCED int64_t tbx_scan3(const void *x, int format)
 {
     const size_t size = format == TBX_FLOAT ? sizeof(float) : sizeof(double);
     return tbx_scan((const char *)x, format) | tbx_scan((const char *)x + size, format) |
@@ -6026,7 +6039,7 @@ TBX_FN double tbx_take(const float *x)
 }
 
 /* Three numbers, likewise. */
-TBX_FOR_FORMAT void tbx_take3_float(double out[3], const void *x)
+TBX_FORCED void tbx_take3_float(double out[3], const void *x)
 {
     const float *there = (const float *)x;
     TBX_KEEP_POINTER(there);
@@ -6035,7 +6048,7 @@ TBX_FOR_FORMAT void tbx_take3_float(double out[3], const void *x)
     out[2] = (double)there[2];
 }
 
-TBX_FOR_FORMAT void tbx_take3(double out[3], const void *x, int format)
+TBX_FORCED void tbx_take3(double out[3], const void *x, int format)
 {
     if (format == TBX_FLOAT) {
         tbx_take3_float(out, x);
@@ -6099,9 +6112,12 @@ TBX_FN int64_t tbx_format_key(int64_t key, int format)
     return key < 0 ? -narrow : narrow;
 }
 
-/* Writes number i of an array of the format. */
+/* Writes number i of an array of the format, if it is wanted. */
 TBX_FN void tbx_write(void *out, int i, int format, int64_t key)
 {
+    if (out == NULL) {
+        return;
+    }
     if (format == TBX_FLOAT) {
         const uint32_t bits = (uint32_t)tbx_magnitude64(key) | (key < 0 ? 0x80000000u : 0u);
         TBX_COPY((char *)out + 4 * i, &bits, sizeof bits);
@@ -6121,16 +6137,17 @@ TBX_FN int tbx_finite(const tbx_real *x, int n)
     return finite;
 }
 
-/* Does the closed box hold a real point? Not with NaN, min > max, or both faces at one infinity. */
+/* Does lo..hi hold a real number? Not with NaN, lo > hi, or both at one infinity. */
+TBX_FN int tbx_range_valid(const tbx_real *lo, const tbx_real *hi)
+{
+    return lo->key <= hi->key && lo->key >= -TBX_KEY_INFINITY && lo->key < TBX_KEY_INFINITY &&
+           hi->key <= TBX_KEY_INFINITY && hi->key > -TBX_KEY_INFINITY;
+}
+
 TBX_FN int tbx_box_valid(const tbx_real lo[3], const tbx_real hi[3])
 {
-    int valid = 1;
-    int k;
-    for (k = 0; k < 3; k++) {
-        valid &= lo[k].key <= hi[k].key && lo[k].key >= -TBX_KEY_INFINITY && lo[k].key < TBX_KEY_INFINITY &&
-                 hi[k].key <= TBX_KEY_INFINITY && hi[k].key > -TBX_KEY_INFINITY;
-    }
-    return valid;
+    return tbx_range_valid(&lo[0], &hi[0]) & tbx_range_valid(&lo[1], &hi[1]) &
+           tbx_range_valid(&lo[2], &hi[2]);
 }
 
 /* ---- numbers of the two runs: tbx_num */
@@ -6288,27 +6305,35 @@ TBX_NOINLINE void tbx_num_mul_exact(tbx_calc *c, tbx_num *r, const tbx_num *a, c
  * ends. */
 #define TBX_STORE (98304 / TBX_LIMB_BITS)
 
-/* |a|, not 0, as out_value * 2^(the exponent returned), out_value in [1, 2^33), to within 2^-32 (2^-20 where
- * double arithmetic has 24 bits) of itself: its highest 96 bits. */
+/* |a|, not 0, cut to its 64 highest bits, the first of them set, times 2^exponent. */
+TBX_FN uint64_t tbx_num_top(const tbx_calc *c, const tbx_num *a, int *out_exponent)
+{
+    int i = a->exponent + a->n - 1;
+    int shift = 0;
+    uint64_t top = (uint64_t)tbx_num_limb(c, a, i);
+    uint64_t rest = (uint64_t)tbx_num_limb(c, a, i - 1);
+#if TBX_LIMB_BITS == 32
+    top = top << 32 | rest;
+    rest = (uint64_t)tbx_num_limb(c, a, i - 2) << 32;
+    i--;
+#endif
+#if TBX_HAS_ASM
+    shift = __builtin_clzll(top);
+#else
+    while (top << shift >> 63 == 0) {
+        shift++;
+    }
+#endif
+    *out_exponent = i * TBX_LIMB_BITS - shift;
+    return shift != 0 ? top << shift | rest >> (64 - shift) : top;
+}
+
+/* |a|, not 0, as out_value * 2^(the exponent returned), to a few ulp of double. */
 TBX_COLD int tbx_num_value_exact(const tbx_calc *c, const tbx_num *a, double *out_value)
 {
-    const int top = (a->exponent + a->n) * (TBX_LIMB_BITS / 32) - 1; /* in pieces of 32 bits */
-    double value = 0.0;
-    int piece = top;
-    int lowest;
-    int i;
-    while ((uint32_t)(tbx_num_limb(c, a, a->exponent + a->n - 1) >>
-                      (piece == top ? TBX_LIMB_BITS - 32 : 0)) == 0) {
-        piece--;
-    }
-    lowest = piece - 2;
-    for (i = lowest; i <= piece; i++) {
-        const int limb = (i + 4096) / (TBX_LIMB_BITS / 32) - 4096 / (TBX_LIMB_BITS / 32);
-        const int shift = (i - limb * (TBX_LIMB_BITS / 32)) * 32;
-        value = value * (1.0 / 4294967296.0) + (double)(uint32_t)(tbx_num_limb(c, a, limb) >> shift);
-    }
-    *out_value = value;
-    return 32 * piece;
+    int exponent;
+    *out_value = (double)(int64_t)(tbx_num_top(c, a, &exponent) >> 1);
+    return exponent + 1;
 }
 
 /* r = mantissa * 2^exponent; in double, |mantissa| <= 2^53 and the value in range */
@@ -6669,12 +6694,12 @@ TBX_FN int64_t tbx_fraction_round(tbx_calc *c, const tbx_fraction *x, int format
 /* ---- two boxes */
 
 /* A number's key in its own format. */
-TBX_FOR_FORMAT int64_t tbx_own_key(const void *x, int k, int format)
+TBX_FORCED int64_t tbx_own_key(const void *x, int k, int format)
 {
     return format == TBX_FLOAT ? (int64_t)tbx_key32((const float *)x + k) : tbx_key64((const double *)x + k);
 }
 
-TBX_FOR_FORMAT int tbx_box_box(const void *a_min, const void *a_max, const void *b_min, const void *b_max,
+TBX_FORCED int tbx_box_box(const void *a_min, const void *a_max, const void *b_min, const void *b_max,
                                int format)
 {
     const int64_t infinity = format == TBX_FLOAT ? TBX_FLOAT_INFINITY : TBX_KEY_INFINITY;
@@ -6788,10 +6813,7 @@ TBX_FN int tbx_ray_read(tbx_ray *r, const void *origin, const void *dir, const v
 /* A ray as a question: origin and direction finite, some real t in [t_min, t_max]. */
 TBX_FN int tbx_ray_valid(const tbx_ray *r)
 {
-    return tbx_finite(r->origin, 3) & tbx_finite(r->dir, 3) &
-           (r->t[0].key <= r->t[1].key && r->t[0].key >= -TBX_KEY_INFINITY &&
-            r->t[0].key < TBX_KEY_INFINITY && r->t[1].key <= TBX_KEY_INFINITY &&
-            r->t[1].key > -TBX_KEY_INFINITY);
+    return tbx_finite(r->origin, 3) & tbx_finite(r->dir, 3) & tbx_range_valid(&r->t[0], &r->t[1]);
 }
 
 typedef struct tbx_slabs {
@@ -6941,7 +6963,7 @@ TBX_FN int tbx_slabs_only(const double ends[4], double t)
 /* The slabs in double. A time is at most 2^131 * 2^97. The largest lower and the least upper end are no
  * farther from the exact ones than their errors. On a hit: axis[e] is the only one that may bring that end
  * (-1: t_min, t_max), t its time. */
-TBX_FOR_FORMAT int tbx_slabs_filter(const tbx_ray_ask *a, double t[2], int axis[2], int format)
+TBX_FORCED int tbx_slabs_filter(const tbx_ray_ask *a, double t[2], int axis[2], int format)
 {
     tbx_real t_end[2];
     double x[4][3];
@@ -7141,7 +7163,7 @@ TBX_FN int tbx_chord_across(const tbx_chord *b, const tbx_chord *c)
     return tbx_more(bound, value) + tbx_more(-bound, value);
 }
 
-TBX_FOR_FORMAT int tbx_segment_filter64(const void *p, const void *q, const void *box_min,
+TBX_FORCED int tbx_segment_filter64(const void *p, const void *q, const void *box_min,
                                         const void *box_max, int format)
 {
     tbx_chord axis[3];
@@ -7213,8 +7235,7 @@ typedef struct tbx_motion {
     int axes;            /* so many of the 13 are asked */
     int open;            /* 1: touching does not count, every condition is strict */
     tbx_fraction end[2]; /* of the interval of t so far */
-    int end_axis[2];     /* the axis that brought it, -1: t_min, t_max; its side of T: */
-    int end_side[2];
+    int end_axis[2];     /* the axis that brought it, -1: t_min, t_max */
     int empty;
     int n_sign[3]; /* of the normal */
     int opens;     /* the axis whose interval opens at `first`, -1 if none; its side of T: */
@@ -7261,7 +7282,6 @@ TBX_FN void tbx_motion_keep(tbx_motion *m, const tbx_num *c0, const tbx_num *c1,
     if (tighter > 0) {
         tbx_motion_set_end(m, e, &t);
         m->end_axis[e] = axis;
-        m->end_side[e] = side;
     }
 }
 
@@ -7632,7 +7652,7 @@ TBX_NOINLINE int tbx_shot_answer(const void *const ray[3], const void *const v[3
         verdict = tbx_shot_flat(&m, &s);
         key = verdict ? tbx_motion_round(&m, 0, format) : 0;
     }
-    if (verdict == TBX_HIT && out_t != NULL) {
+    if (verdict == TBX_HIT) {
         tbx_write(out_t, 0, format, key);
     }
     return verdict;
@@ -7780,10 +7800,8 @@ TBX_NOINLINE int tbx_sweep_answer(tbx_motion *m, int axes, float *out_t0, float 
     do {
         hit = tbx_sweep_run(m, key, axis);
     } while (tbx_calc_again(&m->calc));
-    if (hit && out_t0 != NULL) {
+    if (hit) {
         tbx_write(out_t0, 0, TBX_FLOAT, key[0]);
-    }
-    if (hit && out_t1 != NULL) {
         tbx_write(out_t1, 0, TBX_FLOAT, key[1]);
     }
     if (hit && out_axis != NULL) {
@@ -7915,26 +7933,6 @@ TBX_FN int tbx_gap_compare(tbx_calc *c, const tbx_gap *a, const tbx_gap *b)
     difference = a->s - b->s;
     c->unsure |= !(tbx_abs(difference) > error) && error > 0.0;
     return (difference > 0.0) - (difference < 0.0);
-}
-
-/* |a|, not 0, cut to its 64 highest bits, the first of them set, times 2^exponent. */
-TBX_FN uint64_t tbx_num_top(const tbx_calc *c, const tbx_num *a, int *out_exponent)
-{
-    int i = a->exponent + a->n - 1;
-    uint64_t top = (uint64_t)tbx_num_limb(c, a, i);
-    uint64_t rest = (uint64_t)tbx_num_limb(c, a, i - 1);
-#if TBX_LIMB_BITS == 32
-    top = top << 32 | rest;
-    rest = (uint64_t)tbx_num_limb(c, a, i - 2) << 32;
-    i--;
-#endif
-    *out_exponent = i * TBX_LIMB_BITS;
-    while (top >> 63 == 0) {
-        top = top << 1 | rest >> 63;
-        rest <<= 1;
-        (*out_exponent)--;
-    }
-    return top;
 }
 
 /* g/|l| in integers, to 2^-51 of itself: the root to 60 bits and the quotient to 58, digit by digit. Every
@@ -8167,22 +8165,17 @@ TBX_FN void tbx_nearest_face(tbx_calc *c, const tbx_nearest_work *w, int k, tbx_
     tbx_num_keep(c, mark, r, 1);
 }
 
-/* Rounds weights that are parts of the same whole. */
-TBX_FN int64_t tbx_nearest_weight(tbx_calc *c, tbx_fraction *w, int format)
-{
-    const int mark = c->used;
-    const int64_t key = tbx_fraction_round(c, w, format, TBX_NEAREST);
-    c->used = mark;
-    return key;
-}
-
-/* Which corner (its number), edge (3 + the corner across it) or face (6) is nearest? */
-TBX_FN int tbx_nearest_feature(tbx_calc *c, tbx_nearest_work *w)
+/* Which corner (its number), edge (3 + the corner across it) or face (6) is nearest? Leaves the work. */
+TBX_FN int tbx_nearest_feature(tbx_calc *c, const tbx_nearest *p, tbx_nearest_work *w)
 {
     int along[3][3];
     int i;
     int j;
     int k;
+    for (k = 0; k < 3; k++) {
+        tbx_num_difference3(c, w->to_q[k], p->q, p->v[k]);
+        tbx_num_difference3(c, w->edge[k], p->v[(k + 1) % 3], p->v[k]);
+    }
     for (i = 0; i < 3; i++) {
         for (j = 0; j < 3; j++) {
             const int mark = c->used;
@@ -8220,13 +8213,8 @@ TBX_FN void tbx_nearest_run(tbx_calc *c, const tbx_nearest *p, int format, int64
 {
     tbx_nearest_work work;
     tbx_fraction w;
-    int feature;
+    const int feature = tbx_nearest_feature(c, p, &work);
     int k;
-    for (k = 0; k < 3; k++) {
-        tbx_num_difference3(c, work.to_q[k], p->q, p->v[k]);
-        tbx_num_difference3(c, work.edge[k], p->v[(k + 1) % 3], p->v[k]);
-    }
-    feature = tbx_nearest_feature(c, &work);
     if (c->unsure) {
         return;
     }
@@ -8239,15 +8227,15 @@ TBX_FN void tbx_nearest_run(tbx_calc *c, const tbx_nearest *p, int format, int64
         tbx_nearest_dot(c, &work, i, j, &other);
         tbx_nearest_dot(c, &work, j, i, &w.n);
         tbx_num_add(c, &w.d, &w.n, &other, 1);
-        weights[i] = tbx_nearest_weight(c, &w, format);
+        weights[i] = tbx_fraction_round(c, &w, format, TBX_NEAREST);
         w.n = other;
-        weights[j] = tbx_nearest_weight(c, &w, format);
+        weights[j] = tbx_fraction_round(c, &w, format, TBX_NEAREST);
     } else {
         tbx_num_dot(c, &w.d, work.n, work.n);
         for (k = 0; k < 3; k++) {
             const int mark = c->used;
             tbx_nearest_face(c, &work, k, &w.n);
-            weights[k] = tbx_nearest_weight(c, &w, format);
+            weights[k] = tbx_fraction_round(c, &w, format, TBX_NEAREST);
             c->used = mark;
         }
     }
@@ -8399,9 +8387,7 @@ TBX_FN int tbx_cut_side(tbx_cut *t, tbx_vertex x, int line)
     tbx_fraction face;
     int order;
     if (given != NULL) {
-        return (given->key > f->key) - (given->key < f->key) == 0 ? 0
-               : given->key > f->key                              ? inward
-                                                                  : -inward;
+        return inward * tbx_key_order(given->key, f->key);
     }
     tbx_cut_coordinate(t, x, tbx_line_axis(line), &at);
     tbx_fraction_of(&t->calc, &face, f);
@@ -8453,7 +8439,7 @@ TBX_FN int tbx_cut_compare(tbx_cut *t, tbx_vertex x, tbx_vertex y)
         const tbx_real *x_given = tbx_cut_given(t, x, k);
         const tbx_real *y_given = tbx_cut_given(t, y, k);
         if (x_given != NULL && y_given != NULL) {
-            order = (x_given->key > y_given->key) - (x_given->key < y_given->key);
+            order = tbx_key_order(x_given->key, y_given->key);
         } else {
             const int mark = t->calc.used;
             tbx_fraction x_k;
@@ -8616,7 +8602,7 @@ typedef struct tbx_query_face {
     int64_t at;
 } tbx_query_face;
 
-TBX_FOR_FORMAT int64_t tbx_query_bits(const char *x, int format)
+TBX_FORCED int64_t tbx_query_bits(const char *x, int format)
 {
     if (format == TBX_FLOAT) {
         int32_t bits;
@@ -8629,7 +8615,7 @@ TBX_FOR_FORMAT int64_t tbx_query_bits(const char *x, int format)
     }
 }
 
-TBX_FOR_FORMAT void tbx_query_set_face(tbx_query_face *face, const void *box, int axis, int is_upper,
+TBX_FORCED void tbx_query_set_face(tbx_query_face *face, const void *box, int axis, int is_upper,
                                        int format)
 {
     const int64_t magnitudes = format == TBX_FLOAT ? 0x7fffffff : (int64_t)0x7fffffffffffffffu;
@@ -8645,7 +8631,7 @@ TBX_FOR_FORMAT void tbx_query_set_face(tbx_query_face *face, const void *box, in
 
 /* Do all three corners lie beyond the face? NaN and infinite corners may: they touch nothing. In floats
  * one after the other, which is 1.3 x faster, since neighbours are alike. */
-TBX_FOR_FORMAT int tbx_beyond(const char *const corner[3], const tbx_query_face *face, int format)
+TBX_FORCED int tbx_beyond(const char *const corner[3], const tbx_query_face *face, int format)
 {
     if (format == TBX_FLOAT) {
         const int32_t flip = (int32_t)face->flip;
@@ -8688,7 +8674,7 @@ TBX_NOINLINE int tbx_query_touches(const char *v0, const char *v1, const char *v
 }
 
 /* Neighbours in a mesh lie beyond the same face: the one that served last is asked first. */
-TBX_FOR_FORMAT size_t tbx_query_run(const tbx_query *q, const uint32_t *index, size_t stride, int format)
+TBX_FORCED size_t tbx_query_run(const tbx_query *q, const uint32_t *index, size_t stride, int format)
 {
     const char *positions = q->mesh.positions;
     const size_t triangles = q->mesh.triangles;
@@ -9023,9 +9009,7 @@ TBX_FN void tbx_segment_times(tbx_segment *s, int k)
         double d;
         double error;
         TBX_KEEP_SCALAR(p); /* or compilers subtract and divide before they ask */
-        TBX_KEEP_SCALAR(q);
-        TBX_KEEP_SCALAR(start);
-        TBX_KEEP_SCALAR(voxel);
+        TBX_KEEP3(SCALAR, q, start, voxel);
         d = q - p; /* at least 2^-352 */
         TBX_KEEP_SCALAR(d);
         error = (tbx_abs(start) + tbx_abs(p) + tbx_abs(q) + voxel) / tbx_abs(d) + 1.0;
@@ -9474,109 +9458,53 @@ TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_
     return tbx_sphere_box_wide(c, tbx_bits32(&radius), box_min, box_max);
 }
 
-/* ---- sphere and triangle
- *
- * They share a point iff the centre is within r of a corner; or of an edge's line, with its foot on the edge;
- * or of the plane, with its foot in T. */
-typedef struct tbx_touch {
-    tbx_calc calc;
-    tbx_real v[3][3];
-    tbx_real center[3];
-    tbx_num r;
-} tbx_touch;
+/* ---- sphere and triangle */
 
-/* Edge ij, if it has any length: |e x (c - v_i)|^2 <= r^2 |e|^2, and 0 <= e.(c - v_i) <= |e|^2. */
-TBX_FN int tbx_touch_edge(tbx_touch *t, const tbx_real v[3], const tbx_real w[3])
-{
-    tbx_calc *c = &t->calc;
-    const int mark = c->used;
-    tbx_num e[3];
-    tbx_num x[3];
-    tbx_num y[3];
-    tbx_num along;
-    tbx_num square;
-    int touches;
-    int k;
-    tbx_num_difference3(c, e, w, v);
-    tbx_num_difference3(c, x, t->center, v);
-    if (tbx_num_sign(c, &e[0]) == 0 && tbx_num_sign(c, &e[1]) == 0 && tbx_num_sign(c, &e[2]) == 0) {
-        return 0;
-    }
-    tbx_num_dot(c, &along, e, x);
-    tbx_num_dot(c, &square, e, e);
-    tbx_num_cross(c, y, e, x);
-    for (k = 0; k < 3; k++) {
-        tbx_num_mul(c, &e[k], &e[k], &t->r);
-    }
-    tbx_num_add(c, &square, &square, &along, -1);
-    touches = tbx_num_sign(c, &along) >= 0 && tbx_num_sign(c, &square) >= 0;
-    tbx_num_dot(c, &along, y, y);
-    tbx_num_dot(c, &square, e, e);
-    tbx_num_add(c, &square, &square, &along, -1);
-    touches = touches && tbx_num_sign(c, &square) >= 0;
-    c->used = mark;
-    return touches;
-}
-
-/* The face: (n.(c - v0))^2 <= r^2 |n|^2, and the foot on no outer side of an edge: n.((v_i - c) x (v_j - c))
- * is not negative. */
-TBX_FN int tbx_touch_face(tbx_touch *t)
-{
-    tbx_calc *c = &t->calc;
-    tbx_num n[3];
-    tbx_num x[3];
-    tbx_num y;
-    int touches = 1;
-    int mark;
-    int i;
-    int k;
-    tbx_num_normal(c, n, t->v[0], t->v[1], t->v[2]);
-    if (n[0].sign == 0 && n[1].sign == 0 && n[2].sign == 0) {
-        return 0;
-    }
-    mark = c->used;
-    for (i = 0; i < 3; i++) {
-        tbx_num_normal(c, x, t->center, t->v[i], t->v[(i + 1) % 3]);
-        tbx_num_dot(c, &y, n, x);
-        touches = touches && tbx_num_sign(c, &y) >= 0;
-        c->used = mark;
-    }
-    tbx_num_difference3(c, x, t->center, t->v[0]);
-    tbx_num_dot(c, &y, n, x);
-    for (k = 0; k < 3; k++) {
-        tbx_num_mul(c, &n[k], &n[k], &t->r);
-    }
-    return touches && tbx_ball_compare(c, n, &y) >= 0;
-}
-
+/* By what of T is nearest to the centre, d from a corner of it: the corner, |d|^2 <= r^2; an edge e, |e x d|^2
+ * <= r^2 |e|^2; the face, (n.d)^2 <= r^2 |n|^2. */
 TBX_COLD int tbx_sphere_triangle_exact(const float center[3], const float *radius, const float *const v[3])
 {
     tbx_limb store[TBX_STORE];
-    tbx_touch t;
-    tbx_real r;
+    tbx_calc c;
+    tbx_nearest p;
+    tbx_nearest_work work;
+    tbx_real radius_read;
+    const tbx_num *d;
+    const tbx_num *l;
+    tbx_num r;
+    tbx_num x[3];
+    tbx_num square;
     int kind;
-    int i;
-    tbx_calc_begin(&t.calc, 1, store);
-    tbx_read(t.center, center, 3, TBX_FLOAT);
-    tbx_read1(&r, radius, TBX_FLOAT);
-    tbx_read3(t.v, v[0], v[1], v[2], TBX_FLOAT);
-    kind = tbx_ball_kind(t.center, &r);
-    if (kind != TBX_BALL || !tbx_finite(t.v[0], 9)) {
-        return kind == TBX_BALL_SPACE && tbx_finite(t.v[0], 9);
+    int feature;
+    tbx_calc_begin(&c, 1, store);
+    tbx_read(p.q, center, 3, TBX_FLOAT);
+    tbx_read1(&radius_read, radius, TBX_FLOAT);
+    tbx_read3(p.v, v[0], v[1], v[2], TBX_FLOAT);
+    kind = tbx_ball_kind(p.q, &radius_read);
+    if (kind != TBX_BALL || !tbx_finite(p.v[0], 9)) {
+        return kind == TBX_BALL_SPACE && tbx_finite(p.v[0], 9);
     }
-    tbx_num_of(&t.calc, &t.r, &r);
-    for (i = 0; i < 3; i++) {
-        const int mark = t.calc.used;
-        tbx_num d[3];
-        int near_enough;
-        tbx_num_difference3(&t.calc, d, t.center, t.v[i]);
-        near_enough = tbx_ball_compare(&t.calc, d, &t.r) <= 0;
-        t.calc.used = mark;
-        if (near_enough || tbx_touch_edge(&t, t.v[i], t.v[(i + 1) % 3])) {
-            return 1;
-        }
+    tbx_num_of(&c, &r, &radius_read);
+    feature = tbx_nearest_feature(&c, &p, &work);
+    if (feature < 3) {
+        return tbx_ball_compare(&c, work.to_q[feature], &r) <= 0;
     }
-    return tbx_touch_face(&t);
+    d = work.to_q[(feature + 1) % 3];
+    if (feature < 6) {
+        l = work.edge[(feature + 1) % 3];
+        tbx_num_cross(&c, x, l, d);
+    } else {
+        l = work.n;
+        tbx_num_dot(&c, &x[0], l, d);
+        tbx_num_integer(&c, &x[1], 0, 0);
+        x[2] = x[1];
+    }
+    tbx_num_dot(&c, &square, l, l);
+    tbx_num_mul(&c, &square, &square, &r);
+    tbx_num_mul(&c, &square, &square, &r);
+    tbx_num_dot(&c, &r, x, x);
+    tbx_num_add(&c, &square, &square, &r, -1);
+    return square.sign >= 0;
 }
 
 /* Weights of v1 and v2 for a point of T near the one that is nearest to the centre. a, b: v1 - v0, v2 - v0;
@@ -9965,10 +9893,8 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
     if (TBX_RARELY(hit == TBX_UNSURE)) {
         hit = tbx_ray_sphere_exact(origin, dir, t, c, &radius, key);
     }
-    if (hit && out_t0 != NULL) {
+    if (hit) {
         tbx_write(out_t0, 0, TBX_FLOAT, key[0]);
-    }
-    if (hit && out_t1 != NULL) {
         tbx_write(out_t1, 0, TBX_FLOAT, key[1]);
     }
     return hit;
@@ -10240,9 +10166,7 @@ TBX_FN int tbx_segment4(tbx_f4 p, tbx_f4 q, tbx_f4 lower, tbx_f4 upper, int *out
     tbx_f4 a = q - p;
     tbx_f4 l = lower - p;
     tbx_f4 h = upper - lower;
-    TBX_KEEP_VECTOR(a);
-    TBX_KEEP_VECTOR(l);
-    TBX_KEEP_VECTOR(h);
+    TBX_KEEP3(VECTOR, a, l, h);
     {
         const tbx_f4 m = l + l + h;
         const tbx_f4 e = tbx_abs4(a);
@@ -10311,11 +10235,8 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
     if (TBX_RARELY(tbx_any(tbx_splat_int(0x52ffffff) - greatest))) {
         return TBX_UNSURE;
     }
-    TBX_KEEP_VECTOR(p0);
-    TBX_KEEP_VECTOR(p1);
-    TBX_KEEP_VECTOR(p2);
-    TBX_KEEP_VECTOR(lo);
-    TBX_KEEP_VECTOR(hi);
+    TBX_KEEP3(VECTOR, p0, p1, p2);
+    TBX_KEEP2(VECTOR, lo, hi);
     {
         const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
         const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
@@ -10324,10 +10245,7 @@ TBX_FN int tbx_filter4(const float v0[3], const float v1[3], const float v2[3], 
         tbx_f4 a2 = p2 - p0;
         tbx_f4 l = lower - p0;
         tbx_f4 h = tbx_min4(hi, t_max) - lower;
-        TBX_KEEP_VECTOR(a1);
-        TBX_KEEP_VECTOR(a2);
-        TBX_KEEP_VECTOR(l);
-        TBX_KEEP_VECTOR(h);
+        TBX_KEEP4(VECTOR, a1, a2, l, h);
         {
             const tbx_f4 m = l * tbx_splat(2.0f) + h;
             const tbx_f4 e0 = tbx_abs4(a1);
@@ -10499,10 +10417,7 @@ TBX_FN void tbx_axes_set(tbx_axes *r, tbx_d2 p0, tbx_d2 p1, tbx_d2 p2, tbx_d2 lo
         tbx_d2 a2 = p2 - p0;
         tbx_d2 l = lower - p0;
         tbx_d2 h = upper - lower;
-        TBX_KEEP_VECTOR(a1);
-        TBX_KEEP_VECTOR(a2);
-        TBX_KEEP_VECTOR(l);
-        TBX_KEEP_VECTOR(h);
+        TBX_KEEP4(VECTOR, a1, a2, l, h);
         {
             const tbx_d2 x = tbx_abs2(a1) + tbx_abs2(a2);
             const tbx_l2 bits = (tbx_l2)(x + (tbx_d2)tiny);
@@ -10596,16 +10511,9 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
     if (TBX_RARELY(tbx_any(tbx_splat_int(((1023 + 300) << 20) - 1) - greatest))) {
         return TBX_UNSURE;
     }
-    TBX_KEEP_VECTOR(p0);
-    TBX_KEEP_VECTOR(p1);
-    TBX_KEEP_VECTOR(p2);
-    TBX_KEEP_VECTOR(lo);
-    TBX_KEEP_VECTOR(hi);
-    TBX_KEEP_VECTOR(z0);
-    TBX_KEEP_VECTOR(z1);
-    TBX_KEEP_VECTOR(z2);
-    TBX_KEEP_VECTOR(z_lo);
-    TBX_KEEP_VECTOR(z_hi);
+    TBX_KEEP4(VECTOR, p0, p1, p2, lo);
+    TBX_KEEP3(VECTOR, hi, z0, z1);
+    TBX_KEEP3(VECTOR, z2, z_lo, z_hi);
     tbx_axes_set(&xy, p0, p1, p2, lo, hi, none);
     tbx_axes_set(&z, z0, z1, z2, z_lo, z_hi, tiny);
     tbx_side_set(&sx, TBX_PAIR(xy.a1, xy.a2, 0, 2), TBX_PAIR(xy.m, xy.m, 0, 0), TBX_PAIR(xy.h, xy.h, 0, 0),
@@ -10866,10 +10774,7 @@ TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[
     if (TBX_RARELY((tbx_signs(far_off | sizes) & 7) != 0)) {
         return 0;
     }
-    TBX_KEEP_VECTOR(p0);
-    TBX_KEEP_VECTOR(p1);
-    TBX_KEEP_VECTOR(p2);
-    TBX_KEEP_VECTOR(sizes);
+    TBX_KEEP4(VECTOR, p0, p1, p2, sizes);
     {
         const tbx_f4 t_min = tbx_min4(tbx_min4(p0, p1), p2);
         const tbx_f4 t_max = tbx_max4(tbx_max4(p0, p1), p2);
@@ -10880,10 +10785,7 @@ TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[
         s.e[1] = p2 - p1;
         s.e[2] = p0 - p2;
         s.extent = t_max - t_min;
-        TBX_KEEP_VECTOR(s.e[0]);
-        TBX_KEEP_VECTOR(s.e[1]);
-        TBX_KEEP_VECTOR(s.e[2]);
-        TBX_KEEP_VECTOR(s.extent);
+        TBX_KEEP4(VECTOR, s.e[0], s.e[1], s.e[2], s.extent);
         s.reach = tbx_max4(s.extent + s.size, tbx_splat(9.313225746154785e-10f)); /* 2^-30 */
         /* lane 3 of `tiny` is seen as too small unless this processor reads or writes subnormals as zero */
         refused = tbx_signs(tbx_above(s.reach, most) | tbx_below(s.extent + tiny, 0x30800000));
@@ -11077,14 +10979,11 @@ TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
     TBX_KEEP_VECTOR(x);
     lower = x - tbx_load4(tri->ref);
     sum = x + step;
-    TBX_KEEP_VECTOR(lower);
-    TBX_KEEP_VECTOR(sum);
+    TBX_KEEP2(VECTOR, lower, sum);
     upper = lower + step;
     without_x = sum - x;
     without_step = sum - step;
-    TBX_KEEP_VECTOR(upper);
-    TBX_KEEP_VECTOR(without_x);
-    TBX_KEEP_VECTOR(without_step);
+    TBX_KEEP3(VECTOR, upper, without_x, without_step);
     {
         const tbx_i4 out = tbx_parted(tri, (tbx_i4)x);
         const tbx_i4 out_up = tbx_parted(tri, (tbx_i4)sum);
@@ -11130,7 +11029,6 @@ TBX_FN unsigned tbx_octants_simd(const tribox_tri *tri, const float p[3])
         x, x, x, x \
     }
 #endif
-#define TBX_FORCED TBX_FN __attribute__((always_inline))
 #define TBX_SIGN_BIT (-2147483647 - 1)
 #define TBX_MOST_INDEX 268435456.0f /* 2^28: what follows fits integers */
 
@@ -15465,17 +15363,12 @@ TBX_FN int tbx_ray_filter(const float origin[3], const float dir[3], const float
                            tbx_above(tbx_abs4(own), 0x7f800000)))) {
         return TBX_UNSURE;
     }
-    TBX_KEEP_VECTOR(o);
-    TBX_KEEP_VECTOR(d);
-    TBX_KEEP_VECTOR(lo);
-    TBX_KEEP_VECTOR(hi);
-    TBX_KEEP_VECTOR(own);
+    TBX_KEEP3(VECTOR, o, d, lo);
+    TBX_KEEP2(VECTOR, hi, own);
     inverse = one / d;
     a = lo - o;
     b = hi - o;
-    TBX_KEEP_VECTOR(inverse);
-    TBX_KEEP_VECTOR(a);
-    TBX_KEEP_VECTOR(b);
+    TBX_KEEP3(VECTOR, inverse, a, b);
     /* by their sign bits: a reciprocal off by 2^-20; lo > hi */
     if (TBX_RARELY(
             tbx_any((tbx_splat_int(0x35800000) - tbx_magnitude(inverse * d - one)) | (tbx_i4)(hi - lo)))) {
@@ -15526,10 +15419,7 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
     if (TBX_RARELY(tbx_any(tbx_splat_int(0x52ffffff) - greatest))) {
         return TBX_UNSURE;
     }
-    TBX_KEEP_VECTOR(p0);
-    TBX_KEEP_VECTOR(p1);
-    TBX_KEEP_VECTOR(lo);
-    TBX_KEEP_VECTOR(hi);
+    TBX_KEEP4(VECTOR, p0, p1, lo, hi);
     hit = tbx_segment4(p0, p1, tbx_max4(lo, tbx_min4(p0, p1)), tbx_min4(hi, tbx_max4(p0, p1)), &open,
                        &refused);
     if (TBX_RARELY(open | (refused != 8))) { /* one branch, hardly ever taken */
@@ -15594,8 +15484,7 @@ TBX_FN int tbx_sphere_sphere4(const float a[3], const float *a_radius, const flo
     }
     TBX_KEEP_VECTOR(p); /* nothing is computed before it is known to be in range */
     TBX_KEEP_VECTOR(q);
-    TBX_KEEP_SCALAR(of_a);
-    TBX_KEEP_SCALAR(of_b);
+    TBX_KEEP2(SCALAR, of_a, of_b);
     return tbx_ball4(p - q, of_a + of_b);
 }
 
@@ -15614,9 +15503,7 @@ TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float bo
                    !tbx_within(radius, 0x2b800000u, 0x5d800000u))) {
         return TBX_UNSURE;
     }
-    TBX_KEEP_VECTOR(p);
-    TBX_KEEP_VECTOR(lo);
-    TBX_KEEP_VECTOR(hi);
+    TBX_KEEP3(VECTOR, p, lo, hi);
     TBX_KEEP_SCALAR(r);
     if (TBX_RARELY(tbx_any((lo > hi) | ((lo == hi) & ~((tbx_i4)lo == (tbx_i4)hi))))) {
         return TBX_UNSURE;
@@ -15624,8 +15511,7 @@ TBX_FN int tbx_sphere_box4(const float c[3], const float *radius, const float bo
     {
         tbx_f4 below = lo - p;
         tbx_f4 above = p - hi;
-        TBX_KEEP_VECTOR(below);
-        TBX_KEEP_VECTOR(above);
+        TBX_KEEP2(VECTOR, below, above);
         return tbx_ball4(tbx_max4(tbx_max4(below, above), zero), r);
     }
 }
@@ -15649,9 +15535,7 @@ TBX_FN int tbx_plane_sphere4(const float n[3], const float *d, const float c[3],
                    !tbx_within(radius, 0x30800000u, 0x4e800000u))) { /* 2^30, 2^-30..2^30 */
         return TBX_UNSURE;
     }
-    TBX_KEEP_VECTOR(x);
-    TBX_KEEP_VECTOR(y);
-    TBX_KEEP_VECTOR(of_d);
+    TBX_KEEP3(VECTOR, x, y, of_d);
     TBX_KEEP_SCALAR(r);
     {
         const tbx_f4 xy = x * y;
@@ -15694,9 +15578,7 @@ TBX_FN int tbx_pierce4(const float origin[3], const float dir[3], const float *f
                    !tbx_within(radius, 0x30800000u, 0x4d800000u))) { /* 2^28, 2^-30..2^28 */
         return TBX_UNSURE;
     }
-    TBX_KEEP_VECTOR(m);
-    TBX_KEEP_VECTOR(w);
-    TBX_KEEP_VECTOR(x);
+    TBX_KEEP3(VECTOR, m, w, x);
     TBX_KEEP_SCALAR(r);
     m = m - x;
     TBX_KEEP_VECTOR(m);
@@ -15895,23 +15777,16 @@ TBX_FN unsigned tbx_gap_filter(const float v0[3], const float v1[3], const float
     if (TBX_RARELY(tbx_any(tbx_splat_int(0x4c7fffff) - greatest))) { /* 2^26 */
         return 0;
     }
-    TBX_KEEP_VECTOR(p0);
-    TBX_KEEP_VECTOR(p1);
-    TBX_KEEP_VECTOR(p2);
-    TBX_KEEP_VECTOR(lo);
-    TBX_KEEP_VECTOR(hi);
+    TBX_KEEP3(VECTOR, p0, p1, p2);
+    TBX_KEEP2(VECTOR, lo, hi);
     x.a1 = p1 - p0;
     x.a2 = p2 - p0;
     x.e1 = p2 - p1;
     x.h = hi - lo;
     l = lo - p0;
     u = hi - p0;
-    TBX_KEEP_VECTOR(x.a1);
-    TBX_KEEP_VECTOR(x.a2);
-    TBX_KEEP_VECTOR(x.e1);
-    TBX_KEEP_VECTOR(x.h);
-    TBX_KEEP_VECTOR(l);
-    TBX_KEEP_VECTOR(u);
+    TBX_KEEP3(VECTOR, x.a1, x.a2, x.e1);
+    TBX_KEEP3(VECTOR, x.h, l, u);
     x.said0 = x.said1 = x.said2 = tbx_splat_int(0);
     if ((tbx_signs(tbx_min4(tbx_min4(tbx_abs4(x.a1), tbx_abs4(x.a2)), tbx_min4(tbx_abs4(x.e1), x.h)) < tiny) &
          7) != 0 &&
@@ -16204,8 +16079,7 @@ TBX_FN int tbx_gap_near(const float *const v[5], const float lo[3], const float 
                          : tbx_gap_near_one(v, lo, hi, (unsigned)__builtin_ctz(mask), roots, out_s, axis);
     if (sure && out_axis != NULL) {
         TBX_KEEP_SCALAR(axis[0]); /* what is not sure may be too large for a float */
-        TBX_KEEP_SCALAR(axis[1]);
-        TBX_KEEP_SCALAR(axis[2]);
+        TBX_KEEP2(SCALAR, axis[1], axis[2]);
         out_axis[0] = (float)axis[0];
         out_axis[1] = (float)axis[1];
         out_axis[2] = (float)axis[2];
@@ -17809,6 +17683,9 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_KEEP_SCALAR
 #undef TBX_KEEP_VECTOR
 #undef TBX_KEEP_POINTER
+#undef TBX_KEEP2
+#undef TBX_KEEP3
+#undef TBX_KEEP4
 #undef TBX_VECTOR_PLACE
 #undef TBX_HAS_ASM
 #undef TBX_HAS_VECTORS
@@ -17843,7 +17720,6 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_KEY32_MAX
 #undef TBX_SIGN_BIT
 #undef TBX_FORCED
-#undef TBX_FOR_FORMAT
 #undef TBX_MARGIN
 #undef TBX_PARTS
 #undef TBX_PARTS_LOG2
