@@ -5987,11 +5987,13 @@ TBX_FN int tbx_read1(tbx_real *out, const void *x, int format)
 /* Reads n numbers, likewise. */
 TBX_NOINLINE int tbx_read(tbx_real *out, const void *x, int n, int format)
 {
-    const int size = format == TBX_FLOAT ? 4 : 8;
     int odd = 0;
     int i;
-    for (i = 0; i < n; i++) {
-        odd |= tbx_read1(&out[i], (const char *)x + size * i, format);
+    for (i = 0; i < n && format == TBX_FLOAT; i++) {
+        (void)tbx_read1(&out[i], (const char *)x + 4 * i, TBX_FLOAT);
+    }
+    for (i = 0; i < n && format == TBX_DOUBLE; i++) {
+        odd |= tbx_read1(&out[i], (const char *)x + 8 * i, TBX_DOUBLE);
     }
     return odd;
 }
@@ -7623,7 +7625,8 @@ TBX_FN int tbx_shot_flat(tbx_motion *m, const tbx_shot *s)
 }
 
 /* Reads the question and answers it. A hit that was found in double is only rounded again. */
-TBX_NOINLINE int tbx_shot_answer(const void *const ray[3], const void *const v[3], int format, void *out_t)
+TBX_NOINLINE int tbx_shot_answer(const void *origin, const void *dir, const void *t_ends, const void *v0,
+                                 const void *v1, const void *v2, int format, void *out_t)
 {
     tbx_limb store[TBX_STORE];
     tbx_motion m;
@@ -7631,8 +7634,7 @@ TBX_NOINLINE int tbx_shot_answer(const void *const ray[3], const void *const v[3
     tbx_fraction t;
     int64_t key = 0;
     int verdict = TBX_UNSURE;
-    const int odd = tbx_ray_read(&s.ray, ray[0], ray[1], ray[2], format) |
-                    tbx_read3(s.v, v[0], v[1], v[2], format);
+    const int odd = tbx_ray_read(&s.ray, origin, dir, t_ends, format) | tbx_read3(s.v, v0, v1, v2, format);
     if (!tbx_ray_valid(&s.ray) || !tbx_finite(s.v[0], 9)) {
         return 0;
     }
@@ -7661,28 +7663,24 @@ TBX_NOINLINE int tbx_shot_answer(const void *const ray[3], const void *const v[3
 TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], float t_min, float t_max,
                                   const float v0[3], const float v1[3], const float v2[3], float *out_t)
 {
-    const float *const corner[3] = { v0, v1, v2 };
-    const void *const v[3] = { v0, v1, v2 };
+    const float *const v[3] = { v0, v1, v2 };
     float t[2];
-    const void *const ray[3] = { origin, dir, t };
-    if (tbx_shot_misses(origin, dir, corner)) { /* most rays */
+    if (tbx_shot_misses(origin, dir, v)) { /* most rays */
         return 0;
     }
     TBX_COPY(&t[0], &t_min, sizeof t_min);
     TBX_COPY(&t[1], &t_max, sizeof t_max);
-    return tbx_shot_answer(ray, v, TBX_FLOAT, out_t);
+    return tbx_shot_answer(origin, dir, t, v0, v1, v2, TBX_FLOAT, out_t);
 }
 
 TRIBOX_FN int tribox_ray_triangle_f64(const double origin[3], const double dir[3], double t_min, double t_max,
                                       const double v0[3], const double v1[3], const double v2[3],
                                       double *out_t)
 {
-    const void *const v[3] = { v0, v1, v2 };
     double t[2];
-    const void *const ray[3] = { origin, dir, t };
     TBX_COPY(&t[0], &t_min, sizeof t_min);
     TBX_COPY(&t[1], &t_max, sizeof t_max);
-    return tbx_shot_answer(ray, v, TBX_DOUBLE, out_t);
+    return tbx_shot_answer(origin, dir, t, v0, v1, v2, TBX_DOUBLE, out_t);
 }
 
 /* ---- sweep */
