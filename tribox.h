@@ -9458,8 +9458,8 @@ TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_
 
 /* ---- sphere and triangle */
 
-/* By what of T is nearest to the centre, d from a corner of it: the corner, |d|^2 <= r^2; an edge e, |e x d|^2
- * <= r^2 |e|^2; the face, (n.d)^2 <= r^2 |n|^2. */
+/* By what of T is nearest to the centre, d from a corner of it: the corner, |d|^2 <= r^2; an edge e,
+ * |e x d|^2 <= r^2 |e|^2; the face, (n.d)^2 <= r^2 |n|^2. */
 TBX_COLD int tbx_sphere_triangle_exact(const float center[3], const float *radius, const float *const v[3])
 {
     tbx_limb store[TBX_STORE];
