@@ -11623,8 +11623,8 @@ TBX_FN tbx_later *tbx_fill_later(tbx_fill *fill, size_t triangle)
 
 /* ---- Blocks of triangles: their boxes, and lists of them by class
  *
- * Of a box there are the first voxel, from the region's first, x, y, z in 16 bits each from bit 16 on (signed
- * if the box is cut); and in four bytes its flags, the lowest, and the extents, that is the voxels less 1, of
+ * Of a box there are the first voxel, from the region's first, x, y, z modulo 2^16 from bit 16 on (that of a
+ * cut box may lie before it); and in four bytes its flags, the lowest, and the extents, that is the voxels less 1, of
  * x, y, z. A key is the first voxel, and below it extents of up to 3 in two bits each. Corners are rows of
  * four floats: x, y, z in lanes 1 to 3, anything finite in lane 0, so that a row of a mesh is one load. */
 typedef struct tbx_block {
@@ -12303,15 +12303,17 @@ TBX_FORCED uint64_t tbx_key_set(tbx_i4 box)
            (uint64_t)(uint16_t)box[2] << 48;
 }
 
-/* And back. */
+/* And back. Whose last voxel is beyond 16 bits has begun before the region. */
 TBX_FORCED tbx_i4 tbx_key_box(uint64_t key, int32_t more)
 {
-    const int cut = (more & TBX_IS_CUT) != 0;
     const uint32_t x = tbx_key_axis(key, 0);
     const uint32_t y = tbx_key_axis(key, 1);
     const uint32_t z = tbx_key_axis(key, 2);
-    const tbx_i4 r = { cut ? (int16_t)x : (int32_t)x, cut ? (int16_t)y : (int32_t)y,
-                       cut ? (int16_t)z : (int32_t)z, more };
+    const uint32_t last_x = x + ((uint32_t)more & 255u);
+    const uint32_t last_y = y + ((uint32_t)more >> 8 & 255u);
+    const uint32_t last_z = z + ((uint32_t)more >> 16 & 255u);
+    const tbx_i4 r = { (int32_t)x - (int32_t)(last_x & 65536u), (int32_t)y - (int32_t)(last_y & 65536u),
+                       (int32_t)z - (int32_t)(last_z & 65536u), more };
     return r;
 }
 
@@ -12561,6 +12563,7 @@ TBX_FORCED tbx_iw tbx_extents(const tbx_boxes *box)
 }
 
 #define TBX_ROWS 64
+#define TBX_LAST_FIRST (65535 - TBX_ROWS) /* first voxels up to here are told from those before the region */
 
 /* Boxes of the WIDE triangles listed. Lanes that are off the region, by the guess on that side, are OFF: X is
  * off by its bound at most within MARGIN, by 2^-20 of itself beyond; so are empty boxes, and triangles that
@@ -12591,7 +12594,8 @@ TBX_NOINLINE void tbx_boxes_special(const tbx_quick *q, const tbx_corners *corne
     for (k = 0; k < 3; k++) {
         const tbx_iw extent = box.last[k] - box.first[k];
         off |= (box.last[k] - tbx_wide_int(TBX_MARGIN)) | (tbx_wide_int(q->end[k]) - box.first[k]) | extent;
-        beyond |= (box.first[k] - tbx_wide_int(1)) | (tbx_wide_int(q->end[k] + TBX_MARGIN) - box.last[k]);
+        beyond |= (box.first[k] - tbx_wide_int(1)) | (tbx_wide_int(q->end[k] + TBX_MARGIN) - box.last[k]) |
+                  (tbx_wide_int(TBX_LAST_FIRST + TBX_MARGIN) - box.first[k]);
         other |= extent;
     }
     other = (box.unsure != none) | (beyond < none) | ((other & tbx_wide_int(~(TBX_ROWS - 1))) != none);
@@ -12717,7 +12721,8 @@ TBX_FORCED tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, con
     if (tbx_any((last.voxel < none) | (first.voxel >= n) | (extent < none))) {
         box[3] = TBX_OFF;
     } else if (tbx_any((extent >= tbx_splat_int(TBX_ROWS)) | (first.voxel <= -margin) |
-                       (last.voxel >= n + margin - tbx_splat_int(1)))) {
+                       (last.voxel >= n + margin - tbx_splat_int(1)) |
+                       (first.voxel > tbx_splat_int(TBX_LAST_FIRST)))) {
         box[3] = TBX_NOT_KNOWN;
     } else {
         box[3] = extent[1] | extent[2] << 8 | extent[3] << 16 |
@@ -17760,6 +17765,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_ROW_ERROR
 #undef TBX_AREA_ERROR
 #undef TBX_ROWS
+#undef TBX_LAST_FIRST
 #undef TBX_WIDE
 #undef TBX_SOLID_ROWS
 #undef TBX_SOLID_NEAR_ERROR

@@ -1,7 +1,7 @@
 # Every tests/test_*.c stands here once; a file that does not fails the build. tests/README.md says what each proves.
 
 # one program, so that the header and the oracle are compiled once, which is most of the time a test takes to build
-TEST_SUITE := overlap tri rule thin sat exact symmetry nan mode field grid fill few frame closed solid issues
+TEST_SUITE := overlap tri rule thin sat exact symmetry nan mode field grid fill few frame closed solid issues limits
 # programs of their own, scalar and with vectors
 TEST_TWICE := contact
 # programs of their own that know scalar and vectors themselves, or take long
