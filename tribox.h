@@ -3777,9 +3777,7 @@ TBX_COLD int tbx_walk_exact(const tbx_walk *w, int id, const int64_t index[3])
 TBX_FN int tbx_walk_sign(const tbx_walk *w, int id, int axis)
 {
     if (id >= 9) {
-        return w->n_sign[0] != 0 && w->n_sign[1] != 0 && w->n_sign[2] != 0
-                   ? (id == 9 ? w->n_sign[axis] : -w->n_sign[axis])
-                   : 0;
+        return id == 9 ? w->n_sign[axis] : -w->n_sign[axis];
     } else {
         const int a = id / 3;
         const int i = id % 3;
@@ -4909,9 +4907,10 @@ TBX_FN void tbx_fill_mesh(const tribox_grid *grid, const tbx_source *source, uin
     tbx_frame f;
     tbx_part all;
     size_t t;
-    if (tribox_grid_words(grid) == 0 || !tbx_frame_init(&f, grid)) {
+    if (tribox_grid_words(grid) == 0) {
         return;
     }
+    (void)tbx_frame_init(&f, grid); /* a grid of words is valid */
     target.bits = bits;
     target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
     target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
@@ -8975,15 +8974,15 @@ TBX_FN void tbx_segment_walk(tbx_segment *s)
         const double y = s->t[1];
         const double z = s->t[2];
         if (x + error < y) {
-            if (x + error < z && s->left[0] > 0) {
+            if (x + error < z) {
                 tbx_segment_cross(s, 0);
                 continue;
             }
-        } else if (y + error < x && y + error < z && s->left[1] > 0) {
+        } else if (y + error < x && y + error < z) {
             tbx_segment_cross(s, 1);
             continue;
         }
-        if (z + error < x && z + error < y && s->left[2] > 0) {
+        if (z + error < x && z + error < y) {
             tbx_segment_cross(s, 2);
         } else {
             tbx_segment_tie(s);
@@ -9854,7 +9853,7 @@ TBX_FN int tbx_pierce_filter(const float origin[3], const float dir[3], const fl
     if (f.d < -f.d_error) {
         return TBX_MISS; /* NaN is no ray, too */
     }
-    if (!(f.d > 1024.0 * f.d_error && f.a > 0.0) || !tbx_pierce_ends(t, ends)) {
+    if (!(f.d > 1024.0 * f.d_error) || !tbx_pierce_ends(t, ends)) {
         return TBX_UNSURE;
     }
     error = tbx_parabola_roots(&f, roots);
@@ -11088,7 +11087,7 @@ TBX_FORCED tbx_fw tbx_wide_flip(tbx_fw a, tbx_iw sign)
 
 TBX_FORCED tbx_iw tbx_wide_up(tbx_iw a, int bits)
 {
-    return bits == 0 ? a : a << tbx_wide_int(bits);
+    return a << tbx_wide_int(bits);
 }
 
 /* Lanes of a where mask, of b elsewhere; lanes of a where mask, 0 elsewhere. */
@@ -11310,7 +11309,9 @@ TBX_FORCED void tbx_load_corners(tbx_points out[3], const tbx_source *s, const s
  *   HALF_OPEN      Closed boxes [i, i + 1 - e], e > 0 as small as you like: touching does not count where it
  *                  takes an upper face.
  *   OPEN           [i + e, i + 1 - e]: it never counts. */
-#define TBX_STEPS 65536.0 /* of a voxel in fixed point */
+#define TBX_STEPS 65536.0    /* of a voxel in fixed point */
+#define TBX_STEPS_ULPS 3.0   /* of y, in units of u |y|: as above */
+#define TBX_BOUND_ERROR 1.01 /* a bound times this: its own rounding, and terms of second order */
 
 typedef struct tbx_quick {
     double origin[3]; /* of the region */
@@ -11404,15 +11405,17 @@ TBX_FN int32_t tbx_off_place(double x)
     return (int32_t)place;
 }
 
-/* Fixed point on axis k. Returns 0 if its slack is too large. */
-TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
+/* Fixed point on axis k. Origins are less than 2^37 sizes off, as delta is below 1e-4: so the error is below
+ * an eighth of a voxel, and the bias below 2^32. */
+TBX_FN void tbx_fixed_init(tbx_quick *q, int k, int is_double)
 {
+    const double u = (double)TBX_U32;
     const double n = (double)q->n[k];
     const double steps = TBX_STEPS * q->units[k];
     const double most = 1.329227995784916e36 / steps; /* 2^120 */
     double least_far = most < 1e38 ? most : 1e38;
     float far_off;
-    double error = (0.5 * n + 2.0) * 3.0 * (double)TBX_U32 + 2.0 * q->delta;
+    double error = (0.5 * n + 2.0) * TBX_STEPS_ULPS * u + 2.0 * q->delta;
     double slack;
     double bias;
     double near_by;
@@ -11421,21 +11424,18 @@ TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
     far_off = (float)least_far;
     q->centre[k + 1] = (float)(q->origin[k] + 0.5 * n / q->units[k]);
     TBX_KEEP(q->centre[k + 1]);
-    error += 3.0 * (double)TBX_U32 * (double)TBX_U32 * tbx_abs((double)q->centre[k + 1]) * q->units[k];
-    slack = error < 0.125 ? 1.01 * TBX_STEPS * error + 4.0 : 0.0;
+    error += TBX_STEPS_ULPS * u * u * tbx_abs((double)q->centre[k + 1]) * q->units[k];
+    slack = TBX_BOUND_ERROR * TBX_STEPS * error + 4.0;
     TBX_KEEP_SCALAR(slack);
     q->subtrahend[k + 1] = is_double ? 0.0f : q->centre[k + 1];
     q->steps[k + 1] = (float)steps;
     q->far_bits[k + 1] = (int32_t)tbx_bits32(&far_off);
     bias = ((double)q->centre[k + 1] - q->origin[k]) * steps - slack;
-    bias = bias < 4294967295.0 ? bias : 4294967295.0;
-    bias = bias > -4294967295.0 ? bias : -4294967295.0;
     TBX_KEEP_SCALAR(bias);
     q->off_below[k + 1] = tbx_off_place(-bias - 2.0 * slack - 2.0);
     q->off_above[k + 1] = tbx_off_place(n * TBX_STEPS - bias + 2.0);
     q->bias[k + 1] = (int32_t)(uint32_t)(uint64_t)(int64_t)bias;
     near_by = 2113929216.0 / steps - tbx_abs((double)q->subtrahend[k + 1]); /* 2^31 less a 64th */
-    near_by = near_by < most ? near_by : most;
     near_by = near_by > 0.0 ? near_by : 0.0;
     TBX_KEEP_SCALAR(near_by);
     near_float = (float)(near_by * 0.999);
@@ -11444,7 +11444,6 @@ TBX_FN int tbx_fixed_init(tbx_quick *q, int k, int is_double)
     q->box_units[k + 1] = q->units[k];
     q->beside[k + 1] = (2.0 * slack + 2.0) / TBX_STEPS;
     q->limit[k + 1] = (int32_t)(((uint32_t)q->n[k] - 1u) << 16 | (65535u - 2u * (uint32_t)slack));
-    return error < 0.125;
 }
 
 /* The fill's grid on axis k, as long as its numbers are in range. */
@@ -11455,13 +11454,14 @@ TBX_FN void tbx_quick_axis(tbx_quick *q, const tribox_grid *grid, int k, int is_
     const double size = grid->size[k];
     const double n = (double)q->n[k];
     const double units = q->units[k];
-    const int fits = tbx_fixed_init(q, k, is_double);
     const double from = is_double ? (double)q->centre[k + 1] : 0.0; /* where the corners' floats count from */
     const double origin = q->origin[k] - from;
-    const double rounded = is_double ? 1.01 * u * (0.5 * n + 34.0 + u * tbx_abs(from) * units) : 0.0;
+    const double rounded =
+        is_double ? TBX_BOUND_ERROR * u * (0.5 * n + 34.0 + u * tbx_abs(from) * units) : 0.0;
     const double start = tbx_abs(origin) * units;
     const double end = tbx_abs(origin * units + n);
-    const double slack = 1.01 * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + rounded + 1e-9;
+    const double slack =
+        TBX_BOUND_ERROR * u * (2.0 * (start > end ? start : end) + start + n + 128.0) + rounded + 1e-9;
     const double base = origin + size;
     const double before = tbx_abs(origin - margin * size);
     const double last = tbx_abs(origin + (n + 2.0 * margin) * size);
@@ -11470,7 +11470,7 @@ TBX_FN void tbx_quick_axis(tbx_quick *q, const tribox_grid *grid, int k, int is_
     double base_high;
     double size_high;
     double delta_low;
-    q->on = tbx_more(0.125, slack) & fits;
+    q->on = tbx_more(0.125, slack);
     spacing = tbx_floor_pow2(most) * (1.0 / 4194304.0); /* 2^-22 */
     base_high = tbx_floor_to(base, spacing);
     size_high = tbx_floor_to(size, spacing);
@@ -11537,6 +11537,7 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
     q->short_axes = (q->n[0] | q->n[1] | q->n[2]) < 32768;
     q->row_words = t->row_words;
     for (k = 0; k < 3 && q->on; k++) {
+        tbx_fixed_init(q, k, is_double);
         tbx_quick_axis(q, grid, k, is_double);
     }
     q->precise = q->on;
@@ -12966,7 +12967,7 @@ TBX_FORCED void tbx_note_point(tbx_uw *outside, tbx_fw *least, tbx_fw e, int bit
 
 TBX_FORCED tbx_uw tbx_wide_shift(tbx_uw a, int bits)
 {
-    return bits == 0 ? a : a << (tbx_uw)tbx_wide_int(bits);
+    return a << (tbx_uw)tbx_wide_int(bits);
 }
 
 /* Moves what is noted by so many bits where `up`. */
@@ -12999,6 +13000,9 @@ TBX_FORCED tbx_uw tbx_note_edge(tbx_outline *p, tbx_fw e, int i, int j, int n, i
     const tbx_iw up_b = ~tbx_wide_sign(from_b);
     const tbx_iw up_c = tbx_wide_sign(to_c);
     tbx_uw m = (tbx_uw)tbx_wide_int(0);
+    tbx_fw e10;
+    tbx_fw e01;
+    tbx_fw e11;
     if (n == 2) { /* one point has four cells */
         const int32_t b0 = 1 | 1 << stride_c;
         const int32_t c0 = 1 | 1 << stride_b;
@@ -13009,23 +13013,21 @@ TBX_FORCED tbx_uw tbx_note_edge(tbx_outline *p, tbx_fw e, int i, int j, int n, i
         *least = tbx_wide_min(*least, tbx_wide_abs(e00));
         return (tbx_uw)(at_b & at_c & ((tbx_iw)e00 >> sign));
     }
+    e10 = e00 - from_b;
+    e01 = e00 + to_c;
+    e11 = e10 + to_c;
     tbx_note_point(&m, least, e00, 0);
-    if (n > 2) {
-        const tbx_fw e10 = e00 - from_b;
-        const tbx_fw e01 = e00 + to_c;
-        const tbx_fw e11 = e10 + to_c;
-        tbx_note_point(&m, least, e10, stride_b);
-        tbx_note_point(&m, least, e01, stride_c);
-        tbx_note_point(&m, least, e11, stride_b + stride_c);
-        if (n > 3) {
-            const tbx_fw e20 = e10 - from_b;
-            const tbx_fw e21 = e20 + to_c;
-            tbx_note_point(&m, least, e20, 2 * stride_b);
-            tbx_note_point(&m, least, e21, 2 * stride_b + stride_c);
-            tbx_note_point(&m, least, e21 + to_c, 2 * stride_b + 2 * stride_c);
-            tbx_note_point(&m, least, e01 + to_c, 2 * stride_c);
-            tbx_note_point(&m, least, e11 + to_c, stride_b + 2 * stride_c);
-        }
+    tbx_note_point(&m, least, e10, stride_b);
+    tbx_note_point(&m, least, e01, stride_c);
+    tbx_note_point(&m, least, e11, stride_b + stride_c);
+    if (n > 3) {
+        const tbx_fw e20 = e10 - from_b;
+        const tbx_fw e21 = e20 + to_c;
+        tbx_note_point(&m, least, e20, 2 * stride_b);
+        tbx_note_point(&m, least, e21, 2 * stride_b + stride_c);
+        tbx_note_point(&m, least, e21 + to_c, 2 * stride_b + 2 * stride_c);
+        tbx_note_point(&m, least, e01 + to_c, 2 * stride_c);
+        tbx_note_point(&m, least, e11 + to_c, stride_b + 2 * stride_c);
     }
     return tbx_note_move(tbx_note_move(m, up_b, stride_b), up_c, stride_c);
 }
@@ -14006,17 +14008,15 @@ TBX_FORCED size_t tbx_key_word(const tbx_bits *to, uint64_t key)
            (size_t)(tbx_key_axis(key, 0) >> 6);
 }
 
-/* ORs a layer's n rows, nibbles of v moved to where `run` is, and turns v to the next layer. */
+/* ORs a layer's n rows, 3 or 4, nibbles of v moved to where `run` is, and turns v to the next layer. */
 TBX_FORCED uint64_t tbx_layer_or(uint64_t *row, size_t y1, size_t y2, size_t y3, uint64_t v, uint64_t run,
                                  int n)
 {
     row[0] |= v & run;
     v = v >> 4 | v << 60;
     row[y1] |= v & run;
-    if (n > 2) {
-        v = v >> 4 | v << 60;
-        row[y2] |= v & run;
-    }
+    v = v >> 4 | v << 60;
+    row[y2] |= v & run;
     if (n > 3) {
         v = v >> 4 | v << 60;
         row[y3] |= v & run;
@@ -14024,7 +14024,7 @@ TBX_FORCED uint64_t tbx_layer_or(uint64_t *row, size_t y1, size_t y2, size_t y3,
     return v >> 4 * (5 - n) | v << (64 - 4 * (5 - n));
 }
 
-/* Voxels of a box that may lie in two words of a row, in which then is some of it. */
+/* Voxels of a box whose rows start at one of a word's last three bits, and may go on in the next word. */
 TBX_NOINLINE void tbx_voxels_set_two(const tbx_bits *to, uint64_t *row, uint64_t key, uint64_t voxels)
 {
     const unsigned x = (unsigned)(key >> 16) & 63u;
@@ -14036,7 +14036,7 @@ TBX_NOINLINE void tbx_voxels_set_two(const tbx_bits *to, uint64_t *row, uint64_t
         uint64_t *word = row;
         for (y = 0; y <= more_y; y++, word += to->row_words) {
             const uint64_t run = voxels >> (4 * y + 16 * z) & 15;
-            const uint64_t beyond = x > 60 ? run >> (64 - x) : 0;
+            const uint64_t beyond = run >> (64 - x);
             word[0] |= run << x;
             if (beyond != 0) {
                 word[1] |= beyond;
@@ -14045,8 +14045,8 @@ TBX_NOINLINE void tbx_voxels_set_two(const tbx_bits *to, uint64_t *row, uint64_t
     }
 }
 
-/* Sets voxels, bits x + 4 y + 16 z, of a box of up to n^3; rows and layers not in the box have no bits, and
- * go where others are. */
+/* Sets voxels, bits x + 4 y + 16 z, of a box of up to n^3, n = 3 or 4; rows and layers not in the box have no
+ * bits, and go where others are. */
 TBX_FORCED void tbx_voxels_set(const tbx_bits *to, uint64_t *row, uint64_t key, uint64_t voxels, int n)
 {
     const size_t row_words = to->row_words;
@@ -14063,10 +14063,8 @@ TBX_FORCED void tbx_voxels_set(const tbx_bits *to, uint64_t *row, uint64_t key, 
         v = tbx_layer_or(row, y1, y2, y3, v, run, n);
         row += (key & 48) != 0 ? layer_words : 0;
         v = tbx_layer_or(row, y1, y2, y3, v, run, n);
-        if (n > 2) {
-            row += (key & 32) != 0 ? layer_words : 0;
-            v = tbx_layer_or(row, y1, y2, y3, v, run, n);
-        }
+        row += (key & 32) != 0 ? layer_words : 0;
+        v = tbx_layer_or(row, y1, y2, y3, v, run, n);
         if (n > 3) {
             row += (key & 48) == 48 ? layer_words : 0;
             (void)tbx_layer_or(row, y1, y2, y3, v, run, n);
@@ -17821,6 +17819,8 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_SLAB_INVERSE_ERROR
 #undef TBX_SOLID_MIDDLE_ERROR
 #undef TBX_STEPS
+#undef TBX_STEPS_ULPS
+#undef TBX_BOUND_ERROR
 #undef TBX_STORE
 
 #if defined(__GNUC__) && !defined(__TINYC__) && !defined(__PCC__) && !defined(__chibicc__)

@@ -78,7 +78,7 @@ END {
         }
     }
     for (line = 1; line <= last; line++) {
-        if (text[line] ~ /^TRIBOX_[A-Z_]*(FN|COLD|NOINLINE|FORCED) /) {   # a function begins
+        if (text[line] ~ /^(TRIBOX|TBX)_(FN|COLD|NOINLINE|FORCED|FOR_FORMAT) /) {   # a function begins
             name = text[line]
             sub(/\(.*/, "", name)
             sub(/.*[ *]/, "", name)

@@ -789,7 +789,11 @@ static void sure_runs_equal_exact_runs(void)
             CHECK(memcmp(p[0], p[1], sizeof p[0][0] * (size_t)count) == 0);
         }
     }
-    CHECK(unsure < i / 50 || FLT_EVAL_METHOD != 0); /* 24 bits decide less */
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD == 0 /* 24 bits decide less */
+    CHECK(unsure < i / 50);
+#else
+    (void)unsure;
+#endif
 }
 
 /* A double of 1 to 53 bits and an exponent near 0. */
