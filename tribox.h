@@ -7737,7 +7737,10 @@ TBX_FN void tbx_unit(const double x[3], int side, float out[3])
     }
 }
 
-/* The axis as a unit vector, times side. In double, unsure unless it is known to 2^-30 of its length. */
+/* The axis as a unit vector, times side. In double, unsure unless it is known to 2^-30 of its length, by which
+ * three components err that are each known to 2 rad. */
+#define TBX_UNIT_ERROR 2.3283064365386963e-10 /* 2^-32 */
+
 TBX_FN void tbx_motion_unit(tbx_motion *m, int axis, int side, float out_axis[3])
 {
     const int mark = m->calc.used;
@@ -7755,7 +7758,7 @@ TBX_FN void tbx_motion_unit(tbx_motion *m, int axis, int side, float out_axis[3]
         }
     }
     m->calc.used = mark;
-    m->calc.unsure |= rad > longest * (1.0 / 4294967296.0);
+    m->calc.unsure |= rad > longest * TBX_UNIT_ERROR;
     tbx_unit(x, side, out_axis);
 }
 
@@ -7878,6 +7881,8 @@ typedef struct tbx_gap {
 
 /* In double: g errs by 2 rad, |l|^2 by 2 rad, half of which is the root's relative error; 1/sqrt and the
  * products by 2^-46. */
+#define TBX_GAP_MEASURE_ERROR 1.4210854715202004e-14 /* 2^-46 */
+
 TBX_FN void tbx_gap_measure(tbx_calc *c, tbx_gap *a)
 {
     double y;
@@ -7893,7 +7898,7 @@ TBX_FN void tbx_gap_measure(tbx_calc *c, tbx_gap *a)
     y = tbx_inverse_root(a->square.mid);
     root_error = a->square.rad * y * y * 1.5;
     a->s = a->g.mid * y;
-    a->error = 3.0 * a->g.rad * y + (root_error + 1.0 / 70368744177664.0) * tbx_abs(a->s);
+    a->error = 3.0 * a->g.rad * y + (root_error + TBX_GAP_MEASURE_ERROR) * tbx_abs(a->s);
     if (a->g.rad == 0.0 && a->square.rad == 0.0 && a->square.mid == 1.0) {
         a->error = 0.0; /* a face: s = g */
     }
@@ -15815,7 +15820,10 @@ TBX_FN double tbx_with_sign(double x, double y)
     return tbx_from_bits64(tbx_bits64(&x) | (tbx_bits64(&y) & ((uint64_t)1 << 63)));
 }
 
-/* Of a face: differences of two floats err by u of themselves, and are 0 only if they are exactly. */
+/* Of a face: differences of two floats err by u of themselves, and are 0 only if they are exactly; their own
+ * difference by as much again. */
+#define TBX_GAP_FACE_ERROR (8.0 * TBX_U64)
+
 TBX_FN int tbx_gap_near_face(const float *const v[3], const float lo[3], const float hi[3], unsigned axis,
                              double *out_s, double out_axis[3])
 {
@@ -15838,7 +15846,7 @@ TBX_FN int tbx_gap_near_face(const float *const v[3], const float lo[3], const f
     *out_s = up > down ? up : down;
     out_axis[0] = out_axis[1] = out_axis[2] = 0.0;
     out_axis[axis] = tbx_with_sign(1.0, up - down);
-    return tbx_abs(up - down) > 8.0 * TBX_U64 * (tbx_abs(up) + tbx_abs(down));
+    return tbx_abs(up - down) > TBX_GAP_FACE_ERROR * (tbx_abs(up) + tbx_abs(down));
 }
 
 /* g/|l| and the direction from what an axis l adds up to: twice the box's centre along it, less that of T,
@@ -17799,6 +17807,9 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_BALL_ERROR4
 #undef TBX_PLANE_SPHERE_ERROR4
 #undef TBX_GAP_CLOSE
+#undef TBX_GAP_MEASURE_ERROR
+#undef TBX_GAP_FACE_ERROR
+#undef TBX_UNIT_ERROR
 #undef TBX_GAP_ERROR4
 #undef TBX_GAP_ROOT
 #undef TBX_GAP_VOID

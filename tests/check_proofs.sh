@@ -54,11 +54,17 @@ SHOT=$(constant '^#define TBX_SHOT_ERROR (\([0-9.]*\) \* TBX_U64)$')
 SEGMENT=$(constant '^#define TBX_SEGMENT_ERROR (\([0-9.]*\) \* TBX_U64)$')
 GAP4=$(constant '^#define TBX_GAP_ERROR4 (\([0-9.]*\)f \* TBX_U32)$')
 GAP_EDGE=$(constant '^#define TBX_GAP_EDGE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+GAP_FACE=$(constant '^#define TBX_GAP_FACE_ERROR (\([0-9.]*\) \* TBX_U64)$')
 GAP_NORMAL=$(constant '^#define TBX_GAP_NORMAL_ERROR (\([0-9.]*\) \* TBX_U64)$')
 GAP_SURE=$(constant '^#define TBX_GAP_SURE \([0-9.]*\) .*')
 GAP_LENGTH=$(constant '^#define TBX_GAP_LENGTH \([0-9.e-]*\) .*')
 GAP_GUESS=$(constant '^#define TBX_GAP_GUESS \([0-9.e-]*\) .*')
 PIERCE4=$(constant '^#define TBX_PIERCE_ERROR4 (\([0-9.]*\)f \* TBX_U32)$')
+SLAB=$(constant '^#define TBX_SLAB_ERROR \([0-9.e-]*\) .*')
+SLAB_INVERSE=$(constant '^#define TBX_SLAB_INVERSE_ERROR \([0-9.e-]*\) .*')
+RAY=$(constant '^#define TBX_RAY_ERROR \([0-9.e-]*\)f .*')
+NUM=$(constant '^#define TBX_NUM_ERROR \([0-9.e-]*\) .*' '^#if TBX_DOUBLE_IS_53_BITS')
+export SLAB SLAB_INVERSE RAY NUM GAP_FACE
 export PIERCE4 SHOT BALL BALL4 PLANE_SPHERE PLANE_SPHERE4 TOUCH PIERCE SEGMENT GAP4 GAP_EDGE GAP_NORMAL GAP_SURE GAP_LENGTH GAP_GUESS
 export CROSS_EDGE CROSS_PLANE SOLID SOLID_EDGE SOLID_NORMAL SOLID_PLANE SOLID_LINE SOLID_BOX SOLID_PLACE SOLID_ROW \
     SOLID_ROW_ULPS SOLID_NEAR SOLID_ALONE SOLID_REST SOLID_CLOSE
@@ -86,7 +92,8 @@ prove() { # script, P, FUSED or PLAIN, N: lines for boxes of N^3 voxels
         -e "s/@SOLID_EDGE@/$SOLID_EDGE/g; s/@SOLID_NORMAL@/$SOLID_NORMAL/g; s/@SOLID_PLANE@/$SOLID_PLANE/g" \
         -e "s/@BALL@/$BALL/g; s/@BALL4@/$BALL4/g; s/@PLANE_SPHERE@/$PLANE_SPHERE/g; s/@PLANE_SPHERE4@/$PLANE_SPHERE4/g" \
         -e "s/@TOUCH@/$TOUCH/g; s/@PIERCE@/$PIERCE/g; s/@PIERCE4@/$PIERCE4/g; s/@SEGMENT@/$SEGMENT/g; s/@SHOT@/$SHOT/g; s/@GAP4@/$GAP4/g" \
-        -e "s/@GAP_EDGE@/$GAP_EDGE/g; s/@GAP_NORMAL@/$GAP_NORMAL/g" \
+        -e "s/@GAP_EDGE@/$GAP_EDGE/g; s/@GAP_NORMAL@/$GAP_NORMAL/g; s/@GAP_FACE@/$GAP_FACE/g; s/@SLAB@/$SLAB/g" \
+        -e "s/@SLAB_INVERSE@/$SLAB_INVERSE/g; s/@RAY@/$RAY/g; s/@NUM@/$NUM/g" \
         -e "s/@SOLID_LINE@/$SOLID_LINE/g; s/@SOLID_BOX@/$SOLID_BOX/g; s/@SOLID_PLACE@/$SOLID_PLACE/g" \
         -e "s/@GRID@/$GRID/g; s/\bP\b/$2/g; s/^N$n //; /^N[2-4] /d" \
         -e "s/@M@/$((n - 1))/g; s/@N@/$n/g; s/@2MM@/$((2 * mm))/g; s/@4MM@/$((4 * mm))/g; s/@AREA@/$area/g" \
@@ -202,6 +209,9 @@ job "proof: contact, room in the accuracy of gaps" gap_room
 
 # 23 and 52: u of every rounding mode; one more: that of rounding to nearest
 job "proof: rounding" prove rounding 23 PLAIN
+for p in 52 53; do
+    job "proof: rays and numbers, 2^-$p" prove rays $p PLAIN
+done
 for p in 23 24 52 53; do
     job "proof: sums and products, 2^-$p" prove products $p PLAIN
     job "proof: grid walk, 2^-$p" prove walk $p PLAIN
