@@ -372,6 +372,72 @@ static void flushed_corners_end_behind_the_centre(void)
     }
 }
 
+/* Where the difference of two corners is read as zero, the prepared test still knows that they differ. */
+static void flushed_extents_are_extents(void)
+{
+    const double m = power_of_two(-1022);
+    int          i;
+
+    random_seed(68);
+    for (i = 0; i < TEST_LOOPS(2000); i++) {
+        double     v[3][3];
+        double     size[3] = {m, 1, 1};
+        double     p[3];
+        tribox_tri tri;
+        int        answer[2];
+        int        mode;
+        int        j;
+        for (j = 0; j < 3; j++) {
+            v[j][0] = m * (1 + 0.25 * random_below(4));
+            v[j][1] = random_below(9) / 4.0;
+            v[j][2] = random_below(9) / 4.0;
+        }
+        p[0] = m * (random_below(9) / 4.0 - 0.25);
+        p[1] = random_below(9) / 4.0 - 0.5;
+        p[2] = random_below(9) / 4.0 - 0.5;
+        for (mode = 0; mode < 2; mode++) {
+            flush_subnormals(mode);
+            tribox_tri_init_f64(&tri, v[0], v[1], v[2], size, TRIBOX_HALF_OPEN);
+            answer[mode] = tribox_tri_test_f64(&tri, p);
+            flush_subnormals(0);
+        }
+        CHECK(answer[0] == answer[1]);
+    }
+}
+
+/* Meshes of decimals on a grid of decimals, with corners that may be read as zero, on the plane at 0. */
+static void flushed_corners_of_decimals(void)
+{
+    static float positions[9 * 64];
+    int          i;
+
+    random_seed(69);
+    for (i = 0; i < TEST_LOOPS(400); i++) {
+        const tribox_grid grid = {{0, 0, 0}, {0.1, 0.1, 0.1}, {-8, -8, -8}, {8, 8, 8}, every_rule[random_below(4)]};
+        tribox_mesh       mesh;
+        uint64_t          bits[2][256];
+        int               mode;
+        int               j;
+        for (j = 0; j < 9 * 64; j++) {
+            const float tiny = (float)((random_below(2) ? 1 : -1) * power_of_two(-130));
+            const int   from = j % 9 < 3 ? random_below(9) - 4 : (int)(10 * (double)positions[j - 3]);
+            const int   whole = from + (j % 9 < 3 ? 0 : random_below(5) - 2);
+            positions[j] = whole == 0 && random_below(2) ? tiny : (float)(whole / 10.0);
+        }
+        mesh.positions = positions;
+        mesh.stride = 0;
+        mesh.indices = NULL;
+        mesh.triangles = 64;
+        memset(bits, 0, sizeof bits);
+        for (mode = 0; mode < 2; mode++) {
+            flush_subnormals(mode);
+            tribox_grid_fill(&grid, &mesh, bits[mode]);
+            flush_subnormals(0);
+        }
+        CHECK(memcmp(bits[0], bits[1], sizeof bits[0]) == 0);
+    }
+}
+
 int main(void)
 {
     RUN(rounding_up_changes_no_answer);
@@ -384,5 +450,7 @@ int main(void)
     RUN(long_boxes_are_cut_where_numbers_flush);
     RUN(flushed_faces_differ_by_one_subnormal);
     RUN(flushed_corners_end_behind_the_centre);
+    RUN(flushed_extents_are_extents);
+    RUN(flushed_corners_of_decimals);
     return test_report("test_mode");
 }
