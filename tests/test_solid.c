@@ -38,13 +38,16 @@ static double solid_centre(const tribox_grid *g, int k, int i)
 
 /* A mesh about a region up to 3 words wide. kind 0: on a lattice of parts of a voxel, 1: anywhere, 2: floats
  * near tenths of a voxel, 3: on a lattice that the grid misses by a hair, 4: voxels some 2^30 from the origin,
- * where doubles round by parts of a voxel's width, 5: tenths and halves of them, in voxels of a tenth. */
+ * where doubles round by parts of a voxel's width, 5: tenths and halves of them, in voxels of a tenth, 6: on a
+ * lattice or beside, in voxels as large or small as the fast ways take, or larger and smaller; corners far off
+ * along x, and triangles that are nearly a line as seen along x. */
 static void solid_make(solid_case *c, int kind)
 {
     static const double sizes[6] = {1, 0.5, 3, 0.75, 0.1, 1.0 / 3};
     int                 a;
     int                 i;
     int                 reach = random_below(3) ? 2 : random_below(2) ? 6 : 40;
+    int                 scale = random_below(2) ? 0 : random_below(2) ? 58 + random_below(5) : -58 - random_below(5);
 
     c->seed = random_state;
     for (a = 0; a < 3; a++) {
@@ -52,6 +55,11 @@ static void solid_make(solid_case *c, int kind)
         c->grid.size[a] = sizes[kind % 3 == 0 ? random_below(4) : random_below(6)];
         c->grid.origin[a] = kind == 0 ? c->grid.size[a] * 0.25 * random_below(9) : random_signed();
         c->grid.lo[a] = random_below(9) - 5;
+        if (kind == 6) {
+            c->grid.size[a] *= power_of_two(scale);
+            c->grid.origin[a] = c->grid.size[a] * (0.25 * random_below(5) + (random_below(3) ? 0 : power_of_two(-9)));
+            c->grid.origin[a] += random_below(4) ? 0 : c->grid.size[a] * 4194290.0;
+        }
         if (kind == 3) {
             c->grid.origin[a] *= random_below(2) ? 1e-20 : 1e-9;
         } else if (kind == 4) {
@@ -93,6 +101,18 @@ static void solid_make(solid_case *c, int kind)
         }
         if (kind == 0 && random_below(200) == 0) {
             c->doubles[i] += 1e-14 * c->grid.size[k];
+        }
+        if (kind == 6 && k == 0 && random_below(20) == 0) {
+            c->doubles[i] = x * power_of_two(random_below(40));
+            c->positions[i] = (float)c->doubles[i];
+        }
+        if (kind == 6 && i % 9 >= 7 && random_below(8) == 0) { /* between the others */
+            c->doubles[i] = 0.75 * c->doubles[i - 3] + 0.25 * c->doubles[i - 6];
+            if (random_below(2)) {
+                c->doubles[i - 1] = 0.75 * c->doubles[i - 4] + 0.25 * c->doubles[i - 7];
+            }
+            c->positions[i] = (float)c->doubles[i];
+            c->positions[i - 1] = (float)c->doubles[i - 1];
         }
         if (kind == 1 && random_below(100) == 0) { /* far out of the region */
             c->doubles[i] += (random_below(2) ? 1e3 : -1e3) * c->grid.size[k];
@@ -222,6 +242,55 @@ static void fill_flips_the_voxels_whose_centre_is_inside(void)
         static solid_case c;
         solid_make(&c, i % 3);
         solid_check(&c);
+    }
+}
+
+/* Voxels of 2^-62 to 2^62, regions some 2^22 voxels off, corners some 2^40 voxels beside. */
+static void grids_of_any_scale(void)
+{
+    int i;
+
+    random_seed(1211);
+    for (i = 0; i < TEST_LOOPS(24); i++) {
+        static solid_case c;
+        solid_make(&c, 6);
+        solid_check(&c);
+    }
+}
+
+/* An origin that differs from 0 by next to nothing moves centres off the faces that they lie on at 0. */
+static void origins_next_to_zero(void)
+{
+    static const float    corners[24] = {0.5f, 0.5f, 0.5f, 2.5f, 0.5f, 0.5f, 0.5f, 2.5f, 0.5f, 2.5f, 2.5f, 0.5f,
+                                         0.5f, 0.5f, 2.5f, 2.5f, 0.5f, 2.5f, 0.5f, 2.5f, 2.5f, 2.5f, 2.5f, 2.5f};
+    static const uint32_t indices[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                         2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+    static const double   by[3] = {0, 1e-300, -1e-300};
+    int                   i;
+
+    for (i = 0; i < 27; i++) {
+        tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {4, 4, 4}, 0};
+        tribox_mesh mesh;
+        uint64_t    bits[16] = {0};
+        const int   from[3] = {i % 3 == 2, i / 3 % 3 == 2, i / 9 == 2};
+        int         ok = 1;
+        int         k;
+        for (k = 0; k < 64; k++) {
+            grid.origin[k % 3] = by[k % 3 == 0 ? i % 3 : k % 3 == 1 ? i / 3 % 3 : i / 9];
+        }
+        mesh.positions = corners;
+        mesh.stride = 0;
+        mesh.indices = indices;
+        mesh.triangles = 12;
+        tribox_grid_fill_solid(&grid, &mesh, bits);
+        for (k = 0; k < 64; k++) {
+            const int x = k % 4 - from[0];
+            const int y = k / 4 % 4 - from[1];
+            const int z = k / 16 - from[2];
+            const int inside = x >= 0 && x < 2 && y >= 0 && y < 2 && z >= 0 && z < 2;
+            ok &= tribox_grid_get(&grid, bits, k % 4, k / 4 % 4, k / 16) == inside;
+        }
+        CHECK(ok);
     }
 }
 
@@ -1009,6 +1078,8 @@ static void indices_reach_to_the_end_and_odd_regions_stay_as_they_are(void)
 int main(void)
 {
     RUN(fill_flips_the_voxels_whose_centre_is_inside);
+    RUN(grids_of_any_scale);
+    RUN(origins_next_to_zero);
     RUN(centres_are_no_doubles);
     RUN(tenths_are_no_doubles);
     RUN(edges_through_centres_of_tenths);
