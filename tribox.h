@@ -2128,8 +2128,9 @@ TBX_COLD int tbx_clipped_edge(const double v0[3], const double v1[3], const doub
 }
 
 /* The filter leaves conditions unsure. On a lattice of whole units an edge's value is exact, a multiple of
- * the unit squared; the bound is below 2^-15 of that, so an unsure one is 0. The plane's value is exact too,
- * but may be unsure and not 0, so its sign is looked at. What then remains goes to exact signs. */
+ * the unit squared; the bound is below 2^-15 of that, so an unsure one is 0. So it is with the plane's value,
+ * a multiple of the unit cubed: the bound is below 2^-45 (2^15)^3 of it. Touching counts, or goes to exact
+ * signs, as does what then remains. */
 TBX_COLD int tbx_clipped_unsure(const double v0[3], const double v1[3], const double v2[3],
                                 const tbx_clip *clip, const tbx_values *filter)
 {
@@ -2142,14 +2143,11 @@ TBX_COLD int tbx_clipped_unsure(const double v0[3], const double v1[3], const do
             return verdict;
         }
     }
+    if (open == 0 && tbx_clip_on_lattice(v0, v1, v2, clip)) {
+        return 1;
+    }
     for (k = 0; k < 4; k++) {
         unsure |= (unsigned)!(filter->value[k] >= filter->bound[k]) << k;
-    }
-    if (tbx_clip_on_lattice(v0, v1, v2, clip)) {
-        if (filter->value[3] < 0.0) {
-            return 0;
-        }
-        unsure &= open == 0 ? 0u : filter->value[3] > 0.0 ? 7u : 15u;
     }
     return unsure == 0 || tbx_clipped_exact(v0, v1, v2, clip, unsure);
 }
@@ -2567,7 +2565,7 @@ TBX_FN void tbx_edges_init(tbx_edges *t, const double v0[3], const double v1[3],
             (t->e_sign[0][c] == 0 || t->e_sign[1][b] == 0)) {
             t->n_sign[a] = 0;
             t->n[a] = 0.0;
-        } else if (error > TBX_POW2(-930) && error < TBX_POW2(930) && (p - q > error || p - q < -error)) {
+        } else if (error > TBX_POW2(-930) && (p - q > error || p - q < -error)) {
             t->n_sign[a] = p - q > 0.0 ? 1 : -1;
         } else {
             t->n_sign[a] = tbx_normal_sign_exact(v0, v1, v2, b, c);
@@ -7597,7 +7595,7 @@ TBX_FN int tbx_shot_run(tbx_calc *c, const tbx_shot *s, tbx_fraction *t)
         const int mark = c->used;
         tbx_fraction_of(c, &end, &s->ray.t[e]);
         if (tbx_fraction_compare(c, t, &end) * (e == 0 ? 1 : -1) < 0) {
-            return c->unsure ? TBX_UNSURE : TBX_MISS;
+            return TBX_MISS;
         }
         c->used = mark;
     }
@@ -8877,7 +8875,7 @@ TBX_FN void tbx_segment_closed(tbx_segment *s, unsigned crossed, int first)
 
 /* One event, by the rule. HALF_OPEN: the point itself belongs to the upper voxels; then those after it, where
  * it crosses a plane downward, which is none at its end. OPEN: those after it. */
-TBX_NOINLINE void tbx_segment_event(tbx_segment *s, unsigned crossed, int first, int last)
+TBX_NOINLINE void tbx_segment_event(tbx_segment *s, unsigned crossed, int first)
 {
     unsigned up = 0;
     int64_t at[3];
@@ -8895,7 +8893,7 @@ TBX_NOINLINE void tbx_segment_event(tbx_segment *s, unsigned crossed, int first,
         if (!s->lo_is_open && (first || up != 0)) {
             tbx_segment_emit(s, at[0], at[1], at[2]);
         }
-        if (s->lo_is_open ? !last || crossed == 0 : crossed != up) {
+        if (s->lo_is_open || crossed != up) {
             tbx_segment_emit(s, after[0], after[1], after[2]);
         }
     }
@@ -8956,7 +8954,7 @@ TBX_NOINLINE void tbx_segment_tie(tbx_segment *s)
 {
     const unsigned crossed = tbx_segment_first(s);
     int k;
-    tbx_segment_event(s, crossed, 0, 0);
+    tbx_segment_event(s, crossed, 0);
     for (k = 0; k < 3; k++) {
         if ((crossed >> k & 1u) != 0) {
             s->stopped |= !tbx_segment_inside(s, k);
@@ -8995,17 +8993,17 @@ TBX_FN void tbx_segment_walk(tbx_segment *s)
     }
 }
 
-/* Times in double on axis k, in units of u, with Q = (|origin| + |p| + |q| + size) / |q - p| + 1: the
- * difference of origin and p, their distance, the division (4), and two sums, 8 of Q; the step alike, 7 of
- * it in `from` and of step * voxel, which is at most Q + |t|: 22 of Q, 7 of |t|. */
+/* Times in double on axis k, on which p and q differ, in units of u, with Q = (|origin| + |p| + |q| + size) /
+ * |q - p| + 1: the difference of origin and p, their distance, the division (4), and two sums, 8 of Q; the
+ * step alike, 7 of it in `from` and of step * voxel, which is at most Q + |t|: 22 of Q, 7 of |t|. */
 TBX_FN void tbx_segment_times(tbx_segment *s, int k)
 {
     const double *origin = &s->grid->origin[k];
     const double *size = &s->grid->size[k];
     double p = s->p[k];
     double q = s->q[k];
-    if (TBX_DOUBLE_IS_53_BITS && (tbx_less(&p, &q) | tbx_less(&q, &p)) && tbx_is_ordinary(origin, 300) &&
-        tbx_is_ordinary(size, 300) && tbx_is_ordinary(&p, 300) && tbx_is_ordinary(&q, 300)) {
+    if (TBX_DOUBLE_IS_53_BITS && tbx_is_ordinary(origin, 300) && tbx_is_ordinary(size, 300) &&
+        tbx_is_ordinary(&p, 300) && tbx_is_ordinary(&q, 300)) {
         double start = *origin;
         double voxel = *size;
         double d;
@@ -9095,7 +9093,6 @@ TBX_FN int tbx_segment_start(tbx_segment *s, const int on[3])
 {
     unsigned crossed = 0;
     int e = -1; /* the last to be entered */
-    int last;
     int64_t i = 0;
     int k;
     for (k = 0; k < 3; k++) {
@@ -9109,13 +9106,11 @@ TBX_FN int tbx_segment_start(tbx_segment *s, const int on[3])
             }
         }
     }
-    last = e < 0 ? s->way[0] == 0 && s->way[1] == 0 && s->way[2] == 0
-                 : tbx_plane_compare(s->grid, e, tbx_segment_plane(s, e), s->q[e]) == 0;
     for (k = 0; k < 3; k++) {
         const int crosses = e < 0 ? on[k] : s->way[k] != 0 && tbx_segment_advance(s, k, e, i);
         crossed |= (unsigned)crosses << k;
     }
-    tbx_segment_event(s, crossed, 1, last);
+    tbx_segment_event(s, crossed, 1);
     for (k = 0; k < 3; k++) {
         if ((crossed >> k & 1u) != 0) {
             tbx_segment_next(s, k);

@@ -454,15 +454,16 @@ static void lines_that_clearly_miss_a_box(void)
         const double t = 0.5 + 0.4 * random_signed();
         int          k;
         for (k = 0; k < 3; k++) {
-            const double from = rounded_to_float(random_signed());
-            const double to = rounded_to_float(random_signed());
+            const double scale = random_below(4) ? 1 : power_of_two(-31); /* extents next to what floats can decide */
+            const double from = rounded_to_float(scale * random_signed());
+            const double to = rounded_to_float(from + scale * (1 + random_signed()));
             const double s = 0.5 + 0.4 * random_signed();
             const int    last = random_below(3);
             q.t.v[last][k] = rounded_to_float(from + t * (to - from));
             q.t.v[(last + 1) % 3][k] = from;
             q.t.v[(last + 2) % 3][k] = to;
             q.lo[k] = rounded_to_float(from + s * (to - from));
-            q.hi[k] = rounded_to_float(q.lo[k] + 0.01);
+            q.hi[k] = rounded_to_float(q.lo[k] + 0.01 * scale);
         }
         if (random_below(2)) { /* one of the corners is always between */
             for (k = 0; k < 3; k++) {
@@ -501,6 +502,13 @@ static void times_beyond_floats_are_rounded_outward(void)
     CHECK(tribox_ray_box(origin, dir, -infinity, infinity, lo, hi, &t[0], &t[1]) == 1);
     CHECK(t[0] == -infinity && t[1] == -most);
 #endif
+    { /* from 0 to a face that is nearly there */
+        static const float near_by[3] = {1e-25f, 0, 0};
+        origin[0] = 0;
+        dir[0] = 1;
+        CHECK(tribox_ray_box(origin, dir, -1, 9, near_by, hi, &t[0], &t[1]) == 1);
+        CHECK(t[0] == 1e-25f && t[1] == 1);
+    }
     dir[0] = 1e38f; /* from 1e-10 before the box: 1e-48 is less than the least float */
     origin[0] = -1e-10f;
     CHECK(tribox_ray_box(origin, dir, -1, 1, lo, hi, &t[0], &t[1]) == 1);
@@ -667,6 +675,47 @@ static void gaps_of_subnormals(void)
     }
 }
 
+/* Gaps are the same when axes are turned: those of floors and walls, too, and of numbers so unlike that only integers
+ * decide. */
+static void gaps_turn_with_the_axes(void)
+{
+    int i;
+
+    random_seed(910);
+    for (i = 0; i < TEST_LOOPS(2000); i++) {
+        float  v[3][3][3];
+        float  lo[3][3];
+        float  hi[3][3];
+        float  axis[3][3];
+        double gap[3];
+        int    level = random_below(4);
+        int    turn;
+        int    k;
+        for (k = 0; k < 3; k++) {
+            const float whole = (float)(random_signed() * power_of_two(random_below(80) - 40));
+            int         j;
+            for (j = 0; j < 3; j++) {
+                v[0][j][k] = level == k ? whole : (float)(random_signed() * power_of_two(random_below(80) - 40));
+            }
+            lo[0][k] = (float)(random_signed() * power_of_two(random_below(80) - 40));
+            hi[0][k] = lo[0][k] + (float)power_of_two(random_below(80) - 40);
+        }
+        for (turn = 0; turn < 3; turn++) {
+            for (k = 0; k < 3; k++) {
+                int j;
+                for (j = 0; j < 3; j++) {
+                    v[turn][j][k] = v[0][j][(k + turn) % 3];
+                }
+                lo[turn][k] = lo[0][(k + turn) % 3];
+                hi[turn][k] = hi[0][(k + turn) % 3];
+            }
+            gap[turn] = tribox_gap(v[turn][0], v[turn][1], v[turn][2], lo[turn], hi[turn], axis[turn]);
+            CHECK((gap[turn] > 0) == (gap[0] > 0) && (gap[turn] < 0) == (gap[0] < 0));
+            CHECK((gap[turn] - gap[0]) * (gap[turn] - gap[0]) <= 1e-20 * gap[0] * gap[0]);
+        }
+    }
+}
+
 typedef struct passed {
     int count;
     int last;
@@ -717,6 +766,7 @@ int main(void)
     RUN(spheres_meet_no_triangle_of_nan);
     RUN(queries_of_doubles_have_any_stride);
     RUN(gaps_of_subnormals);
+    RUN(gaps_turn_with_the_axes);
     RUN(segments_with_far_ends);
     return test_report("test_limits");
 }

@@ -59,6 +59,13 @@ static void solid_make(solid_case *c, int kind)
             c->grid.size[a] *= power_of_two(scale);
             c->grid.origin[a] = c->grid.size[a] * (0.25 * random_below(5) + (random_below(3) ? 0 : power_of_two(-9)));
             c->grid.origin[a] += random_below(4) ? 0 : c->grid.size[a] * 4194290.0;
+            if (random_below(16) == 0) { /* the last number that is whole, with the region beyond */
+                double extent = 1;
+                for (; 2 * extent <= c->n[a] * c->grid.size[a] / power_of_two(scale); extent *= 2) {
+                }
+                c->grid.size[a] = power_of_two(scale);
+                c->grid.origin[a] = (power_of_two(51 - 14) * extent - 1) * c->grid.size[a];
+            }
         }
         if (kind == 3) {
             c->grid.origin[a] *= random_below(2) ? 1e-20 : 1e-9;
@@ -103,8 +110,8 @@ static void solid_make(solid_case *c, int kind)
             c->doubles[i] += 1e-14 * c->grid.size[k];
         }
         if (kind == 6 && k == 0 && random_below(20) == 0) {
-            c->doubles[i] = x * power_of_two(random_below(40));
-            c->positions[i] = (float)c->doubles[i];
+            c->positions[i] = (float)(x * power_of_two(random_below(40)));
+            c->doubles[i] = random_below(4) ? (double)c->positions[i] : c->grid.size[0] * power_of_two(170);
         }
         if (kind == 6 && i % 9 >= 7 && random_below(8) == 0) { /* between the others */
             c->doubles[i] = 0.75 * c->doubles[i - 3] + 0.25 * c->doubles[i - 6];
