@@ -17212,11 +17212,211 @@ TBX_NOINLINE int tbx_solid_large(tbx_solid_fill *fill)
     return ~sure & ~two.flat & ((1 << count) - 1);
 }
 
+/* A triangle of few rows that float is not sure of, in units from the centre of a row and a voxel (section 9).
+ * Corners close to it are exact there, and off by u of themselves as doubles; so are products of two, by 3 u:
+ * edges are off by CLOSE_ERROR of them, and told by their exact products where they may be 0. x is the
+ * corners', weighted with the edges' values: off by (4 + 1 + 1 + 2) u of the products, twice, since their sum
+ * divides, times the largest of x. */
+#define TBX_SOLID_FEW_ERROR (32.0 * TBX_U64)
+#define TBX_SOLID_FEW 32
+
+typedef struct tbx_solid_few {
+    int64_t units[3][3]; /* axis, corner: from the centre of a voxel that is close to the first one */
+    int64_t least[3];
+    int64_t most[3];
+    int64_t step[3];    /* a voxel's size */
+    int64_t voxel[3];   /* that voxel's number */
+    int64_t from[3];    /* rows, layers: from that voxel's on */
+    int64_t count[3];
+    int sign;           /* of n_x */
+    double corner_x[3]; /* in voxels */
+    double x;           /* the largest magnitude of them */
+} tbx_solid_few;
+
+/* Axis k. Returns 0 where a corner is not close, or a voxel, below 2^56 units but for odd origins, is larger:
+ * ROWS of them and a corner are below 2^61. */
+TBX_FN int tbx_solid_few_axis(tbx_solid_few *f, const tbx_solid *s, double v[3][3], int k)
+{
+    const double size = s->grid->size[k];
+    const double end = (double)s->n[k] + 16.0;
+    const int64_t step = (int64_t)(2 * s->half[k]);
+    double voxel = (v[0][k] - s->middle[k]) / size;
+    double middle;
+    uint64_t base;
+    int i;
+    voxel = voxel > -16.0 ? voxel : -16.0;
+    voxel = voxel < end ? voxel : end;
+    TBX_KEEP_SCALAR(voxel);
+    f->voxel[k] = (int64_t)voxel;
+    middle = s->middle[k] + (double)f->voxel[k] * size;
+    base = s->origin[k] + (uint64_t)(2 * (s->grid->lo[k] + f->voxel[k]) + 1) * s->half[k];
+    f->step[k] = step;
+    for (i = 0; i < 3; i++) {
+        uint64_t units;
+        int64_t x;
+        if (!(tbx_abs(v[i][k] - middle) < s->within[k]) || !tbx_in_units(&v[i][k], s->exponent[k], &units)) {
+            return 0;
+        }
+        units -= base;
+        x = units >> 63 ? -(int64_t)(~units) - 1 : (int64_t)units;
+        f->units[k][i] = x;
+        f->least[k] = i == 0 || x < f->least[k] ? x : f->least[k];
+        f->most[k] = i == 0 || x > f->most[k] ? x : f->most[k];
+    }
+    return size * 8.0 <= s->within[k];
+}
+
+/* A quotient rounded up. */
+TBX_FN int64_t tbx_solid_quotient(int64_t x, int64_t step)
+{
+    return x / step + (x > 0 && x % step != 0);
+}
+
+/* The rows of axis k, 1 or 2, whose centres are in [least, most), in the region, from row `first` on. */
+TBX_FN void tbx_solid_few_rows(tbx_solid_few *f, const tbx_solid *s, int k, int64_t first)
+{
+    int64_t from = tbx_solid_quotient(f->least[k], f->step[k]);
+    int64_t end = tbx_solid_quotient(f->most[k], f->step[k]);
+    from = from + f->voxel[k] > first ? from : first - f->voxel[k];
+    end = end + f->voxel[k] < s->n[k] ? end : s->n[k] - f->voxel[k];
+    f->from[k] = from;
+    f->count[k] = end > from ? end - from : 0;
+}
+
+/* The sign of n_x; 2: not sure. */
+TBX_FN int tbx_solid_few_sign(const tbx_solid_few *f)
+{
+    const int64_t *y = f->units[1];
+    const int64_t *z = f->units[2];
+    const double forth = (double)(y[1] - y[0]) * (double)(z[2] - z[0]);
+    const double back = (double)(z[1] - z[0]) * (double)(y[2] - y[0]);
+    const double error = (tbx_abs(forth) + tbx_abs(back)) * TBX_SOLID_CLOSE_ERROR;
+    const double area = forth - back;
+    const int wall = y[1] == y[2] && z[1] == z[2];
+    return area > error ? 1 : area < -error ? -1 : error == 0.0 || wall ? 0 : 2;
+}
+
+/* x of the crossing, in voxels, rounded up: where the quotient is not sure, the sign at the centre it is close
+ * to is, if the corners there make their products small. Returns 0 where it is not. */
+TBX_FN int tbx_solid_few_voxel(const tbx_solid_few *f, const double value[3], const double m[3], int64_t *out)
+{
+    const double bottom = value[0] + value[1] + value[2];
+    const double off = (m[0] + m[1] + m[2]) * TBX_SOLID_FEW_ERROR * (f->x + 1.0);
+    double top = 0.0;
+    double past;
+    double error = 0.0;
+    int i;
+    if (!(tbx_abs(bottom) > 8.0 * off)) {
+        return 0;
+    }
+    top = (f->corner_x[0] * value[1] + f->corner_x[1] * value[2] + f->corner_x[2] * value[0]) / bottom;
+    *out = tbx_to_long(top);
+    past = top - (double)*out;
+    *out += past > 0.5 ? 1 : past < -0.5 ? -1 : 0;
+    past = top - (double)*out; /* the nearest */
+    if (tbx_abs(past * bottom) > off) {
+        *out += past > 0.0;
+        return 1;
+    }
+    for (top = 0.0, i = 0; i < 3; i++) {
+        const int b = i < 2 ? i + 1 : 0;
+        const double x = (double)(f->units[0][i] - *out * f->step[0]);
+        top += x * value[b];
+        error += tbx_abs(x) * m[b];
+    }
+    error *= TBX_SOLID_FEW_ERROR;
+    *out += (f->sign > 0 ? top : -top) > 0.0;
+    return tbx_abs(top) > error || error == 0.0;
+}
+
+/* Row j of layer k: the first voxel behind the crossing, or n_x where there is none. Returns 0 where that is
+ * not sure. */
+TBX_FN int tbx_solid_few_row(const tbx_solid_few *f, int64_t j, int64_t k, int64_t n_x, int64_t *out_x)
+{
+    double value[3];
+    double m[3];
+    int64_t x;
+    int i;
+    *out_x = n_x;
+    for (i = 0; i < 3; i++) {
+        const int b = i < 2 ? i + 1 : 0;
+        const int64_t y_a = f->units[1][i] - j * f->step[1];
+        const int64_t y_b = f->units[1][b] - j * f->step[1];
+        const int64_t z_a = f->units[2][i] - k * f->step[2];
+        const int64_t z_b = f->units[2][b] - k * f->step[2];
+        const double forth = (double)y_a * (double)z_b;
+        const double back = (double)z_a * (double)y_b;
+        int side;
+        value[i] = forth - back;
+        m[i] = tbx_abs(forth) + tbx_abs(back);
+        if (tbx_abs(value[i]) > m[i] * TBX_SOLID_CLOSE_ERROR) {
+            side = value[i] > 0.0 ? 1 : -1;
+        } else {
+            side = tbx_compare_products(y_a, z_b, z_a, y_b);
+            side = side != 0 ? side : z_a != z_b ? (z_a > z_b) - (z_a < z_b) : (y_b > y_a) - (y_b < y_a);
+        }
+        if (side != f->sign) {
+            return 1;
+        }
+    }
+    x = f->least[0];
+    if (x == f->most[0]) { /* the quotient, rounded up */
+        x = tbx_solid_quotient(x, f->step[0]);
+    } else if (!tbx_solid_few_voxel(f, value, m, &x)) {
+        return 0;
+    }
+    *out_x = f->voxel[0] + x;
+    return 1;
+}
+
+/* Flips what a triangle of few rows crosses from a layer on. Returns 0, and flips nothing, where that is not
+ * sure. */
+TBX_NOINLINE int tbx_solid_by_units(const tbx_solid *s, double v[3][3], int64_t first)
+{
+    tbx_solid_few f;
+    int64_t x[TBX_SOLID_FEW];
+    int64_t rows;
+    int64_t i;
+    if (!tbx_solid_few_axis(&f, s, v, 1) || !tbx_solid_few_axis(&f, s, v, 2)) {
+        return 0;
+    }
+    tbx_solid_few_rows(&f, s, 1, 0);
+    tbx_solid_few_rows(&f, s, 2, first);
+    rows = f.count[1] * f.count[2];
+    f.sign = tbx_solid_few_sign(&f);
+    if (rows == 0 || f.sign == 0) {
+        return 1;
+    }
+    if (rows > TBX_SOLID_FEW || f.sign == 2 || !tbx_solid_few_axis(&f, s, v, 0)) {
+        return 0;
+    }
+    f.x = 0.0;
+    for (i = 0; i < 3; i++) {
+        f.corner_x[i] = (double)f.units[0][i] / (double)f.step[0];
+        f.x = tbx_abs(f.corner_x[i]) > f.x ? tbx_abs(f.corner_x[i]) : f.x;
+    }
+    for (i = 0; i < rows; i++) {
+        if (!tbx_solid_few_row(&f, f.from[1] + i % f.count[1], f.from[2] + i / f.count[1], s->n[0], &x[i])) {
+            return 0;
+        }
+    }
+    for (i = 0; i < rows; i++) {
+        if (x[i] < s->n[0]) {
+            tbx_solid_flip(s, x[i] > 0 ? x[i] : 0, f.voxel[1] + f.from[1] + i % f.count[1],
+                           f.voxel[2] + f.from[2] + i / f.count[1]);
+        }
+    }
+    return 1;
+}
+
 /* The scalar way. */
 TBX_NOINLINE void tbx_solid_careful(const tbx_solid_quick *q, size_t triangle, int32_t first)
 {
     double v[3][3];
     const int kind = tbx_source_triangle(q->source, triangle, v);
+    if (kind == TBX_ALL_ORDINARY && q->solid->fits && tbx_solid_by_units(q->solid, v, first)) {
+        return;
+    }
     if (kind != TBX_NO_POINTS) {
         tbx_solid_part(q->solid, v, kind, first);
     }
@@ -17279,8 +17479,8 @@ TBX_NOINLINE void tbx_solid_lattice(tbx_solid_rows_of *rows, const tbx_solid_qui
     }
 }
 
-/* `count` triangles of a list, WIDE at most, from i on. */
-TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count, int n)
+/* `count` triangles of a list, WIDE at most, from i on. Returns those that are not sure. */
+TBX_FORCED unsigned tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count, int n)
 {
     const tbx_solid_quick *q = &fill->quick;
     const tbx_solid *s = q->solid;
@@ -17289,7 +17489,6 @@ TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list
     tbx_solid_placed p;
     tbx_solid_rows_of rows;
     size_t first[TBX_WIDE];
-    unsigned unsure;
     uint32_t sure;
     int lane;
     int k;
@@ -17313,10 +17512,6 @@ TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list
                                     (tbx_wide_int((int32_t)s->n[2] - n) - z)))) {
             tbx_solid_cut(&rows, s, list->y + i, list->z + i, n);
         }
-    }
-    unsure = rows.unsure & ((1u << count) - 1u);
-    for (; unsure != 0; unsure &= unsure - 1) {
-        fill->large[fill->larges++] = list->triangle[i + __builtin_ctz(unsure)];
     }
     sure = (uint32_t)(~rows.unsure & ((1u << count) - 1u));
     if (n > 1) {
@@ -17345,26 +17540,27 @@ TBX_FORCED void tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *list
             tbx_solid_flip_all(fill);
         }
     }
+    return rows.unsure & ((1u << count) - 1u);
 }
 
-TBX_NOINLINE void tbx_solid_flush1(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
+TBX_NOINLINE unsigned tbx_solid_flush1(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
 {
-    tbx_solid_flush(fill, list, i, count, 1);
+    return tbx_solid_flush(fill, list, i, count, 1);
 }
 
-TBX_NOINLINE void tbx_solid_flush2(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
+TBX_NOINLINE unsigned tbx_solid_flush2(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
 {
-    tbx_solid_flush(fill, list, i, count, 2);
+    return tbx_solid_flush(fill, list, i, count, 2);
 }
 
-TBX_NOINLINE void tbx_solid_flush3(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
+TBX_NOINLINE unsigned tbx_solid_flush3(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
 {
-    tbx_solid_flush(fill, list, i, count, 3);
+    return tbx_solid_flush(fill, list, i, count, 3);
 }
 
-TBX_NOINLINE void tbx_solid_flush4(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
+TBX_NOINLINE unsigned tbx_solid_flush4(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
 {
-    tbx_solid_flush(fill, list, i, count, 4);
+    return tbx_solid_flush(fill, list, i, count, 4);
 }
 
 /* Two by two, each way outside of the way before: their stacks do not add up. */
@@ -17386,6 +17582,7 @@ TBX_FORCED void tbx_solid_work(tbx_solid_fill *fill, int extent, int all)
     while (list->n >= TBX_WIDE || (all && list->n > 0)) {
         const int count = list->n < TBX_WIDE ? list->n : TBX_WIDE;
         const int i = list->n - count;
+        unsigned unsure;
         int lane;
         for (lane = count; lane < TBX_WIDE; lane++) {
             list->triangle[lane] = list->triangle[0];
@@ -17394,13 +17591,13 @@ TBX_FORCED void tbx_solid_work(tbx_solid_fill *fill, int extent, int all)
         }
         list->n = i;
         switch (extent) {
-        case 1: tbx_solid_flush1(fill, list, i, count); break;
-        case 2: tbx_solid_flush2(fill, list, i, count); break;
-        case 3: tbx_solid_flush3(fill, list, i, count); break;
-        default: tbx_solid_flush4(fill, list, i, count); break;
+        case 1: unsure = tbx_solid_flush1(fill, list, i, count); break;
+        case 2: unsure = tbx_solid_flush2(fill, list, i, count); break;
+        case 3: unsure = tbx_solid_flush3(fill, list, i, count); break;
+        default: unsure = tbx_solid_flush4(fill, list, i, count); break;
         }
-        while (fill->larges > 0) { /* unsure */
-            tbx_solid_careful(&fill->quick, fill->large[--fill->larges], 0);
+        for (; unsure != 0; unsure &= unsure - 1) {
+            tbx_solid_careful(&fill->quick, list->triangle[i + __builtin_ctz(unsure)], 0);
         }
     }
 }
@@ -17773,6 +17970,8 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_SOLID_ALONE_ERROR
 #undef TBX_SOLID_ALONE_REST
 #undef TBX_SOLID_CLOSE_ERROR
+#undef TBX_SOLID_FEW
+#undef TBX_SOLID_FEW_ERROR
 #undef TBX_SOLID_PARTS
 #undef TBX_SOLID_MARGIN
 #undef TBX_SOLID_LINE_ERROR
