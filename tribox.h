@@ -16168,6 +16168,16 @@ TBX_FN unsigned tbx_gap_quick(const float *const v[5], const float box_min[3], c
 #define TBX_SOLID_ROW_ERROR 16.0f
 #define TBX_SOLID_ROW_ULPS (64.0f * TBX_U32)
 
+/* Centres of y and z in double: high + low, each exact; `least`: no high is closer to 0. */
+typedef struct tbx_solid_exact {
+    double base_high[2];
+    double base_low[2];
+    double size_high[2];
+    double size_low[2];
+    double least[2];
+    int on;
+} tbx_solid_exact;
+
 /* y or z, for boxes. */
 typedef struct tbx_solid_axis {
     tbx_fw origin;
@@ -16205,6 +16215,7 @@ typedef struct tbx_solid_quick {
     tbx_solid_centres centres[3];
     float rho;            /* scaled, the largest */
     double most_reach[3]; /* M of corners within 2^21 voxels */
+    tbx_solid_exact exact;
     int lattice;
     int on; /* 0: this grid's numbers are out of range */
 } TBX_ALIGNED tbx_solid_quick;
@@ -16228,6 +16239,31 @@ TBX_FN double tbx_solid_axis_init(tbx_solid_quick *q, int k)
     axis->outside = tbx_wide_all((float)(source_middle + 4194304.0 * size));
     axis->last = tbx_wide_int(TBX_SOLID_MARGIN + (int32_t)s->n[k] - 2);
     return slack;
+}
+
+/* Centres of axis k. Parts are in whole units (section 9), and add up to centres; low ones are below 2^52. */
+TBX_FN void tbx_solid_exact_init(tbx_solid_exact *e, const tbx_solid *s, int k, double most)
+{
+    const double size = s->grid->size[k];
+    const double origin = s->grid->origin[k];
+    const double spacing = tbx_floor_pow2(most) * TBX_POW2(-50);
+    const double rest = spacing * ((double)s->n[k] + 34.0);
+    const int64_t halves = 2 * (int64_t)s->grid->lo[k] + 1;
+    const double half_high = tbx_floor_to(0.5 * size, spacing);
+    const double origin_high = tbx_floor_to(origin, spacing);
+    double *high = &e->base_high[k - 1];
+    double *low = &e->base_low[k - 1];
+    uint64_t units[2];
+    *high = origin_high + (double)halves * half_high;
+    *low = (origin - origin_high) + (double)halves * (0.5 * size - half_high);
+    e->size_high[k - 1] = tbx_floor_to(size, spacing);
+    e->size_low[k - 1] = size - e->size_high[k - 1];
+    e->least[k - 1] = 16.0 * (rest + tbx_abs(*low));
+    TBX_KEEP(*e);
+    e->on &= tbx_in_units(high, s->exponent[k], &units[0]) && tbx_in_units(low, s->exponent[k], &units[1]) &&
+             units[0] + units[1] == s->origin[k] + (uint64_t)halves * s->half[k] &&
+             16.0 * (rest + tbx_abs(*low)) < s->unit[k] * 4503599627370496.0 &&
+             tbx_abs(*low) < most * TBX_POW2(-20);
 }
 
 TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const tbx_source *source)
@@ -16284,6 +16320,10 @@ TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const t
                       tbx_on_lattice(s->grid->origin[k], scale * parts) &&
                       tbx_on_lattice(middle, scale * parts) && tbx_on_lattice(size, scale * parts) &&
                       s->reach[k] * scale * parts < 8388608.0;
+    }
+    q->exact.on = source->is_double && q->on;
+    for (k = 1; k < 3 && q->exact.on; k++) {
+        tbx_solid_exact_init(&q->exact, s, k, q->most_reach[k]);
     }
     if (q->on) {
         const double slack_y = tbx_solid_axis_init(q, 1);
@@ -16459,8 +16499,9 @@ typedef struct tbx_solid_boxed {
     tbx_fw v[2][3]; /* y and z of the corners */
     tbx_iw before[2];
     tbx_iw n[2];
-    tbx_iw some;   /* lanes that have rows */
-    tbx_iw narrow; /* lanes that have less of them than was thought */
+    tbx_iw some;    /* lanes that have rows */
+    tbx_iw narrow;  /* lanes that have less of them than was thought */
+    tbx_iw rounded; /* of doubles, v being from the first row's centre: lanes where it was rounded */
 } TBX_ALIGNED tbx_solid_boxed;
 
 /* Lanes above 0 that may be flushed to it. */
@@ -16498,6 +16539,7 @@ TBX_FORCED tbx_iw tbx_solid_outside(const tbx_solid_boxed *b, const tbx_solid_qu
     tbx_solid_edges e;
     tbx_iw on = tbx_wide_int(0);
     tbx_iw out = tbx_wide_int(0);
+    float rest = TBX_SOLID_ALONE_REST * q->rho;
     y[0] = b->v[0][0];
     y[1] = b->v[0][1];
     y[2] = b->v[0][2];
@@ -16507,13 +16549,23 @@ TBX_FORCED tbx_iw tbx_solid_outside(const tbx_solid_boxed *b, const tbx_solid_qu
     if (q->lattice) {
         on = tbx_solid_whole(q, 1, y[0]) & tbx_solid_whole(q, 1, y[1]) & tbx_solid_whole(q, 1, y[2]) &
              tbx_solid_whole(q, 2, z[0]) & tbx_solid_whole(q, 2, z[1]) & tbx_solid_whole(q, 2, z[2]);
+        on &= ~b->rounded;
     }
-    tbx_solid_place(&q->centres[1], b->before[0] - to_first, &y[0], &y[1], &y[2]);
-    tbx_solid_place(&q->centres[2], b->before[1] - to_first, &z[0], &z[1], &z[2]);
+    if (q->source->is_double) {
+        int c;
+        rest = 0.0f; /* corners are off by 2 u of themselves */
+        for (c = 0; c < 3; c++) {
+            y[c] = y[c] * q->centres[1].scale;
+            z[c] = z[c] * q->centres[2].scale;
+        }
+    } else {
+        tbx_solid_place(&q->centres[1], b->before[0] - to_first, &y[0], &y[1], &y[2]);
+        tbx_solid_place(&q->centres[2], b->before[1] - to_first, &z[0], &z[1], &z[2]);
+    }
     tbx_solid_edges_set(&e, y, z);
     if (tbx_wide_any(asked & ~on)) {
         const tbx_fw relative = tbx_wide_all(TBX_SOLID_ALONE_ERROR);
-        const tbx_fw absolute = tbx_wide_all(TBX_SOLID_ALONE_REST * q->rho + 1e-18f);
+        const tbx_fw absolute = tbx_wide_all(rest + 1e-18f);
         const tbx_fw error0 = relative * (tbx_wide_abs(y[0] * z[1]) + tbx_wide_abs(z[0] * y[1])) + absolute;
         const tbx_fw error1 = relative * (tbx_wide_abs(y[1] * z[2]) + tbx_wide_abs(z[1] * y[2])) + absolute;
         const tbx_fw error2 = relative * (tbx_wide_abs(y[2] * z[0]) + tbx_wide_abs(z[2] * y[0])) + absolute;
@@ -16528,15 +16580,108 @@ TBX_FORCED tbx_iw tbx_solid_outside(const tbx_solid_boxed *b, const tbx_solid_qu
     return out;
 }
 
+/* Two doubles. */
+TBX_FORCED tbx_d2 tbx_solid_yz(const void *from)
+{
+    tbx_d2 r;
+    TBX_COPY(&r, from, sizeof r);
+    return r;
+}
+
+/* y and z from the centres i, high + low, with the exact sign: v - high is exact where v is up to twice as
+ * far from 0, or half; elsewhere it is half of high at least, and low does not turn its sign. */
+TBX_FORCED tbx_d2 tbx_solid_exact_from(const tbx_solid_exact *e, tbx_d2 i, tbx_d2 x, tbx_d2 *high)
+{
+    *high = tbx_pair(e->base_high[0], e->base_high[1]) + i * tbx_pair(e->size_high[0], e->size_high[1]);
+    TBX_KEEP_VECTOR(*high);
+    x -= *high;
+    i = tbx_pair(e->base_low[0], e->base_low[1]) + i * tbx_pair(e->size_low[0], e->size_low[1]);
+    TBX_KEEP_VECTOR(x);
+    TBX_KEEP_VECTOR(i);
+    return x - i;
+}
+
+/* tbx_solid_narrow of doubles, one triangle after another; where one row is left, corners from its centre. */
+TBX_NOINLINE void tbx_solid_narrow_doubles(tbx_solid_boxed *b, const tbx_solid_quick *q, size_t first)
+{
+    const tbx_solid_exact *e = &q->exact;
+    const tbx_d2 least = tbx_pair(e->least[0], e->least[1]);
+    const tbx_d2 one = tbx_pair(1.0, 1.0);
+    const tbx_d2 zero = tbx_pair(0.0, 0.0);
+    unsigned left = tbx_wide_signs(b->some);
+    float from[6][TBX_WIDE] = { { 0.0f } };
+    int32_t before[2][TBX_WIDE];
+    int32_t n[2][TBX_WIDE];
+    int32_t narrow[TBX_WIDE] = { 0 };
+    int32_t rounded[TBX_WIDE];
+    int c;
+    TBX_COPY(before, b->before, sizeof before);
+    TBX_COPY(n, b->n, sizeof n);
+    TBX_COPY(rounded, &b->some, sizeof rounded);
+    for (; left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        const double to_first = (double)(TBX_SOLID_MARGIN - 1);
+        tbx_d2 at = tbx_pair((double)before[0][lane] - to_first, (double)before[1][lane] - to_first);
+        const tbx_d2 last = at + tbx_pair((double)n[0][lane], (double)n[1][lane]) - one;
+        tbx_d2 v[3];
+        tbx_d2 low;
+        tbx_d2 high;
+        tbx_d2 place;
+        tbx_d2 last_place;
+        int not_first;
+        int not_last;
+        int exact = -1;
+        for (c = 0; c < 3; c++) {
+            v[c] = tbx_solid_yz(tbx_source_at(q->source, first + (size_t)lane, (size_t)c) + sizeof(double));
+        }
+        low = tbx_solid_exact_from(e, at, tbx_min2(tbx_min2(v[0], v[1]), v[2]), &place);
+        high = tbx_solid_exact_from(e, last, tbx_max2(tbx_max2(v[0], v[1]), v[2]), &last_place);
+        if (tbx_signs2((tbx_l2)(tbx_abs2(place) < least) | (tbx_l2)(tbx_abs2(last_place) < least)) != 0) {
+            continue;
+        }
+        not_first = tbx_signs2((tbx_l2)(low > zero));
+        not_last = tbx_signs2((tbx_l2)(high <= zero));
+        before[0][lane] += not_first & 1;
+        before[1][lane] += not_first >> 1;
+        n[0][lane] -= (not_first & 1) + (not_last & 1);
+        n[1][lane] -= (not_first >> 1) + (not_last >> 1);
+        narrow[lane] = -(int32_t)((not_first | not_last) != 0);
+        if (n[0][lane] != 1 || n[1][lane] != 1) {
+            continue;
+        }
+        at += tbx_pair((double)(not_first & 1), (double)(not_first >> 1));
+        for (c = 0; c < 3; c++) {
+            const tbx_d2 x = tbx_solid_exact_from(e, at, v[c], &place);
+            if (tbx_signs2((tbx_l2)(tbx_abs2(place) < least)) != 0) {
+                exact = 0;
+                break; /* of all three */
+            }
+            from[c][lane] = (float)x[0];
+            from[c + 3][lane] = (float)x[1];
+            exact &= -(int)(((double)from[c][lane] == x[0]) & ((double)from[c + 3][lane] == x[1]));
+        }
+        rounded[lane] = ~exact;
+    }
+    TBX_COPY(b->v, from, sizeof b->v);
+    TBX_COPY(b->before, before, sizeof before);
+    TBX_COPY(b->n, n, sizeof n);
+    TBX_COPY(&b->narrow, narrow, sizeof narrow);
+    TBX_COPY(&b->rounded, rounded, sizeof rounded);
+}
+
 /* Boxes looked at from close by: where corners lie on lines of centres, up to three of four rows are none of
  * theirs. Of one row it is decided whether it is within, if that is sure. */
-TBX_NOINLINE void tbx_solid_refine(tbx_solid_boxed *b, const tbx_solid_quick *q)
+TBX_NOINLINE void tbx_solid_refine(tbx_solid_boxed *b, const tbx_solid_quick *q, size_t first)
 {
     const tbx_iw one = tbx_wide_int(1);
     tbx_iw alone;
-    b->narrow = tbx_wide_int(0);
-    tbx_solid_narrow(b, q, 0);
-    tbx_solid_narrow(b, q, 1);
+    b->narrow = b->rounded = tbx_wide_int(0);
+    if (q->source->is_double) {
+        tbx_solid_narrow_doubles(b, q, first);
+    } else {
+        tbx_solid_narrow(b, q, 0);
+        tbx_solid_narrow(b, q, 1);
+    }
     b->some &= (b->n[0] > tbx_wide_int(0)) & (b->n[1] > tbx_wide_int(0));
     alone = b->some & (b->n[0] == one) & (b->n[1] == one);
     if (tbx_wide_any(alone)) {
@@ -17212,11 +17357,11 @@ TBX_NOINLINE int tbx_solid_large(tbx_solid_fill *fill)
     return ~sure & ~two.flat & ((1 << count) - 1);
 }
 
-/* A triangle of few rows that float is not sure of, in units from the centre of a row and a voxel (section 9).
- * Corners close to it are exact there, and off by u of themselves as doubles; so are products of two, by 3 u:
- * edges are off by CLOSE_ERROR of them, and told by their exact products where they may be 0. x is the
- * corners', weighted with the edges' values: off by (4 + 1 + 1 + 2) u of the products, twice, since their sum
- * divides, times the largest of x. */
+/* A triangle of few rows that float is not sure of, in units (section 9) from the centre of a voxel by it.
+ * Corners close to it are exact so, and off by u of themselves as doubles, products of two by (1 + 1 + 1) u:
+ * E_i is off by less than CLOSE_ERROR of its products, and compared exactly where it may be 0. x of the
+ * crossing is that of corners, in voxels, off by 3 u, weighted with E / n_x: in products, over n_x, times the
+ * largest x, it is off by (8 + 3 + 1 + 2) u, and by 10 u for n_x itself. */
 #define TBX_SOLID_FEW_ERROR (32.0 * TBX_U64)
 #define TBX_SOLID_FEW 32
 
@@ -17224,9 +17369,9 @@ typedef struct tbx_solid_few {
     int64_t units[3][3]; /* axis, corner: from the centre of a voxel that is close to the first one */
     int64_t least[3];
     int64_t most[3];
-    int64_t step[3];    /* a voxel's size */
-    int64_t voxel[3];   /* that voxel's number */
-    int64_t from[3];    /* rows, layers: from that voxel's on */
+    int64_t step[3];  /* a voxel's size */
+    int64_t voxel[3]; /* that voxel's number */
+    int64_t from[3];  /* rows, layers: from that voxel's on */
     int64_t count[3];
     int sign;           /* of n_x */
     double corner_x[3]; /* in voxels */
@@ -17296,9 +17441,64 @@ TBX_FN int tbx_solid_few_sign(const tbx_solid_few *f)
     return area > error ? 1 : area < -error ? -1 : error == 0.0 || wall ? 0 : 2;
 }
 
-/* x of the crossing, in voxels, rounded up: where the quotient is not sure, the sign at the centre it is close
- * to is, if the corners there make their products small. Returns 0 where it is not. */
-TBX_FN int tbx_solid_few_voxel(const tbx_solid_few *f, const double value[3], const double m[3], int64_t *out)
+/* A number in three limbs, of 30 bits but the last, which has its sign; the same of sums of products. */
+TBX_FN void tbx_solid_carry(int64_t *limbs, int n)
+{
+    const int64_t unit = (int64_t)1 << 30;
+    int i;
+    for (i = 0; i + 1 < n; i++) {
+        const int64_t rest = limbs[i] & (unit - 1);
+        limbs[i + 1] += (limbs[i] - rest) / unit;
+        limbs[i] = rest;
+    }
+}
+
+TBX_FN void tbx_solid_limbs(int64_t out[3], int64_t x)
+{
+    out[0] = x;
+    out[1] = out[2] = 0;
+    tbx_solid_carry(out, 3);
+}
+
+/* The sign of the plane's value at a centre, exactly: the sum of x_i E_{i+1}. */
+TBX_NOINLINE int tbx_solid_few_plane(const tbx_solid_few *f, int64_t j, int64_t k, int64_t voxel)
+{
+    int64_t sum[8] = { 0, 0, 0, 0, 0, 0, 0, 0 };
+    int i;
+    int p;
+    int q;
+    for (i = 0; i < 3; i++) {
+        const int a = i < 2 ? i + 1 : 0;
+        const int b = i > 0 ? i - 1 : 2;
+        int64_t e[6] = { 0, 0, 0, 0, 0, 0 };
+        int64_t x[3];
+        int64_t y[2][3];
+        int64_t z[2][3];
+        tbx_solid_limbs(x, f->units[0][i] - voxel * f->step[0]);
+        tbx_solid_limbs(y[0], f->units[1][a] - j * f->step[1]);
+        tbx_solid_limbs(y[1], f->units[1][b] - j * f->step[1]);
+        tbx_solid_limbs(z[0], f->units[2][a] - k * f->step[2]);
+        tbx_solid_limbs(z[1], f->units[2][b] - k * f->step[2]);
+        for (p = 0; p < 9; p++) {
+            e[p / 3 + p % 3] += y[0][p / 3] * z[1][p % 3] - z[0][p / 3] * y[1][p % 3];
+        }
+        tbx_solid_carry(e, 6);
+        for (p = 0; p < 6; p++) {
+            for (q = 0; q < 3 && p + q < 8; q++) {
+                sum[p + q] += e[p] * x[q];
+            }
+        }
+        tbx_solid_carry(sum, 8);
+    }
+    for (i = 7; i > 0 && sum[i] == 0; i--) {
+    }
+    return f->sign * ((sum[i] > 0) - (sum[i] < 0));
+}
+
+/* x of the crossing of row j in layer k, in voxels, rounded up: where the quotient is not sure, the sign at
+ * the centre it is close to is asked. Returns 0 where the edges' values are not sure. */
+TBX_FN int tbx_solid_few_voxel(const tbx_solid_few *f, int64_t j, int64_t k, const double value[3],
+                               const double m[3], int64_t *out)
 {
     const double bottom = value[0] + value[1] + value[2];
     const double off = (m[0] + m[1] + m[2]) * TBX_SOLID_FEW_ERROR * (f->x + 1.0);
@@ -17325,8 +17525,12 @@ TBX_FN int tbx_solid_few_voxel(const tbx_solid_few *f, const double value[3], co
         error += tbx_abs(x) * m[b];
     }
     error *= TBX_SOLID_FEW_ERROR;
-    *out += (f->sign > 0 ? top : -top) > 0.0;
-    return tbx_abs(top) > error || error == 0.0;
+    if (tbx_abs(top) > error) {
+        *out += (f->sign > 0 ? top : -top) > 0.0;
+    } else {
+        *out += tbx_solid_few_plane(f, j, k, *out) > 0;
+    }
+    return 1;
 }
 
 /* Row j of layer k: the first voxel behind the crossing, or n_x where there is none. Returns 0 where that is
@@ -17362,7 +17566,7 @@ TBX_FN int tbx_solid_few_row(const tbx_solid_few *f, int64_t j, int64_t k, int64
     x = f->least[0];
     if (x == f->most[0]) { /* the quotient, rounded up */
         x = tbx_solid_quotient(x, f->step[0]);
-    } else if (!tbx_solid_few_voxel(f, value, m, &x)) {
+    } else if (!tbx_solid_few_voxel(f, j, k, value, m, &x)) {
         return 0;
     }
     *out_x = f->voxel[0] + x;
@@ -17660,14 +17864,6 @@ TBX_FORCED tbx_f4 tbx_narrow(tbx_d2 x)
 #endif
 }
 
-/* Two doubles. */
-TBX_FORCED tbx_d2 tbx_solid_yz(const void *from)
-{
-    tbx_d2 r;
-    TBX_COPY(&r, from, sizeof r);
-    return r;
-}
-
 /* The same of doubles, less the first centre: what is too large becomes 0, and its lane of `wild` is set. */
 TBX_FORCED void tbx_solid_load_f64(tbx_points *out, const tbx_solid_quick *q, int indexed, size_t first,
                                    size_t c, tbx_iw *wild)
@@ -17750,8 +17946,8 @@ TBX_FORCED void tbx_solid_corners(tbx_points v[3], const tbx_solid_quick *q, int
 }
 
 /* The boxes of up to ROWS rows on each axis are looked at again. */
-TBX_FORCED tbx_iw tbx_solid_refined(tbx_solid_fill *fill, const tbx_points v[3], tbx_iw some, tbx_iw *y,
-                                    tbx_iw *z, tbx_iw *n_y, tbx_iw *n_z)
+TBX_FORCED tbx_iw tbx_solid_refined(tbx_solid_fill *fill, const tbx_points v[3], size_t first, tbx_iw some,
+                                    tbx_iw *y, tbx_iw *z, tbx_iw *n_y, tbx_iw *n_z)
 {
     const tbx_iw rows = tbx_wide_int(TBX_SOLID_ROWS);
     const tbx_iw few = some & ~((*n_y > rows) | (*n_z > rows));
@@ -17769,7 +17965,7 @@ TBX_FORCED tbx_iw tbx_solid_refined(tbx_solid_fill *fill, const tbx_points v[3],
     b.n[0] = *n_y;
     b.n[1] = *n_z;
     b.some = few;
-    tbx_solid_refine(&b, &fill->quick);
+    tbx_solid_refine(&b, &fill->quick, first);
     fill->narrows |= tbx_wide_signs(b.narrow & few);
     *y = tbx_wide_select(few, b.before[0], *y);
     *z = tbx_wide_select(few, b.before[1], *z);
@@ -17803,7 +17999,7 @@ TBX_FORCED uint32_t tbx_solid_boxes(tbx_solid_fill *fill, int indexed, size_t st
             tbx_iw extent;
             tbx_iw one;
             if (fill->refines) {
-                some = tbx_solid_refined(fill, v, some, &y, &z, &n_y, &n_z);
+                some = tbx_solid_refined(fill, v, first + (size_t)i, some, &y, &z, &n_y, &n_z);
             }
             some &= (y + n_y > before_first) & (z + n_z > before_first);
             some &= ~((y > q->axis[0].last) | (z > q->axis[1].last));
@@ -17859,7 +18055,8 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
     for (t = 0; t < triangles; t += TBX_SOLID_BLOCK) {
         const size_t left = triangles - t;
         uint32_t live;
-        fill.refines = !source->is_double && (fill.narrows != 0 || t / TBX_SOLID_BLOCK % 16 == 0);
+        fill.refines = (!source->is_double || fill.quick.exact.on) &&
+                       (fill.narrows != 0 || t / TBX_SOLID_BLOCK % 16 == 0);
         fill.narrows = 0;
         live = tbx_solid_block(&fill, t, left < TBX_SOLID_BLOCK ? (int)left : TBX_SOLID_BLOCK);
         tbx_solid_sort(&fill, t, live, left <= TBX_SOLID_BLOCK);

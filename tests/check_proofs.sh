@@ -44,6 +44,7 @@ SOLID_NEAR=$(constant '^#define TBX_SOLID_NEAR_ERROR (\([0-9.]*\)f \* TBX_U32)$'
 SOLID_ALONE=$(constant '^#define TBX_SOLID_ALONE_ERROR (\([0-9.]*\)f \* TBX_U32)$')
 SOLID_REST=$(constant '^#define TBX_SOLID_ALONE_REST (\([0-9.]*\)f \* TBX_U32)$')
 SOLID_CLOSE=$(constant '^#define TBX_SOLID_CLOSE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+SOLID_FEW=$(constant '^#define TBX_SOLID_FEW_ERROR (\([0-9.]*\) \* TBX_U64)$')
 BALL=$(constant '^#define TBX_BALL_ERROR (\([0-9.]*\) \* TBX_U64)$')
 BALL4=$(constant '^#define TBX_BALL_ERROR4 (\([0-9.]*\)f \* TBX_U32)$')
 PLANE_SPHERE=$(constant '^#define TBX_PLANE_SPHERE_ERROR (\([0-9.]*\) \* TBX_U64)$')
@@ -67,7 +68,7 @@ NUM=$(constant '^#define TBX_NUM_ERROR \([0-9.e-]*\) .*' '^#if TBX_DOUBLE_IS_53_
 export SLAB SLAB_INVERSE RAY NUM GAP_FACE
 export PIERCE4 SHOT BALL BALL4 PLANE_SPHERE PLANE_SPHERE4 TOUCH PIERCE SEGMENT GAP4 GAP_EDGE GAP_NORMAL GAP_SURE GAP_LENGTH GAP_GUESS
 export CROSS_EDGE CROSS_PLANE SOLID SOLID_EDGE SOLID_NORMAL SOLID_PLANE SOLID_LINE SOLID_BOX SOLID_PLACE SOLID_ROW \
-    SOLID_ROW_ULPS SOLID_NEAR SOLID_ALONE SOLID_REST SOLID_CLOSE
+    SOLID_ROW_ULPS SOLID_NEAR SOLID_ALONE SOLID_REST SOLID_CLOSE SOLID_FEW
 # groups: delta's share of n u; the bounds in units of n delta and n^2 delta
 SHARE=$(constant '.*const float delta = \([0-9.]*\)f \* TBX_U32 \* (float)n + q->delta_low;.*')
 LINES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)n \* delta).*')
@@ -179,14 +180,15 @@ job "proof: solid, room in the bounds of rows" solid_room
 # The solid from close by. A corner c is off by PLACE u (|c| + rho), so its sign is sure where |c| > NEAR u rho. A product of
 # two such, and their difference, in units of u: PLACE twice, 1 and 1, of the products; PLACE 2.2 rho four times; the errors'
 # own product, rho being below 2048. Their sum has two roundings more, of twice the bound. Of CLOSE: three roundings of
-# an edge, three more of the plane.
+# an edge, three more of the plane. Of FEW, beside the edges' CLOSE: a corner in voxels, the product, two sums; the edges'
+# sum, with CLOSE and two sums.
 solid_close_room() {
-    awk -v place="$SOLID_PLACE" -v near="$SOLID_NEAR" -v alone="$SOLID_ALONE" -v rest="$SOLID_REST" -v close_="$SOLID_CLOSE" 'BEGIN {
+    awk -v place="$SOLID_PLACE" -v near="$SOLID_NEAR" -v alone="$SOLID_ALONE" -v rest="$SOLID_REST" -v close_="$SOLID_CLOSE" -v few="$SOLID_FEW" 'BEGIN {
         u = 2 ^ -23
         relative = 2 * place + 2
         absolute = 4 * place * 2.2 + 2 * place * place * u * 2048
-        print "near:", place, "of", near, "alone:", relative, "of", alone, "and", absolute, "of", rest, "close:", 6, "of", close_
-        exit !(place <= 0.9 * near && relative <= 0.95 * alone && relative + 2 <= 0.95 * 2 * alone && absolute <= rest - 0.5 && 6 <= 0.8 * close_)
+        print "near:", place, "of", near, "alone:", relative, "of", alone, "and", absolute, "of", rest, "close:", 6, "of", close_, "few:", 2 * close_ + 3 + 1 + 2 + 2, "of", few
+        exit !(place <= 0.9 * near && relative <= 0.95 * alone && relative + 2 <= 0.95 * 2 * alone && absolute <= rest - 0.5 && 6 <= 0.8 * close_ && 2 * close_ + 8 <= 0.8 * few)
     }'
 }
 export -f solid_close_room
