@@ -1227,6 +1227,20 @@ TBX_FN double tbx_max(double a, double b)
     return tbx_less(&a, &b) ? b : a;
 }
 
+/* The number of the lowest bit that is 1; x is not 0. */
+TBX_FN int tbx_lowest_bit(uint64_t x)
+{
+#if TBX_HAS_ASM
+    return __builtin_ctzll(x);
+#else
+    int i = 0;
+    for (; (x & 1u) == 0; x >>= 1) {
+        i++;
+    }
+    return i;
+#endif
+}
+
 /* ---- 5. Exact integers ------------------------------------------------------------------------------------
  *
  * Integers of n limbs, the lowest first, in two's complement, for the signs asked below. Section 10 has
@@ -1364,15 +1378,8 @@ TBX_FN int tbx_split(uint64_t bits, int64_t *out_mantissa)
         return TBX_NO_EXPONENT;
     }
     exponent -= 1075;
-#if TBX_HAS_ASM
-    exponent += __builtin_ctzll(mantissa);
-    mantissa >>= __builtin_ctzll(mantissa);
-#else
-    while ((mantissa & 1u) == 0) {
-        mantissa >>= 1;
-        exponent++;
-    }
-#endif
+    exponent += tbx_lowest_bit(mantissa);
+    mantissa >>= tbx_lowest_bit(mantissa);
     *out_mantissa = (bits >> 63) != 0 ? -(int64_t)mantissa : (int64_t)mantissa;
     return exponent;
 }
@@ -4537,30 +4544,43 @@ TBX_NOINLINE int tbx_walk_small(const tbx_walk *w, uint64_t *out_missed)
     return m.least > delta * TBX_SMALL_EDGE_ERROR && least > delta * TBX_SMALL_PLANE_ERROR;
 }
 
-/* The spans of a small box, at most 16. */
+#define TBX_EACH_LAYER ((uint64_t)0x00010001u << 32 | 0x00010001u)
+
+/* Takes the lowest row off voxels, bit x + 4 y + 16 z from `first` on. It has no gaps. */
+TBX_FN void tbx_next_row(tbx_span *out, uint64_t *voxels, const int first[3])
+{
+    const int at = tbx_lowest_bit(*voxels);
+    const uint64_t row = *voxels >> at & 15u >> (at & 3);
+    out->x0 = first[0] + (at & 3);
+    out->x1 = out->x0 + tbx_lowest_bit(~row) - 1;
+    out->y = first[1] + (at >> 2 & 3);
+    out->z = first[2] + (at >> 4);
+    *voxels &= ~(uint64_t)0 << (at | 3) << 1;
+}
+
+/* The voxels of a box with so many after its first. */
+TBX_FN uint64_t tbx_small_box(int more_x, int more_y, int more_z)
+{
+    return (((uint64_t)2 << more_x) - 1) * (0x1111u >> 4 * (3 - more_y)) *
+           (TBX_EACH_LAYER >> 16 * (3 - more_z));
+}
+
+/* The spans of a small box within the region, at most 16. */
 TBX_NOINLINE int tbx_small_spans(const tbx_walk *w, uint64_t missed, tbx_span *out)
 {
-    const int *lo = w->frame->grid->lo;
-    const uint64_t first_of = (uint64_t)0x01020103u << 32 | 0x01020100u; /* of four bits: the lowest, */
-    const uint64_t last_of = (uint64_t)0x33333333u << 32 | 0x22221100u;  /* and the highest */
-    const int skip = (int)(w->first[0] - w->whole[0]);
-    const unsigned here = (15u >> (3 - (w->last[0] - w->whole[0]))) & (15u << skip);
-    int64_t y;
-    int64_t z;
+    uint64_t voxels = ~missed;
+    int more[3];
+    int first[3];
     int n = 0;
-    for (z = w->first[2]; z <= w->last[2]; z++) {
-        for (y = w->first[1]; y <= w->last[1]; y++) {
-            const unsigned row =
-                (unsigned)(~missed >> (4 * (y - w->whole[1]) + 16 * (z - w->whole[2]))) & here;
-            if (row != 0) {
-                const int64_t x = lo[0] + w->whole[0];
-                out[n].x0 = (int)(x + (int64_t)(first_of >> (4 * row) & 15u));
-                out[n].x1 = (int)(x + (int64_t)(last_of >> (4 * row) & 15u));
-                out[n].y = (int)(lo[1] + y);
-                out[n].z = (int)(lo[2] + z);
-                n++;
-            }
-        }
+    int k;
+    for (k = 0; k < 3; k++) {
+        voxels >>= (w->first[k] - w->whole[k]) << 2 * k;
+        more[k] = (int)(w->last[k] - w->first[k]);
+        first[k] = (int)(w->frame->grid->lo[k] + w->first[k]);
+    }
+    voxels &= tbx_small_box(more[0], more[1], more[2]);
+    while (voxels != 0) {
+        tbx_next_row(&out[n++], &voxels, first);
     }
     return n;
 }
@@ -4697,11 +4717,44 @@ TBX_FN size_t tbx_spans(const tribox_grid *grid, double v[3][3], int kind, tribo
     }
 }
 
+#if TRIBOX_SIMD /* section 11.3 */
+TBX_NOINLINE uint64_t tbx_lone_find(int first[4], const tribox_grid *grid, const float v0[3],
+                                    const float v1[3], const float v2[3]);
+TBX_NOINLINE uint64_t tbx_lone_find_f64(int first[4], const tribox_grid *grid, const double v0[3],
+                                        const double v1[3], const double v2[3]);
+
+/* Tells the spans of a small box's voxels. Returns how many voxels they are. */
+TBX_FN size_t tbx_small_tell(uint64_t voxels, const int first[3], tribox_span_fn on_span, void *user)
+{
+    size_t count = 0;
+    if (on_span == NULL) { /* bits in pairs, in fours, in eights, then all */
+        voxels -= voxels >> 1 & 0x5555 * TBX_EACH_LAYER;
+        voxels = (voxels & 0x3333 * TBX_EACH_LAYER) + (voxels >> 2 & 0x3333 * TBX_EACH_LAYER);
+        voxels = (voxels + (voxels >> 4)) & 0x0f0f * TBX_EACH_LAYER;
+        return (size_t)(voxels * (0x0101 * TBX_EACH_LAYER) >> 56);
+    }
+    while (voxels != 0) {
+        tbx_span span;
+        tbx_next_row(&span, &voxels, first);
+        count += (size_t)(span.x1 - span.x0) + 1;
+        on_span(user, span.x0, span.x1, span.y, span.z);
+    }
+    return count;
+}
+#endif
+
 TRIBOX_FN size_t tribox_grid_spans_f64(const tribox_grid *grid, const double v0[3], const double v1[3],
                                        const double v2[3], tribox_span_fn on_span, void *user)
 {
     double v[3][3];
     int k;
+#if TRIBOX_SIMD
+    int first[4];
+    const uint64_t voxels = tbx_lone_find_f64(first, grid, v0, v1, v2);
+    if (voxels != 0) {
+        return tbx_small_tell(voxels, first, on_span, user);
+    }
+#endif
     for (k = 0; k < 3; k++) {
         v[0][k] = v0[k];
         v[1][k] = v1[k];
@@ -4714,7 +4767,15 @@ TRIBOX_FN size_t tribox_grid_spans(const tribox_grid *grid, const float v0[3], c
                                    const float v2[3], tribox_span_fn on_span, void *user)
 {
     double v[3][3];
-    const int finite = tbx_read_floats(v[0], v0) & tbx_read_floats(v[1], v1) & tbx_read_floats(v[2], v2);
+    int finite;
+#if TRIBOX_SIMD
+    int first[4];
+    const uint64_t voxels = tbx_lone_find(first, grid, v0, v1, v2);
+    if (voxels != 0) {
+        return tbx_small_tell(voxels, first, on_span, user);
+    }
+#endif
+    finite = tbx_read_floats(v[0], v0) & tbx_read_floats(v[1], v1) & tbx_read_floats(v[2], v2);
     return tbx_spans(grid, v, finite ? TBX_ALL_ORDINARY : TBX_NO_POINTS, on_span, user);
 }
 
@@ -10585,20 +10646,29 @@ TBX_FN void tbx_store4(void *out, tbx_f4 x)
     TBX_COPY(out, &x, sizeof x);
 }
 
+/* Lanes 0 and 1 as doubles, and lanes 2 and 3. */
+TBX_FN void tbx_widen4(tbx_d2 *low, tbx_d2 *high, tbx_f4 x)
+{
+#if defined(__SSE2__) && defined(__clang__)
+    *low = __builtin_convertvector(__builtin_shufflevector(x, x, 0, 1), tbx_d2);
+    *high = __builtin_convertvector(__builtin_shufflevector(x, x, 2, 3), tbx_d2);
+#elif defined(__SSE2__)
+    *low = __builtin_ia32_cvtps2pd(x);
+    *high = __builtin_ia32_cvtps2pd(TBX_LANES(x, x, 2, 3, 2, 3));
+#else
+    *low = tbx_pair((double)x[0], (double)x[1]);
+    *high = tbx_pair((double)x[2], (double)x[3]);
+#endif
+}
+
 /* Three lanes as doubles. */
 TBX_FN void tbx_store3_wide(double *out, tbx_f4 x)
 {
-#if defined(__SSE2__) && defined(__clang__)
-    const tbx_d2 xy = __builtin_convertvector(__builtin_shufflevector(x, x, 0, 1), tbx_d2);
-    const tbx_d2 z = __builtin_convertvector(__builtin_shufflevector(x, x, 2, 3), tbx_d2);
-#elif defined(__SSE2__)
-    const tbx_d2 xy = __builtin_ia32_cvtps2pd(x);
-    const tbx_d2 z = __builtin_ia32_cvtps2pd(TBX_LANES(x, x, 2, 3, 2, 3));
-#else
-    const tbx_d2 xy = { (double)x[0], (double)x[1] };
-    const tbx_d2 z = { (double)x[2], 0.0 };
-#endif
-    const double last = z[0];
+    tbx_d2 xy;
+    tbx_d2 z;
+    double last;
+    tbx_widen4(&xy, &z, x);
+    last = z[0];
     TBX_COPY(out, &xy, sizeof xy);
     TBX_COPY(out + 2, &last, sizeof last);
 }
@@ -15165,26 +15235,15 @@ TBX_NOINLINE void tbx_decide_block(tbx_decided *d, const tbx_quick *q, const tri
 TBX_NOINLINE int tbx_decided_spans(const tbx_decided *d, int at, const int lo[3], tbx_span *out)
 {
     const uint64_t key = tbx_block_key(&d->block, at);
-    const int x0 = lo[0] + (int)tbx_key_axis(key, 0);
-    const int y0 = lo[1] + (int)tbx_key_axis(key, 1);
-    const int more_y = (int)(key >> 2 & 3);
-    const int more_z = (int)(key >> 4 & 3);
-    const uint64_t first_of = (uint64_t)0x01020103u << 32 | 0x01020100u; /* of four bits: the lowest, */
-    const uint64_t last_of = (uint64_t)0x33333333u << 32 | 0x22221100u;  /* and the highest */
-    uint64_t layer = d->voxels[at];
+    uint64_t voxels = d->voxels[at];
+    int first[3];
     int n = 0;
-    int y;
-    int z;
-    for (z = 0; z <= more_z; z++, layer >>= 16) {
-        uint64_t rest = layer;
-        for (y = 0; y <= more_y; y++, rest >>= 4) {
-            const unsigned row = (unsigned)rest & 15u;
-            out[n].x0 = x0 + (int)(first_of >> (4 * row) & 15u);
-            out[n].x1 = x0 + (int)(last_of >> (4 * row) & 15u);
-            out[n].y = y0 + y;
-            out[n].z = lo[2] + (int)tbx_key_axis(key, 2) + z;
-            n += row != 0;
-        }
+    int k;
+    for (k = 0; k < 3; k++) {
+        first[k] = lo[k] + (int)tbx_key_axis(key, k);
+    }
+    while (voxels != 0) {
+        tbx_next_row(&out[n++], &voxels, first);
     }
     return n;
 }
@@ -15251,6 +15310,471 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
         t += (size_t)in_block;
     }
     return t;
+}
+
+/* ---- Spans of one triangle
+ *
+ * A call for one triangle mostly pays for what is done once. So here the grid's numbers are looked at, and
+ * the corners' coordinates and index box found, on several axes at once, and what is left to decide about a
+ * box of up to 4^3 voxels, as in section 8, is decided in floats from its first inner grid point. E of an
+ * edge is taken at each cell's critical corner, that farthest inside: a cell is missed where the least of the
+ * three is negative. Lanes are the planes yz, zx, xy. What is unsure, thin, larger, or not wholly in the
+ * region walks.
+ *
+ * Index boxes: c = (v - origin) * inverse, |c| < 2^19, is off by 6 u64 |c|, and the sum with LONE_PLACE,
+ * whose upper half is a whole number and whose lower half counts units of 2^-32, by one more: less than NEAR
+ * units. Subnormals read as zero add 2^-126 * 2^90 at most.
+ *
+ * Error of what decides, in units of u = 2^-23, coordinates v being within -1..3 and off by 3.1 (they are
+ * rounded to floats, and c by 2^-30):
+ *   E      Four coordinates, times 3: 38; two products of 9, their difference of 18: 36. Steps are off by
+ *          6.2 + 4. Two of them at most lead to the first cell, 20.4 and two sums of at most 26, six to the
+ *          others, each 10.2 and a sum of 32, or as much for its product and sum: less than EDGE_ERROR.
+ *   area   Three E of 74, two sums of 36 and 17: less than that.
+ *   D      Three areas off by 275, times 3; coordinates times 16; products of 48; sums of 96 and 144: 3,008.
+ *          Three steps along x at once, 3 * 275 + 48 + 192, and two along y and z, each 275 + 192: less than
+ *          PLANE_ERROR.
+ * tests/proofs/lone.gappa has the rounding. */
+#define TBX_LONE_PLACE 1572864.0  /* 2^20 + 2^19 */
+#define TBX_LONE_HIGH 0x41380000  /* the upper half of its bits, */
+#define TBX_LONE_RANGE 0x41300000 /* and what sums with less than 2^19 have in common, above 20 bits */
+#define TBX_LONE_NEAR 16
+#define TBX_LONE_EDGE_ERROR (512.0f * TBX_U32)
+#define TBX_LONE_PLANE_ERROR (8192.0f * TBX_U32)
+
+/* Corners: x and y; z of corners 0 and 1; z of corner 2, twice. */
+typedef struct tbx_lone_corners {
+    tbx_d2 xy[3];
+    tbx_d2 z01;
+    tbx_d2 z2;
+    const void *from[3];
+    int is_double;
+} TBX_ALIGNED tbx_lone_corners;
+
+/* Corners from the first inner grid point of a box of up to 4^3 voxels. */
+typedef struct tbx_lone {
+    tbx_f4 v[3];
+    int32_t first[4];
+    int32_t more[4];
+} TBX_ALIGNED tbx_lone;
+
+TBX_FORCED tbx_d2 tbx_kept2(tbx_d2 a)
+{
+    TBX_KEEP_VECTOR(a);
+    return a;
+}
+
+TBX_FORCED tbx_f4 tbx_zxy(tbx_f4 a)
+{
+    return TBX_LANES(a, a, 2, 0, 1, 3);
+}
+
+TBX_FORCED tbx_f4 tbx_lanes_where(tbx_i4 mask, tbx_f4 a)
+{
+    return (tbx_f4)((tbx_i4)a & mask);
+}
+
+/* Two doubles as floats, in lanes 0 and 1. */
+TBX_FORCED tbx_f4 tbx_narrow2(tbx_d2 x)
+{
+#if defined(__SSE2__) && !defined(__clang__)
+    return __builtin_ia32_cvtpd2ps(x);
+#else
+    const tbx_f4 r = { (float)x[0], (float)x[1], 0.0f, 0.0f };
+    return r;
+#endif
+}
+
+/* Returns 0 where a corner is NaN or infinite; of doubles also where it is beyond 2^150. */
+TBX_FORCED int tbx_lone_load(tbx_lone_corners *c)
+{
+    const tbx_i4 magnitude = tbx_splat_int(0x7fffffff);
+    const tbx_i4 most = tbx_splat_int(c->is_double ? (1023 + 150) << 20 : 0x7f7fffff);
+    tbx_f4 x01 = tbx_splat(0.0f); /* x, y of corners 0 and 1, */
+    tbx_f4 x2 = x01;              /* of corner 2, z of 0 and 1, */
+    tbx_f4 z2 = x01;              /* z of corner 2 */
+    tbx_i4 a;
+    tbx_i4 b;
+    tbx_i4 last;
+    if (c->is_double) {
+        const double *const v0 = (const double *)c->from[0];
+        const double *const v1 = (const double *)c->from[1];
+        const double *const v2 = (const double *)c->from[2];
+        c->xy[0] = tbx_load2(v0);
+        c->xy[1] = tbx_load2(v1);
+        c->xy[2] = tbx_load2(v2);
+        c->z01 = (tbx_d2)tbx_load_xy(v0 + 2, v1 + 2);
+        c->z2 = (tbx_d2)tbx_load_xy(v2 + 2, v2 + 2);
+        a = TBX_HIGH_WORDS(c->xy[0], c->xy[1]);
+        b = TBX_HIGH_WORDS(c->xy[2], c->z01);
+        last = TBX_HIGH_WORDS(c->z2, c->z2);
+    } else {
+        const float *const v0 = (const float *)c->from[0];
+        const float *const v1 = (const float *)c->from[1];
+        const float *const v2 = (const float *)c->from[2];
+        const tbx_f4 z01 = { tbx_load_z(v0), tbx_load_z(v1), 0.0f, 0.0f };
+        x01 = tbx_load_xy(v0, v1);
+        x2 = TBX_LANES(tbx_load_pair(v2), z01, 0, 1, 4, 5);
+        z2 = tbx_splat(tbx_load_z(v2));
+        TBX_KEEP_VECTOR(x01);
+        TBX_KEEP_VECTOR(x2);
+        TBX_KEEP_VECTOR(z2);
+        a = (tbx_i4)x01;
+        b = (tbx_i4)x2;
+        last = (tbx_i4)z2;
+    }
+    TBX_KEEP_VECTOR(a);
+    TBX_KEEP_VECTOR(b);
+    TBX_KEEP_VECTOR(last);
+    if (TBX_RARELY(
+            tbx_any(((a & magnitude) > most) | ((b & magnitude) > most) | ((last & magnitude) > most)))) {
+        return 0;
+    }
+    if (!c->is_double) {
+        tbx_d2 again;
+        TBX_KEEP_VECTOR(x01); /* not converted before they are known to be finite */
+        TBX_KEEP_VECTOR(x2);
+        TBX_KEEP_VECTOR(z2);
+        tbx_widen4(&c->xy[0], &c->xy[1], x01);
+        tbx_widen4(&c->xy[2], &c->z01, x2);
+        tbx_widen4(&c->z2, &again, z2);
+    }
+    return 1;
+}
+
+/* Origin and 1 / size, of x and y, and of z twice. Returns 0 where they are out of range, or no numbers. */
+TBX_FORCED int tbx_lone_grid(tbx_d2 origin[2], tbx_d2 inverse[2], const tribox_grid *grid)
+{
+    const tbx_i4 magnitude = { 0x7fffffff, 0x7fffffff, -1, -1 };
+    const tbx_i4 least = { -1, -1, (1023 - 90) << 20, (1023 - 90) << 20 };
+    const tbx_i4 most = tbx_splat_int((1023 + 150) << 20);
+    const tbx_d2 one = tbx_pair(1.0, 1.0);
+    tbx_d2 size[2];
+    tbx_i4 xy;
+    tbx_i4 z;
+    origin[0] = tbx_load2(grid->origin);
+    size[0] = tbx_load2(grid->size);
+    origin[1] = (tbx_d2)tbx_load_xy(&grid->origin[2], &grid->size[2]);
+    TBX_KEEP_VECTOR(origin[0]);
+    TBX_KEEP_VECTOR(size[0]);
+    TBX_KEEP_VECTOR(origin[1]);
+    size[1] = TBX_PAIR(origin[1], origin[1], 1, 1);
+    origin[1] = TBX_PAIR(origin[1], origin[1], 0, 0);
+    xy = TBX_HIGH_WORDS(origin[0], size[0]) & magnitude;
+    z = TBX_HIGH_WORDS(origin[1], size[1]) & magnitude;
+    if (TBX_RARELY(tbx_any((xy > most) | (least > xy) | (z > most) | (least > z)))) {
+        return 0;
+    }
+    TBX_KEEP_VECTOR(size[0]);
+    TBX_KEEP_VECTOR(size[1]);
+    inverse[0] = one / size[0];
+    inverse[1] = one / size[1];
+    return 1;
+}
+
+/* Four numbers' sums with PLACE, of x and y, and of z. */
+typedef struct tbx_lone_places {
+    tbx_d2 xy;
+    tbx_d2 z;
+} TBX_ALIGNED tbx_lone_places;
+
+/* Lanes in which such numbers are out of range, or near to a grid plane. */
+TBX_FORCED tbx_i4 tbx_lone_unsure(const tbx_lone_places *p, const tbx_lone_places *q)
+{
+    const tbx_i4 range = tbx_splat_int(TBX_LONE_RANGE);
+    const tbx_i4 near_by = tbx_splat_int(TBX_SIGN_BIT + 2 * TBX_LONE_NEAR);
+    const tbx_i4 shift = tbx_splat_int(TBX_SIGN_BIT + TBX_LONE_NEAR);
+    const tbx_i4 far_off = (TBX_HIGH_WORDS(p->xy, p->z) ^ range) | (TBX_HIGH_WORDS(q->xy, q->z) ^ range);
+    return (near_by > tbx_wrapping_sum(TBX_LOW_WORDS(p->xy, p->z), shift)) |
+           (near_by > tbx_wrapping_sum(TBX_LOW_WORDS(q->xy, q->z), shift)) |
+           ((tbx_i4)((tbx_u4)far_off >> (tbx_u4)tbx_splat_int(20)) > tbx_splat_int(0));
+}
+
+/* The index box, and corners from its first inner grid point. Returns 0 if it is not sure, has more than 4^3
+ * voxels, or not all of them are in the region. */
+TBX_FORCED int tbx_lone_box(tbx_lone *r, const tribox_grid *grid, const tbx_lone_corners *c)
+{
+    const tbx_d2 place = tbx_pair(TBX_LONE_PLACE, TBX_LONE_PLACE);
+    const tbx_d2 before = tbx_pair(TBX_LONE_PLACE - 1.0, TBX_LONE_PLACE - 1.0);
+    const tbx_l2 upper = tbx_splat_long(-((int64_t)1 << 32));
+    tbx_d2 origin[2];
+    tbx_d2 inverse[2];
+    tbx_d2 xy[3];
+    tbx_d2 z[2];
+    tbx_lone_places least;
+    tbx_lone_places most;
+    tbx_i4 first;
+    tbx_i4 last;
+    tbx_i4 more;
+    tbx_i4 wrong;
+    if (!tbx_lone_grid(origin, inverse, grid)) {
+        return 0;
+    }
+    xy[0] = tbx_kept2(c->xy[0] - origin[0]) * inverse[0];
+    xy[1] = tbx_kept2(c->xy[1] - origin[0]) * inverse[0];
+    xy[2] = tbx_kept2(c->xy[2] - origin[0]) * inverse[0];
+    z[0] = tbx_kept2(c->z01 - origin[1]) * inverse[1];
+    z[1] = tbx_kept2(c->z2 - origin[1]) * inverse[1];
+    least.z = tbx_min2(z[0], z[1]);
+    most.z = tbx_max2(z[0], z[1]);
+    least.xy = tbx_kept2(tbx_min2(tbx_min2(xy[0], xy[1]), xy[2]) + place);
+    most.xy = tbx_kept2(tbx_max2(tbx_max2(xy[0], xy[1]), xy[2]) + place);
+    least.z = tbx_kept2(tbx_min2(least.z, tbx_swap(least.z)) + place);
+    most.z = tbx_kept2(tbx_max2(most.z, tbx_swap(most.z)) + place);
+    first = tbx_wrapping_sum(TBX_HIGH_WORDS(least.xy, least.z), tbx_splat_int(-TBX_LONE_HIGH));
+    last = tbx_wrapping_sum(TBX_HIGH_WORDS(most.xy, most.z), tbx_splat_int(-TBX_LONE_HIGH));
+    more = (tbx_i4)((tbx_u4)last - (tbx_u4)first);
+    wrong = tbx_lone_unsure(&least, &most) | (more > tbx_splat_int(3)) |
+            ((tbx_i4)tbx_load_words((const char *)grid + offsetof(tribox_grid, lo)) > first) |
+            ~((tbx_i4)tbx_load_words((const char *)grid + offsetof(tribox_grid, hi)) > last);
+    if (TBX_RARELY((tbx_signs(wrong) & 7) != 0)) { /* lanes of both arrays' fourth number */
+        return 0;
+    }
+    TBX_COPY(r->first, &first, sizeof first);
+    TBX_COPY(r->more, &more, sizeof more);
+    TBX_KEEP_VECTOR(least.xy); /* nothing is narrowed before it is known to be small */
+    TBX_KEEP_VECTOR(least.z);
+    least.xy = (tbx_d2)((tbx_l2)least.xy & upper) - before;
+    least.z = (tbx_d2)((tbx_l2)least.z & upper) - before;
+    {
+        const tbx_f4 z01 = tbx_narrow2(z[0] - least.z);
+        const tbx_f4 z2 = tbx_narrow2(z[1] - least.z);
+        r->v[0] = TBX_LANES(tbx_narrow2(xy[0] - least.xy), z01, 0, 1, 4, 5);
+        r->v[1] = TBX_LANES(tbx_narrow2(xy[1] - least.xy), z01, 0, 1, 5, 5);
+        r->v[2] = TBX_LANES(tbx_narrow2(xy[2] - least.xy), z2, 0, 1, 4, 5);
+    }
+    return 1;
+}
+
+/* An edge in the planes yz, zx and xy, lane by lane: E at the first cell's critical corner, and its steps
+ * from cell to cell along y, x, x, and across, along z, z, y. */
+typedef struct tbx_lone_edge {
+    tbx_f4 at;
+    tbx_f4 along;
+    tbx_f4 across;
+} TBX_ALIGNED tbx_lone_edge;
+
+/* e: E at the first inner grid point; d: from corner to corner; s: the areas' signs. */
+TBX_FORCED void tbx_lone_edge_set(tbx_lone_edge *r, tbx_f4 e, tbx_f4 d, tbx_i4 s)
+{
+    const tbx_i4 along = { TBX_SIGN_BIT, 0, TBX_SIGN_BIT, 0 };
+    const tbx_i4 across = { 0, TBX_SIGN_BIT, 0, 0 };
+    const tbx_f4 zero = tbx_splat(0.0f);
+    r->along = (tbx_f4)((tbx_i4)TBX_LANES(d, d, 2, 2, 1, 3) ^ (s ^ along));
+    r->across = (tbx_f4)((tbx_i4)TBX_LANES(d, d, 1, 0, 0, 3) ^ (s ^ across));
+    r->at = ((tbx_f4)((tbx_i4)e ^ s) - tbx_min4(r->along, zero)) - tbx_min4(r->across, zero);
+}
+
+/* The sign bits of four lanes of each, from the lowest bits on. */
+TBX_FORCED unsigned tbx_four_signs(tbx_f4 a, tbx_f4 b, tbx_f4 c, tbx_f4 d)
+{
+#if defined(__SSE2__)
+    const tbx_s8 low = __builtin_ia32_packssdw128((tbx_i4)a, (tbx_i4)b);
+    const tbx_s8 high = __builtin_ia32_packssdw128((tbx_i4)c, (tbx_i4)d);
+    return (unsigned)tbx_bytes_signs((tbx_b16)__builtin_ia32_packsswb128(low, high));
+#else
+    return (unsigned)(tbx_signs((tbx_i4)a) | tbx_signs((tbx_i4)b) << 4 | tbx_signs((tbx_i4)c) << 8 |
+                      tbx_signs((tbx_i4)d) << 12);
+#endif
+}
+
+/* Of a cell the edge that leaves most of it outside. */
+TBX_FORCED tbx_f4 tbx_lone_cell(tbx_f4 *least, tbx_f4 e0, tbx_f4 e1, tbx_f4 e2)
+{
+    const tbx_f4 value = tbx_min4(tbx_min4(e0, e1), e2);
+    *least = tbx_min4(*least, tbx_abs4(value));
+    return value;
+}
+
+/* The cells that the edges miss: bit `lane` + 4 * along + 16 * across. */
+TBX_FORCED uint64_t tbx_lone_cells(tbx_f4 *least, const tbx_lone_edge edge[3], int rows)
+{
+    tbx_f4 at0 = edge[0].at;
+    tbx_f4 at1 = edge[1].at;
+    tbx_f4 at2 = edge[2].at;
+    uint64_t missed = 0;
+    int at = 0;
+    do {
+        tbx_f4 e0 = at0;
+        tbx_f4 e1 = at1;
+        tbx_f4 e2 = at2;
+        tbx_f4 cell[4];
+        cell[0] = tbx_lone_cell(least, e0, e1, e2);
+        e0 += edge[0].along;
+        e1 += edge[1].along;
+        e2 += edge[2].along;
+        cell[1] = tbx_lone_cell(least, e0, e1, e2);
+        e0 += edge[0].along;
+        e1 += edge[1].along;
+        e2 += edge[2].along;
+        cell[2] = tbx_lone_cell(least, e0, e1, e2);
+        cell[3] = tbx_lone_cell(least, e0 + edge[0].along, e1 + edge[1].along, e2 + edge[2].along);
+        missed |= (uint64_t)tbx_four_signs(cell[0], cell[1], cell[2], cell[3]) << at;
+        at0 += edge[0].across;
+        at1 += edge[1].across;
+        at2 += edge[2].across;
+        at += 16;
+    } while (at < 16 * rows);
+    return missed;
+}
+
+/* E of three edges of corners v at the first inner grid point. */
+TBX_FORCED void tbx_lone_products(tbx_f4 e[3], const tbx_f4 v[3])
+{
+    const tbx_f4 b0 = tbx_yzx(v[0]);
+    const tbx_f4 b1 = tbx_yzx(v[1]);
+    const tbx_f4 b2 = tbx_yzx(v[2]);
+    const tbx_f4 c0 = tbx_zxy(v[0]);
+    const tbx_f4 c1 = tbx_zxy(v[1]);
+    const tbx_f4 c2 = tbx_zxy(v[2]);
+    e[0] = b0 * c1 - c0 * b1;
+    e[1] = b1 * c2 - c1 * b2;
+    e[2] = b2 * c0 - c2 * b0;
+    TBX_KEEP_VECTOR(e[0]);
+    TBX_KEEP_VECTOR(e[1]);
+    TBX_KEEP_VECTOR(e[2]);
+}
+
+/* The voxels that such cells miss. */
+TBX_FORCED uint64_t tbx_lone_join(uint64_t cells)
+{
+    const uint64_t each = 0x1111 * TBX_EACH_LAYER;
+    uint64_t x_z = cells >> 1 & each;
+    uint64_t x_y = cells >> 2 & each;
+    x_z = (x_z | x_z >> 3) & 0x0303 * TBX_EACH_LAYER;
+    x_y = (x_y | x_y >> 3) & 0x0303 * TBX_EACH_LAYER;
+    x_z = (x_z | x_z >> 6) & 15 * TBX_EACH_LAYER;
+    x_y = (x_y | x_y >> 6) & 15 * TBX_EACH_LAYER;
+    x_y = (x_y | x_y >> 12) & ((uint64_t)255 << 32 | 255);
+    x_y = (x_y | x_y >> 24) & 65535;
+    return x_y * TBX_EACH_LAYER | x_z * 0x1111 | (cells & each) * 15;
+}
+
+/* The voxels that the plane misses, n its normal. */
+TBX_FORCED uint64_t tbx_lone_plane(tbx_f4 *least, const tbx_lone *r, tbx_f4 n)
+{
+    const tbx_f4 index = { 0.0f, 1.0f, 2.0f, 3.0f };
+    const tbx_f4 products = n * r->v[0];
+    const tbx_f4 n_x = TBX_LANES(n, n, 0, 0, 0, 0);
+    const tbx_f4 n_y = TBX_LANES(n, n, 1, 1, 1, 1);
+    const tbx_f4 n_z = TBX_LANES(n, n, 2, 2, 2, 2);
+    const uint64_t steps = (uint64_t)0x15141110u << 32 | 0x05040100u; /* of n's signs, x + 4 y + 16 z */
+    const int up = (int)(steps >> 8 * (tbx_signs((tbx_i4)n) & 7) & 255);
+    const uint64_t points =
+        (uint64_t)(0x777u >> 4 * (3 - r->more[1])) * (TBX_EACH_LAYER >> 16 * (4 - r->more[2]));
+    tbx_f4 layer = ((TBX_LANES(products, products, 0, 0, 0, 0) + TBX_LANES(products, products, 1, 1, 1, 1)) +
+                    TBX_LANES(products, products, 2, 2, 2, 2)) -
+                   n_x * index;
+    uint64_t below = 0;
+    int at = 0;
+    do {
+        const tbx_f4 row1 = layer - n_y;
+        const tbx_f4 row2 = row1 - n_y;
+        *least = tbx_min4(tbx_min4(*least, tbx_abs4(layer)), tbx_min4(tbx_abs4(row1), tbx_abs4(row2)));
+        below |= (uint64_t)tbx_four_signs(layer, row1, row2, row2) << at;
+        layer -= n_z;
+        at += 16;
+    } while (at < 16 * r->more[2]);
+    below &= points;
+    return below << (21 - up) | (points ^ below) << up;
+}
+
+/* -1 in lanes of planes in which corners i and j are one point. */
+TBX_FORCED tbx_i4 tbx_lone_point(const tbx_lone_corners *c, int i, int j)
+{
+    tbx_i4 same = tbx_load3i(c->from[i]) == tbx_load3i(c->from[j]);
+    if (c->is_double) {
+        const char *const p = (const char *)c->from[i];
+        const char *const q = (const char *)c->from[j];
+        const tbx_i4 xy = (tbx_i4)tbx_load_words(p) == (tbx_i4)tbx_load_words(q);
+        const tbx_i4 yz =
+            (tbx_i4)tbx_load_words(p + sizeof(double)) == (tbx_i4)tbx_load_words(q + sizeof(double));
+        same = TBX_LANES(xy, yz, 0, 2, 6, 6) & TBX_LANES(xy, yz, 1, 3, 7, 7);
+    }
+    return TBX_LANES(same, same, 1, 2, 0, 3) & TBX_LANES(same, same, 2, 0, 1, 3);
+}
+
+/* The voxels; 0 where something is unsure. An edge along an axis is a point in the plane across it, and
+ * decides nothing there; the triangle is a line, which the other two bound from both sides, whatever sign its
+ * area of 0 has. So is the sign of that component of the normal: D does not change along the axis. */
+TBX_FORCED uint64_t tbx_lone_voxels(const tbx_lone *r, const tbx_lone_corners *c)
+{
+    const tbx_f4 error = tbx_splat(TBX_LONE_EDGE_ERROR);
+    const int32_t *const more = r->more;
+    const int most = more[0] > more[1] ? more[0] : more[1];
+    const int rows = 1 + (more[2] > most ? more[2] : most);
+    const uint64_t box = tbx_small_box(more[0], more[1], more[2]);
+    const int thick = tbx_signs(tbx_load4i(more) > tbx_splat_int(0)) & 7;
+    const unsigned needs = 0x71204000u >> 4 * thick & 7; /* planes yz, zx, xy: 1, 2, 4 */
+    tbx_lone_edge edge[3];
+    tbx_f4 e[3];
+    tbx_f4 n;
+    tbx_f4 least = tbx_splat(1.0f);
+    tbx_i4 flat = tbx_splat_int(0);
+    tbx_i4 sign;
+    uint64_t cells;
+    uint64_t missed;
+    if (needs == 0) {
+        return box;
+    }
+    tbx_lone_products(e, r->v);
+    n = (e[0] + e[1]) + e[2];
+    sign = (tbx_i4)n & tbx_splat_int(TBX_SIGN_BIT);
+    tbx_lone_edge_set(&edge[0], e[0], r->v[1] - r->v[0], sign);
+    tbx_lone_edge_set(&edge[1], e[1], r->v[2] - r->v[1], sign);
+    tbx_lone_edge_set(&edge[2], e[2], r->v[0] - r->v[2], sign);
+    if (TBX_RARELY(tbx_any((r->v[0] == r->v[1]) | (r->v[1] == r->v[2]) | (r->v[2] == r->v[0])))) {
+        const tbx_f4 inside = tbx_splat(64.0f);
+        const tbx_i4 point[3] = { tbx_lone_point(c, 0, 1), tbx_lone_point(c, 1, 2), tbx_lone_point(c, 2, 0) };
+        edge[0].at += tbx_lanes_where(point[0], inside);
+        edge[1].at += tbx_lanes_where(point[1], inside);
+        edge[2].at += tbx_lanes_where(point[2], inside);
+        flat = point[0] | point[1] | point[2];
+    }
+    cells = tbx_lone_cells(&least, edge, rows);
+    if (TBX_RARELY((tbx_signs(((tbx_abs4(n) <= error) & ~flat) | (least <= error)) & (int)needs) != 0)) {
+        return 0;
+    }
+    missed = tbx_lone_join(cells & needs * (0x1111 * TBX_EACH_LAYER));
+    if (needs == 7) {
+        least = tbx_splat(1.0f);
+        missed |= tbx_lone_plane(&least, r, n);
+        if (TBX_RARELY(tbx_any(least <= tbx_splat(TBX_LONE_PLANE_ERROR)))) {
+            return 0;
+        }
+    }
+    return box & ~missed;
+}
+
+/* The voxels of a box of up to 4^3, bit x + 4 y + 16 z from `first` on, that the triangle touches; 0 where
+ * that is not sure. */
+TBX_FORCED uint64_t tbx_lone_ask(int first[4], const tribox_grid *grid, const void *v0, const void *v1,
+                                 const void *v2, int is_double)
+{
+    tbx_lone_corners c;
+    tbx_lone r;
+    c.from[0] = v0;
+    c.from[1] = v1;
+    c.from[2] = v2;
+    c.is_double = is_double;
+    if (!TBX_DOUBLE_IS_53_BITS || (grid->flags & TRIBOX_THIN) != 0 || !tbx_lone_load(&c) ||
+        !tbx_lone_box(&r, grid, &c)) {
+        return 0;
+    }
+    TBX_COPY(first, r.first, sizeof r.first);
+    return tbx_lone_voxels(&r, &c);
+}
+
+TBX_NOINLINE uint64_t tbx_lone_find(int first[4], const tribox_grid *grid, const float v0[3],
+                                    const float v1[3], const float v2[3])
+{
+    return tbx_lone_ask(first, grid, v0, v1, v2, 0);
+}
+
+TBX_NOINLINE uint64_t tbx_lone_find_f64(int first[4], const tribox_grid *grid, const double v0[3],
+                                        const double v1[3], const double v2[3])
+{
+    return tbx_lone_ask(first, grid, v0, v1, v2, 1);
 }
 
 /* ---- 11.4 Companions */
@@ -16715,6 +17239,13 @@ TBX_FORCED void tbx_solid_gather(tbx_points v[3], const tribox_mesh *mesh, size_
             tbx_load_points(&x[i], &y[i], &z[i], TBX_POINT(4 * i), TBX_POINT(4 * i + 1), TBX_POINT(4 * i + 2),
                             TBX_POINT(4 * i + 3));
         }
+#undef TBX_EACH_LAYER
+#undef TBX_LONE_EDGE_ERROR
+#undef TBX_LONE_HIGH
+#undef TBX_LONE_NEAR
+#undef TBX_LONE_PLACE
+#undef TBX_LONE_PLANE_ERROR
+#undef TBX_LONE_RANGE
 #undef TBX_POINT
 #undef TBX_AT
         v[c].x = tbx_wide_of(x);

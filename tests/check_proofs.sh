@@ -75,7 +75,9 @@ LINES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)n \* delta).*')
 PLANES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)(n \* n) \* delta).*')
 SMALL_EDGE=$(constant '^#define TBX_SMALL_EDGE_ERROR \([0-9.]*\) .*')
 SMALL_PLANE=$(constant '^#define TBX_SMALL_PLANE_ERROR \([0-9.]*\) .*')
-export SMALL_EDGE SMALL_PLANE SHARE LINES PLANES ULPS TRI NORMAL COORDINATE LINE WALK_NORMAL FIXED GRID
+LONE_EDGE=$(constant '^#define TBX_LONE_EDGE_ERROR (\([0-9.]*\)f \* TBX_U32)$')
+LONE_PLANE=$(constant '^#define TBX_LONE_PLANE_ERROR (\([0-9.]*\)f \* TBX_U32)$')
+export LONE_EDGE LONE_PLANE SMALL_EDGE SMALL_PLANE SHARE LINES PLANES ULPS TRI NORMAL COORDINATE LINE WALK_NORMAL FIXED GRID
 echo "constants of tribox.h: one box $ULPS; prepared $TRI;" \
     "sign of the normal $NORMAL; walk $COORDINATE, $LINE, $WALK_NORMAL and $FIXED; grid plane $GRID;" \
     "groups $SHARE, $LINES and $PLANES; the walk's small boxes $SMALL_EDGE and $SMALL_PLANE"
@@ -96,6 +98,7 @@ prove() { # script, P, FUSED or PLAIN, N: lines for boxes of N^3 voxels
         -e "s/@GAP_EDGE@/$GAP_EDGE/g; s/@GAP_NORMAL@/$GAP_NORMAL/g; s/@GAP_FACE@/$GAP_FACE/g; s/@SLAB@/$SLAB/g" \
         -e "s/@SLAB_INVERSE@/$SLAB_INVERSE/g; s/@RAY@/$RAY/g; s/@NUM@/$NUM/g" \
         -e "s/@SOLID_LINE@/$SOLID_LINE/g; s/@SOLID_BOX@/$SOLID_BOX/g; s/@SOLID_PLACE@/$SOLID_PLACE/g" \
+        -e "s/@LONE_EDGE@/$LONE_EDGE/g; s/@LONE_PLANE@/$LONE_PLANE/g" \
         -e "s/@GRID@/$GRID/g; s/\bP\b/$2/g; s/^N$n //; /^N[2-4] /d" \
         -e "s/@M@/$((n - 1))/g; s/@N@/$n/g; s/@2MM@/$((2 * mm))/g; s/@4MM@/$((4 * mm))/g; s/@AREA@/$area/g" \
         -e "s/@NN@/$((n * n))/g; s/@3NNM@/$((3 * n * n * (n - 1)))/g; s/@EDGE@/$edge/g" \
@@ -229,6 +232,9 @@ done
 job "proof: small boxes of the walk, room in the bounds" small_room
 for contraction in PLAIN FUSED; do
     job "proof: small boxes of the walk, 2^-52, $contraction" prove groups 52 $contraction 4
+done
+for contraction in PLAIN FUSED; do
+    job "proof: one triangle's spans, 2^-23, $contraction" prove lone 23 $contraction
 done
 for n in 2 3 4; do
     job "proof: groups of $n^3, room in the bounds" groups_room $n

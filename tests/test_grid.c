@@ -3,6 +3,7 @@
 #include "tribox.h"
 
 #include <limits.h>
+#include <math.h>
 
 #include "voxels.h"
 
@@ -47,6 +48,76 @@ static void tiny_triangles_are_exact_on_every_voxel(void)
 {
     every_voxel_agrees_with_the_oracle(GRID_TINY, FLOATS, 1500);
     every_voxel_agrees_with_the_oracle(GRID_TINY, DOUBLES, 1000);
+}
+
+/* A triangle of up to four voxels on each axis, mostly within the region. kind 0: any; 1: an edge along an axis; 2: corners
+ * beside planes; 3: three corners almost on a line; 4: two corners level on an axis; 5: two that are one; 6: an edge, seen
+ * along an axis, and 7: the plane passes a grid point by rounding. */
+static void make_few(voxels *v, int kind)
+{
+    const int first = random_below(3);
+    const int start = random_below(6);
+    int       i;
+    int       k;
+
+    make_grid(&v->grid, 1);
+    v->seed = random_state;
+    for (k = 0; k < 3; k++) {
+        double most = 0.1 + (random_signed() + 1) * 1.95;
+        double from;
+
+        v->grid.lo[k] = start == 0 ? 524288 - 4 : start == 1 ? -524288 - 2 : v->grid.lo[k];
+        v->grid.hi[k] = v->grid.lo[k] + 6;
+        from = v->grid.lo[k] + (random_signed() + 1) / 2 * (6 - most);
+        for (i = 0; i < 3; i++) {
+            double at = from + (random_signed() + 1) / 2 * most;
+
+            if (kind == 2 && random_below(3) == 0) {
+                at = floor(at) + random_signed() * pow(2, -18 - random_below(22));
+            }
+            v->t.v[i][k] = grid_plane(&v->grid, k, at);
+        }
+    }
+    for (k = 0; k < 3; k++) {
+        double p = floor((v->grid.lo[k] + 2.5) + random_signed());
+
+        if (kind >= 6) {
+            double u = random_signed() * 1.7;
+            double w = random_signed() * 1.7;
+
+            v->t.v[0][k] = grid_plane(&v->grid, k, p + u);
+            v->t.v[1][k] = grid_plane(&v->grid, k, kind == 6 && k != first ? p - 0.7 * u : p + w);
+            v->t.v[2][k] = grid_plane(&v->grid, k, kind == 6 ? p + random_signed() : p - (0.4 * u + 0.7 * w));
+        }
+        if ((kind == 1 && k != first) || (kind == 4 && k == first) || kind == 5) {
+            v->t.v[1][k] = v->t.v[0][k];
+        }
+        if (kind == 3) {
+            v->t.v[2][k] = 0.25 * v->t.v[0][k] + 0.75 * v->t.v[1][k] + random_signed() * 1e-5 * v->grid.size[k];
+        }
+    }
+}
+
+/* Most calls for one triangle end before the walk: boxes of up to 4^3 voxels are decided in floats, unless a bound leaves
+ * something unsure, or the numbers are large. An edge along an axis says nothing in the plane across it. */
+static void triangles_of_few_voxels_are_exact_on_every_voxel(void)
+{
+    static voxels v;
+    int           i;
+
+    random_seed(4711);
+    for (i = 0; i < TEST_LOOPS(2400); i++) {
+        make_few(&v, i % 8);
+        if (random_below(2)) {
+            int j;
+
+            for (j = 0; j < 9; j++) {
+                v.t.v[j / 3][j % 3] = (double)(float)v.t.v[j / 3][j % 3];
+            }
+        }
+        voxels_finish(&v);
+        CHECK(voxels_ask_spans(&v, 0) && voxels_ask_spans(&v, every_rule[i / 8 % 4]));
+    }
 }
 
 /* Triangles a million times larger than the region. */
@@ -877,6 +948,7 @@ int main(void)
     RUN(aligned_triangles_are_exact_on_every_voxel);
     RUN(degenerate_triangles_are_exact_on_every_voxel);
     RUN(tiny_triangles_are_exact_on_every_voxel);
+    RUN(triangles_of_few_voxels_are_exact_on_every_voxel);
     RUN(huge_triangles_are_exact_on_every_voxel);
     RUN(edges_from_a_small_region_to_far_away_are_exact_on_every_voxel);
     RUN(steep_triangles_are_exact_on_every_voxel);
