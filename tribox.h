@@ -7796,8 +7796,8 @@ TBX_FN void tbx_unit(const double x[3], int side, float out[3])
     }
 }
 
-/* The axis as a unit vector, times side. In double, unsure unless it is known to 2^-30 of its length, by which
- * three components err that are each known to 2 rad. */
+/* The axis as a unit vector, times side. In double, unsure unless it is known to 2^-30 of its length, where
+ * three components err by 2 rad each. */
 #define TBX_UNIT_ERROR 2.3283064365386963e-10 /* 2^-32 */
 
 TBX_FN void tbx_motion_unit(tbx_motion *m, int axis, int side, float out_axis[3])
