@@ -2156,7 +2156,7 @@ TBX_COLD int tbx_clipped_unsure(const double v0[3], const double v1[3], const do
     for (k = 0; k < 4; k++) {
         unsure |= (unsigned)!(filter->value[k] >= filter->bound[k]) << k;
     }
-    return unsure == 0 || tbx_clipped_exact(v0, v1, v2, clip, unsure);
+    return tbx_clipped_exact(v0, v1, v2, clip, unsure);
 }
 
 /* The verdict of the nine edges and the plane, of usual numbers: by the filter, and what that leaves unsure
@@ -8056,7 +8056,7 @@ TBX_FN int tbx_gap_parallel(const tbx_motion *m, int axis, int *planes)
         return 0; /* the normal's signs are not asked for faces alone */
     }
     *planes |= 1 << a;
-    return m->n_sign[0] != 0 || m->n_sign[1] != 0 || m->n_sign[2] != 0 || asked;
+    return (m->n_sign[0] | m->n_sign[1] | m->n_sign[2] | asked) != 0;
 }
 
 /* Takes what was found in the place of the best. Its limbs go to the slots of a motion's ends. */
@@ -17327,8 +17327,7 @@ TBX_FN int tbx_solid_whole_doubles(const tbx_solid_quick *q, double v[3][3])
     for (c = 0; c < 3; c++) {
         for (k = 0; k < 3; k++) {
             const double scale = (double)q->scale[k] * (double)TBX_SOLID_PARTS;
-            whole &= (tbx_on_lattice(v[c][k], scale) || tbx_bits64(&v[c][k]) << 1 == 0) &&
-                     tbx_abs(v[c][k]) * scale < 8388608.0;
+            whole &= tbx_on_lattice(v[c][k], scale) && tbx_abs(v[c][k]) * scale < 8388608.0;
         }
     }
     return whole;
@@ -17737,7 +17736,8 @@ TBX_FORCED void tbx_solid_two_lines(tbx_solid_two *t, const tbx_solid *s, const 
     t->layers[1] = tbx_solid_up(-(low[2] + half_z) * over, tbx_twice((double)s->n[2] - 0.5));
     t->error = tbx_max2(t->error, line_error * ((tbx_abs2(low[2]) + tbx_abs2(high[2])) * over + one) +
                                       tbx_twice(1.01) * layer_error * over);
-    sure = wide & (tbx_l2)(tbx_max2(t->error, t->plane_error) < tbx_twice(0.1));
+    sure = wide & (tbx_l2)(tbx_max2(t->error, t->plane_error) < tbx_twice(0.1)) &
+           (tbx_l2)(tbx_abs2(t->plane_slope) < tbx_twice(268435456.0)); /* 2^28 */
     for (k = 0; k < 3; k++) {
         sure &= (tbx_l2)(tbx_max2(high[k], -low[k]) < tbx_twice(size[k] * 2097152.0)); /* 2^21 voxels */
     }
@@ -17819,13 +17819,10 @@ TBX_FORCED int32_t tbx_solid_layer(const tbx_solid *s, uint32_t unsure, int alig
     return y;
 }
 
-/* A step from row to row; where it is cut, there is one row at most. */
+/* A step from row to row, of a triangle that is sure. */
 TBX_FORCED uint64_t tbx_solid_slope(double x)
 {
-    const double most = 268435456.0; /* 2^28 */
-    x = x > -most ? x : -most;
-    x = x < most ? x : most;
-    TBX_KEEP_SCALAR(x);
+    TBX_KEEP_SCALAR(x); /* not converted before */
     return (uint64_t)(int64_t)(x * 4294967296.0);
 }
 

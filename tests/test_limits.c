@@ -503,12 +503,16 @@ static void times_beyond_floats_are_rounded_outward(void)
     CHECK(t[0] == -infinity && t[1] == -most);
 #endif
     { /* from 0 to a face that is nearly there */
-        static const float near_by[3] = {1e-25f, 0, 0};
-        origin[0] = 0;
+        static const float near_by[3] = {1e-25f, -1, -1};
+        static const float slanted[3] = {1, 0.5f, 0.25f};
+        origin[0] = origin[1] = origin[2] = 0;
+        CHECK(tribox_ray_box(origin, slanted, -1, 9, near_by, hi, &t[0], &t[1]) == 1);
+        CHECK(t[0] == 1e-25f && t[1] == 1);
         dir[0] = 1;
         CHECK(tribox_ray_box(origin, dir, -1, 9, near_by, hi, &t[0], &t[1]) == 1);
         CHECK(t[0] == 1e-25f && t[1] == 1);
     }
+    origin[1] = origin[2] = 0.5f;
     dir[0] = 1e38f; /* from 1e-10 before the box: 1e-48 is less than the least float */
     origin[0] = -1e-10f;
     CHECK(tribox_ray_box(origin, dir, -1, 1, lo, hi, &t[0], &t[1]) == 1);
@@ -532,6 +536,8 @@ static void ends_of_rays_of_every_kind(void)
     static const float    v[3][3] = {{1, -1, -1}, {1, 3, -1}, {1, -1, 3}};
     static const float    zero[3] = {0, 0, 0};
     static const double   zero64[3] = {0, 0, 0};
+    static const float    along[3] = {1, 0, 0};
+    static const double   along64[3] = {1, 0, 0};
     int                   way;
     double                infinite;
 
@@ -556,6 +562,10 @@ static void ends_of_rays_of_every_kind(void)
         CHECK(tribox_ray_sphere(zero, dir, 1e-44f, (float)infinite, lo, 1.75f, t, t + 1) == 1 && t[1] > 2);
         CHECK(tribox_ray_sphere(zero, dir, -9, 1e-44f, lo, 1.75f, t, t + 1) == 1 && t[0] < 0);
         CHECK(tribox_ray_sphere(zero, dir, 9, 1, lo, 1.75f, t, t + 1) == 0);
+        if (dir[0] == 1) { /* subnormal ends */
+            CHECK(tribox_ray_box(zero, along, 1e-44f, 9, lo, hi, t, t + 1) == 1 && t[0] == 1 && t[1] == 2);
+            CHECK(tribox_ray_box_f64(zero64, along64, 1e-320, 9, lo64, hi64, t64, t64 + 1) == 1 && t64[0] == 1);
+        }
     }
 #endif
 }

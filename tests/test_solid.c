@@ -57,9 +57,9 @@ static void solid_make(solid_case *c, int kind)
         c->grid.lo[a] = random_below(9) - 5;
         if (kind == 6) {
             c->grid.size[a] *= power_of_two(scale);
-            c->grid.origin[a] = c->grid.size[a] * (0.25 * random_below(5) + (random_below(3) ? 0 : power_of_two(-9)));
-            c->grid.origin[a] += random_below(4) ? 0 : c->grid.size[a] * 4194290.0;
-            if (random_below(16) == 0) { /* the last number that is whole, with the region beyond */
+            c->grid.origin[a] = c->grid.size[a] * (0.25 * random_below(5) + (random_below(5) ? 0 : power_of_two(-9)));
+            c->grid.origin[a] += random_below(4) ? 0 : c->grid.size[a] * (random_below(2) ? 4194290.0 : 1048570.0);
+            if (random_below(24) == 0) { /* the last number that is whole, with the region beyond */
                 double extent = 1;
                 for (; 2 * extent <= c->n[a] * c->grid.size[a] / power_of_two(scale); extent *= 2) {
                 }
@@ -106,8 +106,12 @@ static void solid_make(solid_case *c, int kind)
         if (kind == 0 && random_below(1000) == 0) { /* as little as there is, one way or the other */
             c->positions[i] += c->positions[i] * FLT_EPSILON;
         }
-        if (kind == 0 && random_below(200) == 0) {
+        if (kind % 6 == 0 && random_below(200) == 0) {
             c->doubles[i] += 1e-14 * c->grid.size[k];
+        }
+        if (kind == 6 && random_below(8) == 0) {
+            x = 0;
+            c->doubles[i] = c->positions[i] = 0;
         }
         if (kind == 6 && k == 0 && random_below(20) == 0) {
             c->positions[i] = (float)(x * power_of_two(random_below(40)));
@@ -258,9 +262,60 @@ static void grids_of_any_scale(void)
     int i;
 
     random_seed(1211);
-    for (i = 0; i < TEST_LOOPS(24); i++) {
+    for (i = 0; i < 16 + TEST_LOOPS(16); i++) {
         static solid_case c;
         solid_make(&c, 6);
+        solid_check(&c);
+    }
+}
+
+/* Triangles that are nearly a line through centres as seen along x, and steep: from row to row the plane goes 2^39
+ * voxels on. */
+static void slivers_through_centres(void)
+{
+    static const float steep = 2097152;
+    int                i;
+
+    for (i = 0; i < 96; i++) {
+        static solid_case c;
+        const float       eps = 1.0f / 1048576 * (float)(1 + i % 4);
+        const float       x = (float)(i / 4 % 3) - 1;
+        const int         turned = i / 12 % 2;
+        int               t;
+        int               k;
+        c.seed = (uint64_t)i;
+        for (k = 0; k < 3; k++) {
+            c.grid.origin[k] = 0;
+            c.grid.size[k] = 1;
+            c.grid.lo[k] = 0;
+            c.grid.hi[k] = c.n[k] = k ? 15 : 64;
+        }
+        c.grid.flags = 0;
+        c.triangles = 8;
+        c.words = 225;
+        for (t = 0; t < 8; t++) { /* enough for lanes */
+            float *v = c.positions + 9 * t;
+            float  flip = t % 2 ? 1.0f : -1.0f;
+            v[0] = 32 + flip * x * steep;
+            v[1 + turned] = 0.25f;
+            v[2 - turned] = 0.25f + eps;
+            v[3] = 32 + flip * steep * (float)(i / 24 % 2);
+            v[4 + turned] = 14.75f;
+            v[5 - turned] = 14.75f + eps;
+            v[6] = 32 - flip * steep;
+            v[7 + turned] = (float)t + 3.5f + 4 * eps;
+            v[8 - turned] = (float)t + 3.5f;
+            if (i % 8 == 7) { /* as thin as triangles on sixteenths can be, lest any error be left */
+                v[2 - turned] = 0.25f;
+                v[4 + turned] = 0.25f + 231.0f / 16;
+                v[5 - turned] = 0.25f + 232.0f / 16;
+                v[7 + turned] = 0.25f + 230.0f / 16;
+                v[8 - turned] = 0.25f + 231.0f / 16;
+            }
+        }
+        for (k = 0; k < 72; k++) {
+            c.doubles[k] = (double)c.positions[k];
+        }
         solid_check(&c);
     }
 }
@@ -1086,6 +1141,7 @@ int main(void)
 {
     RUN(fill_flips_the_voxels_whose_centre_is_inside);
     RUN(grids_of_any_scale);
+    RUN(slivers_through_centres);
     RUN(origins_next_to_zero);
     RUN(centres_are_no_doubles);
     RUN(tenths_are_no_doubles);
