@@ -269,16 +269,16 @@ static void grids_of_any_scale(void)
     }
 }
 
-/* Triangles that are nearly a line through centres as seen along x, and steep: from row to row the plane goes 2^39
+/* Triangles that are nearly a line through centres as seen along x, and steep: from row to row the plane goes 2^30
  * voxels on. */
 static void slivers_through_centres(void)
 {
-    static const float steep = 2097152;
+    static const float steep = 1048576;
     int                i;
 
     for (i = 0; i < 96; i++) {
         static solid_case c;
-        const float       eps = 1.0f / 1048576 * (float)(1 + i % 4);
+        const float       eps = 1.0f / 2048 * (float)(1 + i % 4);
         const float       x = (float)(i / 4 % 3) - 1;
         const int         turned = i / 12 % 2;
         int               t;
