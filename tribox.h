@@ -424,7 +424,7 @@ TRIBOX_FN int tribox_plane_box(const float n[3], float d, const float box_min[3]
  *
  * Returns     1 or 0. A NaN or infinite end, or an empty box: 0.
  * Guarantees  Exact: the segment is the triangle p, q, q.
- * Cost        8 ns; f64 30 ns; within rounding of touching, as tribox_overlap.
+ * Cost        10 ns; f64 22 ns; within rounding of touching, as tribox_overlap.
  */
 TRIBOX_FN int tribox_segment_box(const float p[3], const float q[3], const float box_min[3],
                                  const float box_max[3]);
@@ -463,7 +463,7 @@ TRIBOX_FN int tribox_ray_box_f64(const double origin[3], const double dir[3], do
  * Guarantees  Exact, so no ray slips between two triangles that share an edge. A ray in the triangle's plane,
  *             or along a degenerate triangle, has an interval of t inside. out_t is the greatest float (or
  *             -infinity) that is <= its lower end.
- * Cost        50 ns where the ray's line misses, else 200 ns, f64 0.5 us; within 2^-48 of an edge or parallel
+ * Cost        50 ns where the ray's line misses, else 200 ns, f64 0.3 us; within 2^-48 of an edge or parallel
  *             to the plane, 3 us.
  */
 TRIBOX_FN int tribox_ray_triangle(const float origin[3], const float dir[3], float t_min, float t_max,
@@ -580,7 +580,7 @@ TRIBOX_FN unsigned tribox_tri_octants_f64(const tribox_tri *tri, const double p[
  * Guarantees  The extreme points of the exact intersection, in the triangle's winding, beginning with the
  *             lexicographically least, each coordinate rounded to nearest (ties to even), so all lie in the
  *             box. A point that rounds like an earlier one is left out.
- * Cost        1 us, f64 4 us; where a cut cannot be decided or rounded in double, 5 us.
+ * Cost        1 us, f64 2 us; where a cut cannot be decided or rounded in double, 5 us.
  */
 TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3],
                           const float box_min[3], const float box_max[3], float out_polygon[9][3]);
@@ -596,7 +596,7 @@ TRIBOX_FN int tribox_clip_f64(const double v0[3], const double v1[3], const doub
  * Guarantees  The nearest corner, edge or face is chosen exactly, and each weight is the exact one rounded to
  *             nearest. Degenerate triangle: of all weights of that point, those with the fewest non-zeros, at
  *             the lowest indices. NaN or infinity: (1,0,0).
- * Cost        0.3 us, f64 1.6 us; where the feature cannot be decided in double, 3 us.
+ * Cost        0.3 us, f64 1.1 us; where the feature cannot be decided in double, 3 us.
  */
 TRIBOX_FN void tribox_closest(const float v0[3], const float v1[3], const float v2[3], const float q[3],
                               float out_weights[3]);
@@ -681,7 +681,7 @@ TRIBOX_FN int tribox_sphere_triangle(const float c[3], float radius, const float
  *
  * Returns     1 = some t of the interval is inside. What is no ray, and an empty sphere: 0.
  * Guarantees  The answer is exact. The ends, usually irrational, are rounded outward as tribox_ray_box's.
- * Cost        20 ns; where the ray grazes the sphere, or an end is a float, 10 us.
+ * Cost        11 ns; where the ray grazes the sphere, or an end is a float, 10 us.
  */
 TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float t_min, float t_max,
                                 const float c[3], float radius, float *out_t0, float *out_t1);
