@@ -17566,8 +17566,8 @@ typedef struct tbx_solid_two {
 
 /* The lines of one of them. */
 typedef struct tbx_solid_lines {
-    tbx_solid_line lower[3]; /* two of them, maybe one twice; the third is any */
-    tbx_solid_line upper[3];
+    tbx_solid_line lower[2]; /* maybe one twice */
+    tbx_solid_line upper[2];
     tbx_solid_line plane;
     double plane_z;
     uint32_t unsure;       /* in steps of 2^-32 */
@@ -17752,22 +17752,23 @@ TBX_FORCED void tbx_solid_lines_set(tbx_solid_lines *l, const tbx_solid_two *t, 
 {
     double error = t->error[i];
     double plane_error = t->plane_error[i];
-    int lower = 0;
-    int upper = 0;
+    unsigned lower = 0;
+    unsigned upper = 0;
     int k;
     TBX_KEEP_SCALAR(error); /* not converted before the triangle is known to be sure */
     TBX_KEEP_SCALAR(plane_error);
     for (k = 0; k < 3; k++) {
-        tbx_solid_line line;
-        line.at = t->edge_at[k][i];
-        line.slope = t->edge_slope[k][i];
-        l->lower[lower] = line;
-        lower += t->lower[k] >> i & 1;
-        l->upper[upper] = line;
-        upper += t->upper[k] >> i & 1;
+        lower |= (unsigned)(t->lower[k] >> i & 1) << k;
+        upper |= (unsigned)(t->upper[k] >> i & 1) << k;
     }
-    l->lower[1] = l->lower[lower > 1];
-    l->upper[1] = l->upper[upper > 1];
+    for (k = 0; k < 2; k++) { /* the first edge of them, and the last */
+        const int below = k == 0 ? __builtin_ctz(lower) : lower > 3 ? 2 : (int)(lower >> 1);
+        const int above = k == 0 ? __builtin_ctz(upper) : upper > 3 ? 2 : (int)(upper >> 1);
+        l->lower[k].at = t->edge_at[below][i];
+        l->lower[k].slope = t->edge_slope[below][i];
+        l->upper[k].at = t->edge_at[above][i];
+        l->upper[k].slope = t->edge_slope[above][i];
+    }
     l->plane.at = t->plane_at[i];
     l->plane.slope = t->plane_slope[i];
     l->plane_z = t->plane_z[i];
@@ -18133,14 +18134,19 @@ TBX_NOINLINE int tbx_solid_by_units(const tbx_solid *s, double v[3][3], int64_t 
     int64_t x[TBX_SOLID_FEW];
     int64_t rows;
     int64_t i;
-    if (!tbx_solid_few_axis(&f, s, v, 1) || !tbx_solid_few_axis(&f, s, v, 2)) {
-        return 0;
+    f.count[1] = f.count[2] = 0;
+    for (i = 1; i < 3; i++) {
+        if (!tbx_solid_few_axis(&f, s, v, (int)i)) {
+            return 0;
+        }
+        tbx_solid_few_rows(&f, s, (int)i, i == 2 ? first : 0);
+        if (f.count[i] == 0) {
+            return 1;
+        }
     }
-    tbx_solid_few_rows(&f, s, 1, 0);
-    tbx_solid_few_rows(&f, s, 2, first);
     rows = f.count[1] * f.count[2];
     f.sign = tbx_solid_few_sign(&f);
-    if (rows == 0 || f.sign == 0) {
+    if (f.sign == 0) {
         return 1;
     }
     if (rows > TBX_SOLID_FEW || f.sign == 2 || !tbx_solid_few_axis(&f, s, v, 0)) {

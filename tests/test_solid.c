@@ -420,6 +420,67 @@ static void edges_through_centres_of_tenths(void)
     }
 }
 
+/* Doubles on lines of centres, or beside them by less than floats can say: on a lattice of halves, and where the grid
+ * is off a lattice of tenths by 1e-40. Meshes of many triangles: boxes are looked at again where it pays. */
+static void doubles_beside_lines_of_centres(void)
+{
+    enum { N = 9, SIDE = N + 1 };
+    int i;
+
+    random_seed(1217);
+    for (i = 0; i < TEST_LOOPS(200); i++) {
+        static double   v[2 * N * N * 3][3];
+        static double   corner[SIDE][SIDE][3];
+        const double    size = i % 2 == 0 ? 1.0 : 0.1;
+        tribox_mesh_f64 mesh;
+        tribox_grid     g;
+        uint64_t        bits[12 * 12];
+        uint64_t        wanted[12 * 12];
+        int             t;
+        int             y;
+        int             z;
+        int             k;
+
+        for (k = 0; k < 3; k++) {
+            g.origin[k] = i % 2 == 0 ? 0.0 : i % 4 == 1 ? 1e-40 : -1e-40;
+            g.size[k] = size;
+            g.lo[k] = 0;
+            g.hi[k] = 12;
+        }
+        g.flags = 0;
+        for (y = 0; y < SIDE; y++) {
+            for (z = 0; z < SIDE; z++) {
+                corner[y][z][0] = size * 0.5 * random_below(24);
+                corner[y][z][1] = size * 0.5 * (2 * y + 1);
+                corner[y][z][2] = size * 0.5 * (2 * z + 1);
+                for (k = 0; k < 3 && i % 2 == 0; k++) {
+                    corner[y][z][k] += (random_below(3) - 1) * 2.8e-14; /* some 2^-45 */
+                }
+            }
+        }
+        for (t = 0; t < 2 * N * N; t++) {
+            y = t / 2 / N;
+            z = t / 2 % N;
+            memcpy(v[3 * t], t % 2 == 0 ? corner[y][z] : corner[y + 1][z + 1], sizeof v[0]);
+            memcpy(v[3 * t + 1], corner[y + 1][z], sizeof v[0]);
+            memcpy(v[3 * t + 2], corner[y][z + 1], sizeof v[0]);
+        }
+        mesh.positions = &v[0][0];
+        mesh.stride = 0;
+        mesh.indices = NULL;
+        mesh.triangles = 2 * N * N;
+        memset(bits, 0, sizeof bits);
+        memset(wanted, 0, sizeof wanted);
+        tribox_grid_fill_solid_f64(&g, &mesh, bits);
+        for (t = 0; t < 2 * N * N; t++) {
+            mesh.positions = &v[3 * t][0];
+            mesh.triangles = 1; /* fewer than go in lanes */
+            tribox_grid_fill_solid_f64(&g, &mesh, wanted);
+        }
+        CHECK(memcmp(bits, wanted, sizeof bits) == 0);
+    }
+}
+
 /* Corners on a lattice are computed with as they are while they are near the region; farther off, products of them are
  * no doubles. An edge passes a centre by as little as whole numbers can: Fibonacci's f(n) f(n) - f(n - 1) f(n + 1) is
  * 1 or -1. Integers say on which side the centre is. */
@@ -1146,6 +1207,7 @@ int main(void)
     RUN(centres_are_no_doubles);
     RUN(tenths_are_no_doubles);
     RUN(edges_through_centres_of_tenths);
+    RUN(doubles_beside_lines_of_centres);
     RUN(corners_far_off_on_a_lattice);
     RUN(rays_cross_as_exact_numbers_say);
     RUN(points_beside_edges_and_planes_of_doubles);
