@@ -16789,7 +16789,7 @@ TBX_FN double tbx_solid_axis_init(tbx_solid_quick *q, int k)
     return slack;
 }
 
-/* Centres of axis k. Parts are in whole units (section 9), and add up to centres; low ones are below 2^52. */
+/* Centres of axis k. All parts are whole units (section 9): low ones, below 2^52 of them, are exact. */
 TBX_FN void tbx_solid_exact_init(tbx_solid_exact *e, const tbx_solid *s, int k, double most)
 {
     const double size = s->grid->size[k];
@@ -16799,19 +16799,18 @@ TBX_FN void tbx_solid_exact_init(tbx_solid_exact *e, const tbx_solid *s, int k, 
     const int64_t halves = 2 * (int64_t)s->grid->lo[k] + 1;
     const double half_high = tbx_floor_to(0.5 * size, spacing);
     const double origin_high = tbx_floor_to(origin, spacing);
-    double *high = &e->base_high[k - 1];
-    double *low = &e->base_low[k - 1];
-    uint64_t units[2];
-    *high = origin_high + (double)halves * half_high;
-    *low = (origin - origin_high) + (double)halves * (0.5 * size - half_high);
+    double half_low = 0.5 * size - half_high;
+    double low = origin - origin_high;
+    TBX_KEEP_SCALAR(half_low); /* not multiplied out */
+    TBX_KEEP_SCALAR(low);
+    low += (double)halves * half_low;
+    e->base_high[k - 1] = origin_high + (double)halves * half_high;
+    e->base_low[k - 1] = low;
     e->size_high[k - 1] = tbx_floor_to(size, spacing);
     e->size_low[k - 1] = size - e->size_high[k - 1];
-    e->least[k - 1] = 16.0 * (rest + tbx_abs(*low));
+    e->least[k - 1] = 16.0 * (rest + tbx_abs(low));
     TBX_KEEP(*e);
-    e->on &= tbx_in_units(high, s->exponent[k], &units[0]) && tbx_in_units(low, s->exponent[k], &units[1]) &&
-             units[0] + units[1] == s->origin[k] + (uint64_t)halves * s->half[k] &&
-             16.0 * (rest + tbx_abs(*low)) < s->unit[k] * 4503599627370496.0 &&
-             tbx_abs(*low) < most * TBX_POW2(-20);
+    e->on &= e->least[k - 1] < s->unit[k] * 4503599627370496.0 && tbx_abs(low) < most * TBX_POW2(-20);
 }
 
 TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const tbx_source *source)
@@ -17206,6 +17205,7 @@ TBX_NOINLINE void tbx_solid_narrow_doubles(tbx_solid_boxed *b, const tbx_solid_q
             }
             from[c][lane] = (float)x[0];
             from[c + 3][lane] = (float)x[1];
+            TBX_KEEP(from); /* clang 22 with -ffast-math takes (double)(float)x for x */
             exact &= -(int)(((double)from[c][lane] == x[0]) & ((double)from[c + 3][lane] == x[1]));
         }
         rounded[lane] = ~exact;

@@ -421,7 +421,7 @@ static void edges_through_centres_of_tenths(void)
 }
 
 /* Doubles on lines of centres, or beside them by less than floats can say: on a lattice of halves, and where the grid
- * is off a lattice of tenths by 1e-40. Meshes of many triangles: boxes are looked at again where it pays. */
+ * is off one of tenths, or of 1 + 2^-36, by 1e-40. Meshes of many triangles: boxes are looked at again where it pays. */
 static void doubles_beside_lines_of_centres(void)
 {
     enum { N = 9, SIDE = N + 1 };
@@ -431,7 +431,7 @@ static void doubles_beside_lines_of_centres(void)
     for (i = 0; i < TEST_LOOPS(200); i++) {
         static double   v[2 * N * N * 3][3];
         static double   corner[SIDE][SIDE][3];
-        const double    size = i % 2 == 0 ? 1.0 : 0.1;
+        const double    size = i % 2 == 0 ? 1.0 : i % 8 < 4 ? 0.1 : 1.0 + 1.0 / 68719476736.0;
         tribox_mesh_f64 mesh;
         tribox_grid     g;
         uint64_t        bits[12 * 12];
@@ -451,8 +451,8 @@ static void doubles_beside_lines_of_centres(void)
         for (y = 0; y < SIDE; y++) {
             for (z = 0; z < SIDE; z++) {
                 corner[y][z][0] = size * 0.5 * random_below(24);
-                corner[y][z][1] = size * 0.5 * (2 * y + 1);
-                corner[y][z][2] = size * 0.5 * (2 * z + 1);
+                corner[y][z][1] = size * 0.5 * (2 * y + (i % 4 != 2));
+                corner[y][z][2] = size * 0.5 * (2 * z + (i % 4 != 2));
                 for (k = 0; k < 3 && i % 2 == 0; k++) {
                     corner[y][z][k] += (random_below(3) - 1) * 2.8e-14; /* some 2^-45 */
                 }
