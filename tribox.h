@@ -71,7 +71,7 @@
 #include <stdint.h>
 
 #if defined(__CUDACC__) || defined(__HIPCC__)
-#define TBX_FN __host__ __device__ static inline    /* one set of functions serves host and device */
+#define TBX_FN __host__ __device__ static inline /* one set of functions serves host and device */
 #elif defined(_MSC_VER) && !defined(__cplusplus)
 #define TBX_FN static __inline
 #else
@@ -99,16 +99,16 @@ extern "C" {
  *             the bits that the coordinates span.
  * Source      [AM01] for the axes; the bound is derived in section 6.
  */
-TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
-                             const float box_min[3], const float box_max[3]);
+TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                             const float box_max[3]);
 TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const double v2[3],
                                  const double box_min[3], const double box_max[3]);
 
-enum {                      /* flags; 0 = closed, conservative */
-    TRIBOX_HALF_OPEN = 1,   /* the box is [min, max) on each axis: every point lies in exactly one
+enum {                       /* flags; 0 = closed, conservative */
+       TRIBOX_HALF_OPEN = 1, /* the box is [min, max) on each axis: every point lies in exactly one
                              * grid voxel */
-    TRIBOX_OPEN      = 2,   /* the box is its interior: touching does not count */
-    TRIBOX_THIN      = 4    /* 6-separating test of [SS10] instead of the conservative one; always closed */
+       TRIBOX_OPEN = 2,      /* the box is its interior: touching does not count */
+       TRIBOX_THIN = 4       /* 6-separating test of [SS10] instead of the conservative one; always closed */
 };
 
 /* The same under a touching rule.
@@ -132,8 +132,8 @@ TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], co
  * Cost        About 170 flops.
  * Source      [AM01].
  */
-TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3],
-                         const float box_min[3], const float box_max[3]);
+TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                         const float box_max[3]);
 
 /* ---- One triangle, many voxels */
 
@@ -168,24 +168,24 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
  * scaled by a power of two such that rounding changes values by less than 1, and 1 is added. Between 0 and 2,
  * integers decide. */
 typedef struct tribox_tri {
-    float    ref[4];      /* x, y, z, z of a point beside v[0] */
-    float    n_e_b[2][4];
-    float    n_e_c[2][4];
-    float    n_z[4];      /* 0, 0, 0, z of the normal */
-    float    d_e[3][4];
-    double   v[3][3];     /* the corners */
-    double   size[3];     /* dp, the boxes' size */
-    double   t_min[3];    /* the triangle's bounding box */
-    double   t_max[3];
+    float ref[4]; /* x, y, z, z of a point beside v[0] */
+    float n_e_b[2][4];
+    float n_e_c[2][4];
+    float n_z[4]; /* 0, 0, 0, z of the normal */
+    float d_e[3][4];
+    double v[3][3];  /* the corners */
+    double size[3];  /* dp, the boxes' size */
+    double t_min[3]; /* the triangle's bounding box */
+    double t_max[3];
     unsigned flags;       /* as they apply: infinite boxes are never thin */
-    int      empty;       /* 1: the triangle or every box is the empty set */
+    int empty;            /* 1: the triangle or every box is the empty set */
     struct {              /* may change with any version */
-        unsigned flags;    /* as given */
-        int      in_range; /* 0: the conditions are unsure of every p; 2: and all numbers are floats */
-        float    step[4];  /* size, as x, y, z, z */
-        int32_t  most[4];  /* the faces hold iff the bits of x, y, z, z as integers are <= most, */
-        int32_t  shift[4]; /* and, moved by shift, wrapping round, <= span */
-        int32_t  span[4];
+        unsigned flags;   /* as given */
+        int in_range;     /* 0: the conditions are unsure of every p; 2: and all numbers are floats */
+        float step[4];    /* size, as x, y, z, z */
+        int32_t most[4];  /* the faces hold iff the bits of x, y, z, z as integers are <= most, */
+        int32_t shift[4]; /* and, moved by shift, wrapping round, <= span */
+        int32_t span[4];
     } hidden;
 } tribox_tri;
 
@@ -225,11 +225,11 @@ TRIBOX_FN int tribox_tri_test_f64(const tribox_tri *tri, const double p[3]);
 
 /* A voxel grid. Voxel (i,j,k) is [origin + (i,j,k)*size, origin + (i+1,j+1,k+1)*size], in real numbers. */
 typedef struct tribox_grid {
-    double   origin[3];     /* minimum corner of voxel (0,0,0) */
-    double   size[3];       /* of a voxel, > 0 */
-    int      lo[3];         /* the region that a call works on: lo <= index < hi; indices may be negative */
-    int      hi[3];
-    unsigned flags;         /* TRIBOX_HALF_OPEN, TRIBOX_OPEN or TRIBOX_THIN; 0 = closed, conservative */
+    double origin[3]; /* minimum corner of voxel (0,0,0) */
+    double size[3];   /* of a voxel, > 0 */
+    int lo[3];        /* the region that a call works on: lo <= index < hi; indices may be negative */
+    int hi[3];
+    unsigned flags; /* TRIBOX_HALF_OPEN, TRIBOX_OPEN or TRIBOX_THIN; 0 = closed, conservative */
 } tribox_grid;
 
 /* Receives voxels x0..x1, both included, of row y, z. */
@@ -239,17 +239,17 @@ typedef void (*tribox_span_fn)(void *user, int x0, int x1, int y, int z);
 typedef void (*tribox_mesh_span_fn)(void *user, size_t triangle, int x0, int x1, int y, int z);
 
 typedef struct tribox_mesh {
-    const float    *positions;  /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
-    size_t          stride;     /* bytes between vertices; 0 means 3*sizeof(float) */
-    const uint32_t *indices;    /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
-    size_t          triangles;
+    const float *positions;  /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
+    size_t stride;           /* bytes between vertices; 0 means 3*sizeof(float) */
+    const uint32_t *indices; /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
+    size_t triangles;
 } tribox_mesh;
 
 typedef struct tribox_mesh_f64 {
-    const double   *positions;  /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
-    size_t          stride;     /* bytes between vertices; 0 means 3*sizeof(double) */
-    const uint32_t *indices;    /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
-    size_t          triangles;
+    const double *positions; /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
+    size_t stride;           /* bytes between vertices; 0 means 3*sizeof(double) */
+    const uint32_t *indices; /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
+    size_t triangles;
 } tribox_mesh_f64;
 
 /* The voxels of the grid's region that the triangle touches, as runs along x.
@@ -490,9 +490,9 @@ TRIBOX_FN int tribox_ray_triangle_f64(const double origin[3], const double dir[3
  * Cost        1 us; where two times or an axis cannot be told apart in double, 7 us.
  * Source      The 13 axes of [AM01], moving.
  */
-TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[3],
-                           const float box_min[3], const float box_max[3], const float velocity[3],
-                           float *out_t0, float *out_t1, float out_axis[3]);
+TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                           const float box_max[3], const float velocity[3], float *out_t0, float *out_t1,
+                           float out_axis[3]);
 
 /* tribox_sweep under a touching rule: what a box at rest on a floor, or sliding along it, has to ask.
  *
@@ -582,8 +582,8 @@ TRIBOX_FN unsigned tribox_tri_octants_f64(const tribox_tri *tri, const double p[
  *             box. A point that rounds like an earlier one is left out.
  * Cost        1 us, f64 2 us; where a cut cannot be decided or rounded in double, 5 us.
  */
-TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3],
-                          const float box_min[3], const float box_max[3], float out_polygon[9][3]);
+TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
+                          const float box_max[3], float out_polygon[9][3]);
 TRIBOX_FN int tribox_clip_f64(const double v0[3], const double v1[3], const double v2[3],
                               const double box_min[3], const double box_max[3], double out_polygon[9][3]);
 
@@ -719,7 +719,8 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #error "tribox.h needs the formats of IEEE 754: a float of 32 bits, a double of 64"
 #endif
 #if defined(__alpha__) && defined(__GNUC__) && !defined(_IEEE_FP)
-#error "tribox.h on Alpha needs -mieee: without it (-ffast-math turns it off) the processor stops at subnormals"
+#error \
+    "tribox.h on Alpha needs -mieee: without it (-ffast-math turns it off) the processor stops at subnormals"
 #endif
 
 /* The rare path: kept out of line, so that its stack and code stay out of the callers. */
@@ -740,6 +741,8 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 /* Inlined wherever it is called: a format or a number of voxels is a constant there. */
 #if TBX_GNU && !defined(__CUDACC__)
 #define TBX_FORCED TBX_FN __attribute__((always_inline))
+#elif defined(_MSC_VER) && !defined(__CUDACC__)
+#define TBX_FORCED static __forceinline
 #else
 #define TBX_FORCED TBX_FN
 #endif
@@ -832,8 +835,8 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #define TBX_DOUBLE_IS_53_BITS 0
 #elif defined(__clang__) && !defined(__mc68000__) && (!defined(__i386__) || defined(__SSE2_MATH__))
 #define TBX_DOUBLE_IS_53_BITS 1 /* -1: clang's -ffast-math */
-#elif !defined(__GNUC__) && (defined(_M_X64) || defined(_M_ARM) || defined(_M_ARM64) || defined(__x86_64__) || \
-                             defined(__aarch64__))
+#elif !defined(__GNUC__) && \
+    (defined(_M_X64) || defined(_M_ARM) || defined(_M_ARM64) || defined(__x86_64__) || defined(__aarch64__))
 #define TBX_DOUBLE_IS_53_BITS 1
 #elif defined(_M_IX86_FP) && !defined(__GNUC__)
 #define TBX_DOUBLE_IS_53_BITS (_M_IX86_FP >= 2)
@@ -1494,11 +1497,10 @@ TBX_NOINLINE void tbx_cross(const tbx_exact *f, tbx_limb *out, int x, int y, int
     if (n == 1) {
         const tbx_signed_limb from_x = (tbx_signed_limb)f->d[a][x][0];
         const tbx_signed_limb from_y = (tbx_signed_limb)f->d[a][y][0];
-        const tbx_two_signed r =
-            (tbx_two_signed)((tbx_signed_limb)f->d[b][x][0] - from_x) *
-                ((tbx_signed_limb)f->d[qy][y][0] - from_y) -
-            (tbx_two_signed)((tbx_signed_limb)f->d[b][y][0] - from_y) *
-                ((tbx_signed_limb)f->d[qx][x][0] - from_x);
+        const tbx_two_signed r = (tbx_two_signed)((tbx_signed_limb)f->d[b][x][0] - from_x) *
+                                     ((tbx_signed_limb)f->d[qy][y][0] - from_y) -
+                                 (tbx_two_signed)((tbx_signed_limb)f->d[b][y][0] - from_y) *
+                                     ((tbx_signed_limb)f->d[qx][x][0] - from_x);
         out[0] = (tbx_limb)r;
         out[1] = (tbx_limb)((tbx_two_limbs)r >> TBX_LIMB_BITS);
         return;
@@ -1796,7 +1798,7 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
  * "value >= bound" is right, since that axis then follows from the faces, which lie strictly outside or are
  * closed there under every rule. */
 #define TBX_ULPS 128
-#define TBX_U32 1.1920928955078125e-07f           /* 2^-23 */
+#define TBX_U32 1.1920928955078125e-07f /* 2^-23 */
 #if TBX_DOUBLE_IS_53_BITS
 #define TBX_U64 2.220446049250313080847263336e-16 /* 2^-52 */
 #else
@@ -1873,7 +1875,7 @@ typedef struct tbx_clip {
  * Returns 0 if the triangle is no set of points or nothing is left of the box. A face is replaced by the
  * triangle's extent, and then closed, only where it lies strictly outside. */
 TBX_COLD int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3], const double v2[3],
-                        const double box_min[3], const double box_max[3], unsigned flags)
+                          const double box_min[3], const double box_max[3], unsigned flags)
 {
     const int lo_is_open = tbx_lo_is_open(flags);
     const int hi_is_open = tbx_hi_is_open(flags);
@@ -3470,9 +3472,9 @@ typedef struct tbx_frame {
     double fixed[3];
     double fixed_lo[3];
     double reach;
-    int64_t slack; /* the fixed point's error */
+    int64_t slack;  /* the fixed point's error */
     int64_t last_x; /* the region's last voxel on axis x */
-    int on;        /* 0: its numbers are out of range */
+    int on;         /* 0: its numbers are out of range */
     int thin;
     int lo_is_open;
     int hi_is_open;
@@ -3557,21 +3559,21 @@ typedef struct tbx_walk {
     const double *corner[3];
     int64_t first[3]; /* the triangle's index box within the region, from the region's first voxel */
     int64_t last[3];
-    int64_t whole[3];  /* of the whole index box the first voxel, */
-    int64_t more[3];   /* and the voxels after it */
-    int box_is_strict; /* the triangle lies strictly inside that, by more than rounding */
-    int light;         /* 0: nothing is certain in double */
-    int snapped;       /* the lattice has been tried */
-    int placed;        /* corners are known as places and rests: 1; not asked yet: 0; they are not: -1 */
+    int64_t whole[3];   /* of the whole index box the first voxel, */
+    int64_t more[3];    /* and the voxels after it */
+    int box_is_strict;  /* the triangle lies strictly inside that, by more than rounding */
+    int light;          /* 0: nothing is certain in double */
+    int snapped;        /* the lattice has been tried */
+    int placed;         /* corners are known as places and rests: 1; not asked yet: 0; they are not: -1 */
     double place[3][3]; /* the nearest, in PIECES from plane 0, */
     double rest[3][3];  /* and what is left, in PIECES, right to REST_ERROR */
-    int uses[4];       /* groups whose conditions the index box does not imply */
-    int n_sign[3];     /* of those */
-    double x[3][3];    /* corners, and */
-    double e[3][3];    /* edges, in voxels */
-    double n[3];       /* normal, and */
-    double n_terms[3]; /* the magnitudes that its components are made of */
-    double extent;     /* the longest, and 2 */
+    int uses[4];        /* groups whose conditions the index box does not imply */
+    int n_sign[3];      /* of those */
+    double x[3][3];     /* corners, and */
+    double e[3][3];     /* edges, in voxels */
+    double n[3];        /* normal, and */
+    double n_terms[3];  /* the magnitudes that its components are made of */
+    double extent;      /* the longest, and 2 */
     double delta;
     tbx_lines group[4];
     double plane_at[2]; /* of layer 0 */
@@ -3696,8 +3698,8 @@ TBX_FN void tbx_fine_plane(tbx_fine *out, const tbx_walk *w, const double p[3])
         const double most_c = tbx_abs(w->rest[0][c]) + tbx_abs(w->rest[1][c]) + tbx_abs(w->rest[2][c]);
         const double n = b_1 * c_2 - c_1 * b_2;
         const double m = (b_1 * rc_2 - rc_1 * (b_2 + rb_2)) + (rb_1 * (c_2 + rc_2) - c_1 * rb_2);
-        const double most = (tbx_abs(b_1) + tbx_abs(b_2) + most_b) * most_c +
-                            (tbx_abs(c_1) + tbx_abs(c_2) + most_c) * most_b;
+        const double most =
+            (tbx_abs(b_1) + tbx_abs(b_2) + most_b) * most_c + (tbx_abs(c_1) + tbx_abs(c_2) + most_c) * most_b;
         const double v = at + w->rest[0][a];
         whole += n * at;
         rest += n * w->rest[0][a] + m * v;
@@ -3738,9 +3740,8 @@ TBX_FN int tbx_walk_fine(tbx_walk *w, int id, const int64_t index[3])
                           w_sign < 0 ? &w->corner[i][b] : &w->corner[j][b]);
         }
         p[k] = (double)(grid->lo[k] + index[k] + up) * TBX_PIECES;
-        if ((id >= 9 || k != a) &&
-            !(tbx_max3(tbx_abs(w->place[0][k] - p[k]), tbx_abs(w->place[1][k] - p[k]),
-                       tbx_abs(w->place[2][k] - p[k])) < TBX_FINE_REACH)) {
+        if ((id >= 9 || k != a) && !(tbx_max3(tbx_abs(w->place[0][k] - p[k]), tbx_abs(w->place[1][k] - p[k]),
+                                              tbx_abs(w->place[2][k] - p[k])) < TBX_FINE_REACH)) {
             return 0;
         }
     }
@@ -3891,8 +3892,7 @@ TBX_FN double tbx_line_set(tbx_walk *w, tbx_lines *l, int i, int b, int r, int a
 TBX_FN void tbx_lines_set(tbx_walk *w, int group, int b, int r, double quantum)
 {
     tbx_lines *l = &w->group[group];
-    const int area_is_negative =
-        group == TBX_XZ ? w->n_sign[1] > 0 : w->n_sign[group == TBX_XY ? 2 : 0] < 0;
+    const int area_is_negative = group == TBX_XZ ? w->n_sign[1] > 0 : w->n_sign[group == TBX_XY ? 2 : 0] < 0;
     const double s0 = tbx_line_set(w, l, 0, b, r, area_is_negative, quantum);
     const double s1 = tbx_line_set(w, l, 1, b, r, area_is_negative, quantum);
     const double s2 = tbx_line_set(w, l, 2, b, r, area_is_negative, quantum);
@@ -4147,7 +4147,7 @@ TBX_COLD void tbx_walk_box_search(tbx_walk *w)
 /* The least and greatest coordinate on axis k, in fixed point; one or two voxels beyond the region stand for
  * all beyond. */
 TBX_FN void tbx_fixed_extremes(const tbx_frame *f, int k, double v0, double v1, double v2, int64_t *out_least,
-                         int64_t *out_most)
+                               int64_t *out_most)
 {
     const double begin = (double)(1 << TBX_FIXED);
     double least = tbx_min3(v0, v1, v2) * f->fixed[k] + f->fixed_lo[k];
@@ -4486,15 +4486,35 @@ TBX_FN double tbx_small_plane(tbx_small *m, double n_x, double n_y, double n_z)
     return least;
 }
 
+/* The voxels that are missed, coordinates being off by delta. Returns 0 where something is not sure. */
+TBX_FN int tbx_small_decide(tbx_small *m, double delta)
+{
+    double least = delta * TBX_SMALL_PLANE_ERROR * 2.0;
+    double n[3];
+    m->missed = 0;
+    m->least = 1.0;
+    n[0] = n[1] = n[2] = 0.0;
+    if (m->more[0] != 0 && m->more[1] != 0) {
+        n[2] = tbx_small_edges(m, 0, 1, (uint64_t)0x00010001u << 32 | 0x00010001u);
+    }
+    if (m->more[1] != 0 && m->more[2] != 0) {
+        n[0] = tbx_small_edges(m, 1, 2, 15);
+    }
+    if (m->more[2] != 0 && m->more[0] != 0) {
+        n[1] = tbx_small_edges(m, 2, 0, 0x1111);
+    }
+    if (m->more[0] != 0 && m->more[1] != 0 && m->more[2] != 0) {
+        least = tbx_small_plane(m, n[0], n[1], n[2]);
+    }
+    return m->least > delta * TBX_SMALL_EDGE_ERROR && least > delta * TBX_SMALL_PLANE_ERROR;
+}
+
 /* Finds the voxels that the triangle misses of its index box. Returns 0 where it is too large, or something
  * unsure. */
 TBX_NOINLINE int tbx_walk_small(const tbx_walk *w, uint64_t *out_missed)
 {
     const tbx_frame *f = w->frame;
-    const double delta = TBX_COORDINATE_ERROR * f->reach;
     tbx_small m;
-    double n[3];
-    double least = delta * TBX_SMALL_PLANE_ERROR * 2.0;
     int k;
     *out_missed = 0;
     if ((w->light == 0) | f->thin | (((w->more[0] | w->more[1] | w->more[2]) & ~(int64_t)3) != 0)) {
@@ -4512,7 +4532,6 @@ TBX_NOINLINE int tbx_walk_small(const tbx_walk *w, uint64_t *out_missed)
             return 0;
         }
     }
-    m.missed = 0;
     for (k = 0; k < 3; k++) {
         const double at = f->lo[k] + (double)(w->whole[k] + 1);
         double x0 = w->corner[0][k] - f->origin[k];
@@ -4526,22 +4545,11 @@ TBX_NOINLINE int tbx_walk_small(const tbx_walk *w, uint64_t *out_missed)
         m.v[2][k] = x2 * f->inverse[k] - at;
         m.more[k] = (int)w->more[k];
     }
-    m.least = 1.0;
-    n[0] = n[1] = n[2] = 0.0;
-    if (m.more[0] != 0 && m.more[1] != 0) {
-        n[2] = tbx_small_edges(&m, 0, 1, (uint64_t)0x00010001u << 32 | 0x00010001u);
-    }
-    if (m.more[1] != 0 && m.more[2] != 0) {
-        n[0] = tbx_small_edges(&m, 1, 2, 15);
-    }
-    if (m.more[2] != 0 && m.more[0] != 0) {
-        n[1] = tbx_small_edges(&m, 2, 0, 0x1111);
-    }
-    if (m.more[0] != 0 && m.more[1] != 0 && m.more[2] != 0) {
-        least = tbx_small_plane(&m, n[0], n[1], n[2]);
+    if (!tbx_small_decide(&m, TBX_COORDINATE_ERROR * f->reach)) {
+        return 0;
     }
     *out_missed = m.missed;
-    return m.least > delta * TBX_SMALL_EDGE_ERROR && least > delta * TBX_SMALL_PLANE_ERROR;
+    return 1;
 }
 
 #define TBX_EACH_LAYER ((uint64_t)0x00010001u << 32 | 0x00010001u)
@@ -4868,6 +4876,158 @@ TRIBOX_FN size_t tribox_grid_words(const tribox_grid *grid)
 
 /* ---- 9. Fill, solid, fit, get and locate -------------------------------------------------------------- */
 
+/* Places: coordinates in voxels from the region's first plane (fill) or first centre (solid), FIXED added.
+ * Within 2^22 voxels a place's whole part stands in its double's upper bits, and the rest in the lower 28, in
+ * steps of 2^-28. So integers tell what lies between two places, without a conversion.
+ *
+ * Error, with o = |origin / size| and l = |lo| + n + 2^22, so that |v / size| is at most o + l: 5 u for v *
+ * inverse (a division may be off by 4 u), 5 u for origin * inverse, 1 u for each of its two sums: less than
+ * PLACE_ERROR times o + l; and a step for each sum with FIXED. A subnormal corner may be read as 0: that is
+ * 2^-26 voxels or less, sizes being 2^-100 or more. What lies farther off has a place that does, too: each
+ * operation is monotone. */
+#define TBX_PLACE_ERROR (16.0 * TBX_U64)
+#define TBX_PLACE_BITS 28
+#define TBX_PLACE_STEP (1.0 / 268435456.0)
+#define TBX_PLACE_FIXED 25165824.0                /* 3 * 2^23 */
+#define TBX_PLACE_OF_0 ((int64_t)0x41780000 * 16) /* its upper bits */
+
+typedef struct tbx_places {
+    double inverse[3]; /* v * inverse + base */
+    double base[3];
+    int64_t last[3]; /* the region's last plane or centre */
+    double error;
+    uint64_t slack; /* the error in steps */
+    int on;         /* 0: numbers are out of range */
+} tbx_places;
+
+/* first: 0 for planes, 1/2 for centres. */
+TBX_FN void tbx_places_set(tbx_places *p, const tribox_grid *grid, double first)
+{
+    double farthest = 0.0;
+    int k;
+    p->on = TBX_DOUBLE_IS_53_BITS;
+    for (k = 0; k < 3; k++) {
+        const int on = tbx_is_ordinary(&grid->origin[k], TBX_ORDINARY) &
+                       tbx_in_range(&grid->size[k], -100, TBX_ORDINARY);
+        const double lo = (double)grid->lo[k];
+        double size = on ? grid->size[k] : 1.0;
+        double origin = on ? grid->origin[k] : 0.0;
+        TBX_KEEP_SCALAR(size);
+        TBX_KEEP_SCALAR(origin);
+        p->last[k] = (int64_t)grid->hi[k] - 1 - grid->lo[k];
+        p->inverse[k] = 1.0 / size;
+        origin *= p->inverse[k];
+        p->base[k] = TBX_PLACE_FIXED - (origin + (lo + first));
+        p->on &= on & (p->last[k] < 2097152);
+        origin = tbx_abs(origin) + tbx_abs(lo) + (double)p->last[k] + 1.0;
+        farthest = origin > farthest ? origin : farthest;
+    }
+    farthest = (farthest + 4194304.0) * TBX_PLACE_ERROR + 4.0 * TBX_PLACE_STEP;
+    p->on &= farthest < 0.125;
+    p->error = farthest < 0.125 ? farthest : 1.0;
+    p->slack = (uint64_t)tbx_to_long(p->error / TBX_PLACE_STEP);
+}
+
+/* A triangle's corners in memory. */
+typedef struct tbx_vertices {
+    const char *at[3];
+    int is_double;
+} tbx_vertices;
+
+TBX_FORCED void tbx_vertices_find(tbx_vertices *c, const tbx_source *source, size_t t, int is_double)
+{
+    c->at[0] = tbx_source_at(source, t, 0);
+    c->at[1] = tbx_source_at(source, t, 1);
+    c->at[2] = tbx_source_at(source, t, 2);
+    c->is_double = is_double;
+}
+
+/* Top bits: does a float, or each of two, have an exponent of ones? */
+TBX_FORCED uint32_t tbx_float_beyond(const char *x)
+{
+    uint32_t bits;
+    TBX_COPY(&bits, x, sizeof bits);
+    return (tbx_opaque32(bits) & 0x7fffffffu) + 0x00800000u;
+}
+
+TBX_FORCED uint64_t tbx_floats_beyond(const char *x)
+{
+    uint64_t bits;
+    TBX_COPY(&bits, x, sizeof bits);
+    return (tbx_opaque64(bits) & 0x7fffffff7fffffffu) + 0x0080000000800000u;
+}
+
+TBX_FORCED int tbx_double_beyond(const char *x)
+{
+    double d;
+    TBX_COPY(&d, x, sizeof d);
+    return !tbx_is_ordinary(&d, TBX_ORDINARY);
+}
+
+/* Can coordinates on axis k, and one more if count is 2, be computed with: finite floats, ordinary doubles?
+ * No compiler computes with them before that is known. */
+TBX_FORCED int tbx_vertices_fit(tbx_vertices *c, int k, int count)
+{
+    int beyond;
+    if (c->is_double) {
+        const size_t at = (size_t)k * sizeof(double);
+        const size_t end = at + (size_t)(count - 1) * sizeof(double);
+        beyond = tbx_double_beyond(c->at[0] + at) | tbx_double_beyond(c->at[1] + at) |
+                 tbx_double_beyond(c->at[2] + at) | tbx_double_beyond(c->at[0] + end) |
+                 tbx_double_beyond(c->at[1] + end) | tbx_double_beyond(c->at[2] + end);
+    } else if (count == 1) {
+        const size_t at = (size_t)k * sizeof(float);
+        beyond = ((tbx_float_beyond(c->at[0] + at) | tbx_float_beyond(c->at[1] + at) |
+                   tbx_float_beyond(c->at[2] + at)) &
+                  0x80000000u) != 0;
+    } else {
+        const size_t at = (size_t)k * sizeof(float);
+        beyond = ((tbx_floats_beyond(c->at[0] + at) | tbx_floats_beyond(c->at[1] + at) |
+                   tbx_floats_beyond(c->at[2] + at)) &
+                  0x8000000080000000u) != 0;
+    }
+    TBX_KEEP_POINTER(c->at[0]);
+    TBX_KEEP_POINTER(c->at[1]);
+    TBX_KEEP_POINTER(c->at[2]);
+    return !beyond;
+}
+
+TBX_FORCED double tbx_vertices_place1(const tbx_vertices *c, const tbx_places *p, int i, int k)
+{
+    double x;
+    if (c->is_double) {
+        TBX_COPY(&x, c->at[i] + (size_t)k * sizeof x, sizeof x);
+    } else {
+        float f;
+        TBX_COPY(&f, c->at[i] + (size_t)k * sizeof f, sizeof f);
+        x = (double)f;
+    }
+    return x * p->inverse[k] + p->base[k];
+}
+
+/* Their places on axis k. */
+TBX_FORCED void tbx_vertices_place(const tbx_vertices *c, const tbx_places *p, int k, double at[3])
+{
+    at[0] = tbx_vertices_place1(c, p, 0, k);
+    at[1] = tbx_vertices_place1(c, p, 1, k);
+    at[2] = tbx_vertices_place1(c, p, 2, k);
+}
+
+/* The whole parts of the least and the greatest of three places. Returns 0 where one is not sure. A negative
+ * place, 2^24 voxels before the region or more, has a whole part behind all others. */
+TBX_FORCED int tbx_places_range(const tbx_places *p, const double at[3], int64_t out_range[2])
+{
+    const double least = tbx_min3(at[0], at[1], at[2]);
+    const double most = tbx_max3(at[0], at[1], at[2]);
+    const uint64_t first = tbx_bits64(&least);
+    const uint64_t last = tbx_bits64(&most);
+    const uint64_t differ =
+        ((first - p->slack) ^ (first + p->slack)) | ((last - p->slack) ^ (last + p->slack));
+    out_range[0] = (int64_t)(first >> TBX_PLACE_BITS) - TBX_PLACE_OF_0;
+    out_range[1] = (int64_t)(last >> TBX_PLACE_BITS) - TBX_PLACE_OF_0;
+    return differ >> TBX_PLACE_BITS == 0;
+}
+
 /* The bit array of a fill. */
 typedef struct tbx_target {
     uint64_t *bits;
@@ -4896,20 +5056,20 @@ TBX_FN void tbx_set_run(const tbx_target *t, uint64_t *row, size_t from, size_t 
 }
 
 /* Are all voxels of a box of up to 2^3 set? 0 for larger boxes. */
-TBX_FN int tbx_is_set(const tbx_walk *w, const tbx_target *t)
+TBX_FN int tbx_is_set(const int64_t first[3], const int64_t last[3], const tbx_target *t)
 {
-    const int64_t x = w->last[0] - w->first[0];
-    const int64_t y = w->last[1] - w->first[1];
-    const int64_t z = w->last[2] - w->first[2];
-    const unsigned at = (unsigned)w->first[0] & 63u;
+    const int64_t x = last[0] - first[0];
+    const int64_t y = last[1] - first[1];
+    const int64_t z = last[2] - first[2];
+    const unsigned at = (unsigned)first[0] & 63u;
     if (((x | y | z) & ~(int64_t)1) != 0 || at + (unsigned)x > 63u) {
         return 0;
     } else {
         const uint64_t run = (uint64_t)(1 + 2 * x) << at;
         const size_t next_y = y != 0 ? t->row_words : 0;
         const size_t next_z = z != 0 ? t->row_words * t->ny : 0;
-        const uint64_t *row = t->bits + ((size_t)w->first[2] * t->ny + (size_t)w->first[1]) * t->row_words +
-                              ((size_t)w->first[0] >> 6);
+        const uint64_t *row =
+            t->bits + ((size_t)first[2] * t->ny + (size_t)first[1]) * t->row_words + ((size_t)first[0] >> 6);
         return (row[0] & row[next_y] & row[next_z] & row[next_y + next_z] & run) == run;
     }
 }
@@ -4923,7 +5083,8 @@ TBX_NOINLINE void tbx_fill_triangle(const tbx_frame *f, const tbx_source *source
     tbx_span span[TBX_SPANS];
     double v[3][3];
     int n;
-    if (!tbx_walk_box(&w, f, v, tbx_source_triangle(source, triangle, v), part) || tbx_is_set(&w, target)) {
+    if (!tbx_walk_box(&w, f, v, tbx_source_triangle(source, triangle, v), part) ||
+        tbx_is_set(w.first, w.last, target)) {
         return;
     }
     n = tbx_walk_begin(&w, span);
@@ -4960,11 +5121,96 @@ TBX_FN double tbx_floor_to(double x, double q)
     return (whole > units ? whole - 1.0 : whole) * q;
 }
 
+/* Sets what a triangle touches of its box of up to 4^3 voxels, in which it lies strictly. Returns 0 where
+ * that is not sure. */
+TBX_NOINLINE int tbx_fill_box(const tbx_places *p, const tbx_vertices *c, const int64_t first[3],
+                              const int64_t more[3], const tbx_target *target)
+{
+    const int shift = (int)(first[0] & 63);
+    const uint64_t here = 15u >> (3 - more[0]);
+    tbx_small m;
+    int64_t y;
+    int64_t z;
+    int k;
+    TBX_UNROLL
+    for (k = 0; k < 3; k++) {
+        const double inner = TBX_PLACE_FIXED + (double)(first[k] + 1);
+        m.v[0][k] = tbx_vertices_place1(c, p, 0, k) - inner;
+        m.v[1][k] = tbx_vertices_place1(c, p, 1, k) - inner;
+        m.v[2][k] = tbx_vertices_place1(c, p, 2, k) - inner;
+        m.more[k] = (int)more[k];
+    }
+    if (!tbx_small_decide(&m, p->error)) {
+        return 0;
+    }
+    for (z = 0; z <= more[2]; z++) {
+        uint64_t *row = target->bits + (first[0] >> 6) +
+                        ((size_t)(first[2] + z) * target->ny + (size_t)first[1]) * target->row_words;
+        for (y = 0; y <= more[1]; y++, row += target->row_words) {
+            const uint64_t run = ~m.missed >> (4 * y + 16 * z) & here;
+            row[0] |= run << shift;
+            if (shift + more[0] > 63) {
+                row[1] |= run >> (64 - shift);
+            }
+        }
+    }
+    return 1;
+}
+
+/* Most triangles of a fine mesh have a box of few voxels: the triangle lies strictly within it, and the box
+ * within the region. One voxel, or two, are the triangle's; up to 4^3 are decided as in section 8. Returns 0,
+ * nothing set, where this is not so, or not sure. Not for the thin rule. */
+TBX_FORCED int tbx_fill_few(const tbx_places *p, const tbx_source *source, size_t t, int is_double,
+                            const tbx_target *target)
+{
+    tbx_vertices c;
+    double at[3];
+    int64_t x[2];
+    int64_t y[2];
+    int64_t z[2];
+    int64_t first[3];
+    int64_t more[3];
+    int sure;
+    tbx_vertices_find(&c, source, t, is_double);
+    if (!(tbx_vertices_fit(&c, 0, 2) & tbx_vertices_fit(&c, 2, 1))) {
+        return 0;
+    }
+    tbx_vertices_place(&c, p, 0, at);
+    sure = tbx_places_range(p, at, x);
+    tbx_vertices_place(&c, p, 1, at);
+    sure &= tbx_places_range(p, at, y);
+    tbx_vertices_place(&c, p, 2, at);
+    sure &= tbx_places_range(p, at, z);
+    first[0] = x[0];
+    first[1] = y[0];
+    first[2] = z[0];
+    more[0] = x[1] - x[0];
+    more[1] = y[1] - y[0];
+    more[2] = z[1] - z[0];
+    if (!sure || (more[0] | more[1] | more[2]) < 0) {
+        return 0;
+    }
+    if ((x[0] | y[0] | z[0] | (p->last[0] - x[1]) | (p->last[1] - y[1]) | (p->last[2] - z[1])) < 0) {
+        return (x[1] | y[1] | z[1] | (p->last[0] - x[0]) | (p->last[1] - y[0]) | (p->last[2] - z[0])) < 0;
+    }
+    if (more[0] + more[1] + more[2] <= 1 && (x[0] & 63) + more[0] < 64) {
+        const size_t layer = target->row_words * target->ny;
+        const uint64_t run = (uint64_t)(1 + 2 * more[0]) << (x[0] & 63);
+        uint64_t *row =
+            target->bits + layer * (size_t)z[0] + target->row_words * (size_t)y[0] + ((size_t)x[0] >> 6);
+        *row |= run;
+        row[target->row_words * (size_t)more[1] + layer * (size_t)more[2]] |= run;
+        return 1;
+    }
+    return ((more[0] | more[1] | more[2]) & ~(int64_t)3) == 0 && tbx_fill_box(p, &c, first, more, target);
+}
+
 TBX_FN void tbx_fill_mesh(const tribox_grid *grid, const tbx_source *source, uint64_t *bits)
 {
     tbx_target target;
     tbx_frame f;
     tbx_part all;
+    tbx_places places;
     size_t t;
     if (tribox_grid_words(grid) == 0) {
         return;
@@ -4975,8 +5221,13 @@ TBX_FN void tbx_fill_mesh(const tribox_grid *grid, const tbx_source *source, uin
     target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
     tbx_part_all(&all, grid);
     t = TBX_EITHER(tbx_fill_quick(&f, source, &target), 0);
+    tbx_places_set(&places, grid, 0.0);
+    places.on &= !f.thin;
     for (; t < source->triangles; t++) {
-        tbx_fill_triangle(&f, source, t, &all, &target);
+        if (!(places.on && (source->is_double ? tbx_fill_few(&places, source, t, 1, &target)
+                                              : tbx_fill_few(&places, source, t, 0, &target)))) {
+            tbx_fill_triangle(&f, source, t, &all, &target);
+        }
     }
 }
 
@@ -5186,6 +5437,14 @@ TRIBOX_FN int tribox_mesh_contains_f64(const tribox_mesh_f64 *mesh, const double
 #define TBX_SOLID_PLANE_ERROR (40.0 * TBX_U64)
 #define TBX_SOLID_CLOSE_ERROR (8.0 * TBX_U64)
 
+/* Before all that the place is asked at which a value is 0: at + slope * r in row or layer r, as a place. It
+ * rounds up to the index that is looked for, unless a whole number is within its error: that of the value,
+ * over its step, and what the quotient and the sum round off, LINE_ERROR of |at| + |slope| n + 1; a division
+ * may be off by 4 u. FIXED takes a step for each of at, the sum, and the two that the error is added to:
+ * PLACE_ROUNDED. */
+#define TBX_SOLID_LINE_ERROR (32.0 * TBX_U64)
+#define TBX_PLACE_ROUNDED (8.0 * TBX_PLACE_STEP)
+
 /* A region, for the solid. */
 typedef struct tbx_solid {
     const tribox_grid *grid;
@@ -5202,6 +5461,7 @@ typedef struct tbx_solid {
     double within[3];   /* how close that is */
     uint64_t origin[3]; /* in such units */
     uint64_t half[3];   /* of a voxel's size */
+    tbx_places places;
 } tbx_solid;
 
 /* x / 2^exponent modulo 2^64. Returns 0 where that is no whole number. */
@@ -5260,6 +5520,7 @@ TBX_FN void tbx_solid_init(tbx_solid *s, const tribox_grid *grid, uint64_t *bits
     }
     s->row_words = (size_t)((s->n[0] + 63) / 64);
     s->last_word = ~(uint64_t)0 >> (63 - ((s->n[0] - 1) & 63));
+    tbx_places_set(&s->places, grid, 0.5);
 }
 
 /* Flips the voxels from x on in a row. */
@@ -5276,6 +5537,30 @@ TBX_FN void tbx_solid_flip(const tbx_solid *s, int64_t x, int64_t y, int64_t z)
     row[word] ^= flip & s->last_word;
 }
 
+/* Where a value is 0, in row or layer r: at + slope * r, as a place. */
+typedef struct tbx_solid_root {
+    double at;
+    double slope;
+    double error; /* 1: it is not known */
+} tbx_solid_root;
+
+/* The least index at or above a place, in 0..n. Returns 0 where that is not sure. */
+TBX_FORCED int tbx_solid_above(double place, double error, int64_t n, int64_t *out)
+{
+    const double first = TBX_PLACE_FIXED - 0.5;
+    const double last = TBX_PLACE_FIXED - 0.5 + (double)n;
+    double low;
+    double high;
+    uint64_t bits;
+    place = place > first ? place : first;
+    place = place < last ? place : last;
+    low = place - error;
+    high = place + error;
+    bits = tbx_bits64(&low) >> TBX_PLACE_BITS;
+    *out = (int64_t)bits + 1 - TBX_PLACE_OF_0;
+    return bits == tbx_bits64(&high) >> TBX_PLACE_BITS;
+}
+
 /* A triangle over a region. */
 typedef struct tbx_solid_tri {
     const tbx_solid *solid;
@@ -5287,8 +5572,11 @@ typedef struct tbx_solid_tri {
     double d[3][3];  /* edges */
     double at[3][3]; /* middle - corners */
     double n[3];     /* sign * normal */
-    double edge_error[3];
+    double edge_error;
     double plane_error;
+    tbx_solid_root edge[3];
+    tbx_solid_root plane;
+    double plane_z; /* the plane's slope from layer to layer */
 } tbx_solid_tri;
 
 /* What grows with the index along an axis: rest + step*index, or, exactly, something of that sign. */
@@ -5510,12 +5798,17 @@ TBX_FN int tbx_solid_on_lattice(const tbx_solid *s, int k, double x)
 TBX_FN void tbx_solid_range(const tbx_solid_tri *t, int k, int64_t out_range[2])
 {
     const tbx_solid *s = t->solid;
+    const tbx_places *p = &s->places;
     int64_t index[3] = { 0, 0, 0 };
     int side;
     out_range[0] = 0;
     for (side = 0; side < 2; side++) {
         const double face = side == 0 ? t->least[k] : t->most[k];
         tbx_growing g;
+        if (t->fits && p->on &&
+            tbx_solid_above(face * p->inverse[k] + p->base[k], p->error, s->n[k], &out_range[side])) {
+            continue;
+        }
         g.axis = k;
         g.id = 4 + side;
         g.rest = g.step = g.error = 1.0;
@@ -5569,13 +5862,79 @@ TBX_FN int tbx_solid_is_wall(const tbx_solid_tri *t)
     return wall;
 }
 
+/* 1 / step; 0 where that is too large. */
+TBX_FN double tbx_solid_inverse(double step)
+{
+    const int divides = step > TBX_POW2(-400);
+    double divisor = divides ? step : 1.0;
+    TBX_KEEP_SCALAR(divisor);
+    return divides ? 1.0 / divisor : 0.0;
+}
+
+/* The root of a value, at most `most` in all rows and off by error, that grows by 1 / inverse with an index
+ * and by `along` with a row. */
+TBX_FN void tbx_solid_root_set(tbx_solid_root *root, double value, double along, double inverse, double most,
+                               double error)
+{
+    root->at = TBX_PLACE_FIXED - value * inverse;
+    root->slope = -along * inverse;
+    root->error =
+        (most * TBX_SOLID_LINE_ERROR + 1.01 * error) * inverse + (TBX_SOLID_LINE_ERROR + TBX_PLACE_ROUNDED);
+    root->error = inverse > 0.0 ? root->error : 1.0;
+}
+
+/* Where edges and plane have their roots. */
+TBX_FN void tbx_solid_tri_roots(tbx_solid_tri *t)
+{
+    const tbx_solid *s = t->solid;
+    const double *size = s->grid->size;
+    const double n_y = (double)s->n[1];
+    const double n_z = (double)s->n[2];
+    double value;
+    double by_row;
+    double by_layer;
+    double inverse;
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double across = tbx_abs(t->d[i][2]);
+        const double along = t->d[i][2] < 0.0 ? t->d[i][1] : -t->d[i][1];
+        inverse = tbx_solid_inverse(across * size[1]);
+        value = along * t->at[i][2] + across * t->at[i][1];
+        by_layer = along * size[2];
+        tbx_solid_root_set(&t->edge[i], value, by_layer, inverse, tbx_abs(value) + tbx_abs(by_layer) * n_z,
+                           t->edge_error);
+    }
+    inverse = tbx_solid_inverse(t->n[0] * size[0]);
+    value = t->n[0] * t->at[0][0] + t->n[1] * t->at[0][1] + t->n[2] * t->at[0][2];
+    by_row = t->n[1] * size[1];
+    by_layer = t->n[2] * size[2];
+    tbx_solid_root_set(&t->plane, value, by_row, inverse,
+                       tbx_abs(value) + tbx_abs(by_row) * n_y + tbx_abs(by_layer) * n_z, t->plane_error);
+    t->plane_z = -by_layer * inverse;
+    if (!t->fits) {
+        t->plane.error = 1.0;
+    }
+}
+
+/* The same where numbers are out of range: there are none. */
+TBX_COLD void tbx_solid_tri_wild(tbx_solid_tri *t)
+{
+    int i;
+    t->plane.at = t->plane.slope = t->plane_z = 0.0;
+    t->plane.error = 1.0;
+    for (i = 0; i < 3; i++) {
+        t->edge[i] = t->plane;
+    }
+    t->sign = tbx_normal_sign_exact(t->v[0], t->v[1], t->v[2], 1, 2);
+}
+
 /* Edges and normal, with their bounds. Returns 0 if n_x is 0. */
 TBX_FN int tbx_solid_tri_edges(tbx_solid_tri *t)
 {
     const tbx_solid *s = t->solid;
     double m[3];
     double x[3];
-    double area = 0.0;
+    double area;
     int on_lattice = s->scale[0] > 0.0 && s->scale[1] > 0.0 && s->scale[2] > 0.0;
     int i;
     int k;
@@ -5591,90 +5950,89 @@ TBX_FN int tbx_solid_tri_edges(tbx_solid_tri *t)
         return 0;
     }
     if (!t->fits) {
-        t->sign = tbx_normal_sign_exact(t->v[0], t->v[1], t->v[2], 1, 2);
+        tbx_solid_tri_wild(t);
         return t->sign;
     }
     for (k = 0; k < 3; k++) {
-        m[k] = s->reach[k] +
-               (tbx_abs(t->least[k]) > tbx_abs(t->most[k]) ? tbx_abs(t->least[k]) : tbx_abs(t->most[k]));
+        const double least = tbx_abs(t->least[k]);
+        const double most = tbx_abs(t->most[k]);
+        m[k] = s->reach[k] + (least > most ? least : most);
         x[k] = t->most[k] - t->least[k];
         for (i = 0; i < 3 && on_lattice; i++) {
             on_lattice = tbx_solid_on_lattice(s, k, t->v[i][k]);
         }
     }
-    for (k = 0; k < 3; k++) {
-        const int b = k < 2 ? k + 1 : 0;
-        const int c = k > 0 ? k - 1 : 2;
-        t->n[k] = t->d[0][b] * t->d[1][c] - t->d[0][c] * t->d[1][b];
-    }
-    t->plane_error = 0.0;
-    t->edge_error[0] = t->edge_error[1] = t->edge_error[2] = 0.0;
+    t->n[0] = t->d[0][1] * t->d[1][2] - t->d[0][2] * t->d[1][1];
+    t->n[1] = t->d[0][2] * t->d[1][0] - t->d[0][0] * t->d[1][2];
+    t->n[2] = t->d[0][0] * t->d[1][1] - t->d[0][1] * t->d[1][0];
+    area = t->plane_error = t->edge_error = 0.0;
     if (!on_lattice) {
         area = x[1] * x[2] * TBX_SOLID_NORMAL_ERROR + TBX_SOLID_TINY;
         t->plane_error =
             (x[1] * x[2] * m[0] + x[2] * x[0] * m[1] + x[0] * x[1] * m[2]) * TBX_SOLID_PLANE_ERROR +
             TBX_SOLID_TINY;
-        for (i = 0; i < 3; i++) {
-            t->edge_error[i] =
-                (tbx_abs(t->d[i][1]) * m[2] + tbx_abs(t->d[i][2]) * m[1]) * TBX_SOLID_EDGE_ERROR +
-                TBX_SOLID_TINY;
-        }
-        t->fits = tbx_abs(t->n[0]) >= TBX_POW2(-400); /* quotients of values, below 2^460, are finite */
+        t->edge_error = (x[1] * m[2] + x[2] * m[1]) * TBX_SOLID_EDGE_ERROR + TBX_SOLID_TINY;
     }
-    if (t->n[0] > area) {
-        t->sign = 1;
-    } else if (t->n[0] < -area) {
-        t->sign = -1;
-    } else if (area > 0.0) {
+    t->sign = (t->n[0] > area) - (t->n[0] < -area);
+    t->fits = tbx_abs(t->n[0]) >= TBX_POW2(-400); /* quotients of values, below 2^460, are finite */
+    if (t->sign == 0 && area > 0.0) {
         t->sign = tbx_normal_sign_exact(t->v[0], t->v[1], t->v[2], 1, 2);
         t->fits = 0; /* the plane's step is not sure */
-    } else {
-        t->sign = 0;
     }
-    for (k = 0; k < 3; k++) {
-        t->n[k] = t->sign < 0 ? -t->n[k] : t->n[k];
+    if (t->sign < 0) {
+        t->n[0] = -t->n[0];
+        t->n[1] = -t->n[1];
+        t->n[2] = -t->n[2];
     }
+    tbx_solid_tri_roots(t);
     return t->sign;
+}
+
+/* The first row of layer z, from..to, past edge i, as values have it. */
+TBX_NOINLINE int64_t tbx_solid_row(const tbx_solid_tri *t, int i, int64_t z, int64_t from, int64_t to)
+{
+    const tbx_solid *s = t->solid;
+    int64_t index[3] = { 0, 0, 0 };
+    tbx_growing g;
+    index[2] = z;
+    g.axis = 1;
+    g.id = i;
+    g.rest = g.step = g.error = 1.0;
+    if (t->fits) {
+        const double to_z = t->at[i][2] + (double)z * s->grid->size[2];
+        const double across = tbx_abs(t->d[i][2]);
+        g.rest = (t->d[i][2] < 0.0 ? t->d[i][1] : -t->d[i][1]) * to_z + across * t->at[i][1];
+        g.step = across * s->grid->size[1];
+        g.error = t->edge_error;
+    }
+    return tbx_solid_least(t, &g, index, from, to);
 }
 
 /* The rows of layer z within the edges. */
 TBX_FN void tbx_solid_rows(const tbx_solid_tri *t, int64_t z, int64_t rows[2])
 {
-    const tbx_solid *s = t->solid;
-    const double size = t->fits ? s->grid->size[1] : 1.0;
-    int64_t index[3] = { 0, 0, 0 };
     int i;
-    index[2] = z;
     for (i = 0; i < 3; i++) {
+        const tbx_solid_root *edge = &t->edge[i];
         const int j = i < 2 ? i + 1 : 0;
         const int rises = tbx_less(&t->v[i][2], &t->v[j][2]);
-        const int falls = tbx_less(&t->v[j][2], &t->v[i][2]);
-        tbx_growing g;
-        if (rises == falls) {
-            continue;
-        }
-        g.axis = 1;
-        g.id = i;
-        g.rest = g.step = g.error = 1.0;
-        if (t->fits) {
-            const double to_z = t->at[i][2] + (double)z * s->grid->size[2];
-            const double along = rises ? -t->d[i][1] : t->d[i][1];
-            const double across = rises ? t->d[i][2] : -t->d[i][2];
-            g.rest = along * to_z + across * t->at[i][1];
-            g.step = across * size;
-            g.error = t->edge_error[i];
-        }
-        /* inward is +y where -sign * d_z > 0 */
-        if ((t->sign > 0) == falls) {
-            rows[0] = tbx_solid_least(t, &g, index, rows[0], rows[1]);
-        } else {
-            rows[1] = tbx_solid_least(t, &g, index, rows[0], rows[1]);
+        int64_t row;
+        if (rises | tbx_less(&t->v[j][2], &t->v[i][2])) {
+            if (!tbx_solid_above(edge->at + edge->slope * (double)z, edge->error, t->solid->n[1], &row)) {
+                row = tbx_solid_row(t, i, z, rows[0], rows[1]);
+            }
+            /* inward is +y where -sign * d_z > 0 */
+            if ((t->sign > 0) != rises) {
+                rows[0] = row > rows[0] ? row : rows[0];
+            } else {
+                rows[1] = row < rows[1] ? row : rows[1];
+            }
         }
     }
 }
 
-/* The first voxel of row y of layer z on or beyond the plane. */
-TBX_FN int64_t tbx_solid_voxel(const tbx_solid_tri *t, int64_t y, int64_t z)
+/* The first voxel of row y of layer z on or beyond the plane, as values have it. */
+TBX_NOINLINE int64_t tbx_solid_voxel(const tbx_solid_tri *t, int64_t y, int64_t z)
 {
     const tbx_solid *s = t->solid;
     int64_t index[3];
@@ -5720,17 +6078,190 @@ TBX_NOINLINE void tbx_solid_part(const tbx_solid *s, double v[3][3], int kind, i
         return;
     }
     for (z = z_range[0] > first ? z_range[0] : first; z < z_range[1]; z++) {
+        const double at_z = t.plane.at + t.plane_z * (double)z;
         int64_t rows[2];
         rows[0] = y_range[0];
         rows[1] = y_range[1];
         tbx_solid_rows(&t, z, rows);
         for (y = rows[0]; y < rows[1]; y++) {
-            const int64_t x = tbx_solid_voxel(&t, y, z);
+            int64_t x;
+            if (!tbx_solid_above(at_z + t.plane.slope * (double)y, t.plane.error, s->n[0], &x)) {
+                x = tbx_solid_voxel(&t, y, z);
+            }
             if (x < s->n[0]) {
                 tbx_solid_flip(s, x, y, z);
             }
         }
     }
+}
+
+/* Small boxes. Most triangles of a fine mesh have no row's centre, or no layer's, between their least and
+ * greatest place; most others a few. About the first of these, coordinates are those of places, exactly, and
+ * at most R = CELLS; E_i = v_i x v_{i+1}, and, j rows and k layers on, E_i + j (z_i - z_{i+1}) + k (y_{i+1} -
+ * y_i). With e the places' error, 2^-26 or more, that is off by 4 R e, by 2 e for each of j + k steps, and by
+ * roundings, which are 2^-44: less than CELL_ERROR e. A centre is within where all three are of one sign, by
+ * more than that, and not where two are not. Along x the plane is at
+ *
+ *   x_0 + ((x_1 - x_0) E_2 + (x_2 - x_0) E_0) / (E_0 + E_1 + E_2),
+ *
+ * weights being 1 at most: off by (|x_1 - x_0| + |x_2 - x_0|) / |E_0 + E_1 + E_2| times E's error, once for
+ * itself and thrice for the sum, roundings far below another one; and by 5 e for the three x. */
+#define TBX_SOLID_CELLS 4
+#define TBX_SOLID_CELL_ERROR 32.0
+#define TBX_SOLID_CELL_SUMS 5.0
+
+typedef struct tbx_solid_small {
+    int64_t first[3]; /* row and layer; x is not used */
+    int rows;
+    int layers;
+    double at[3][3]; /* axis, corner */
+    double e[3];
+    double by_row[3];
+    double by_layer[3];
+} tbx_solid_small;
+
+/* The centres within, row j and layer k a bit 4 k + j. Returns 0 where one is not sure. */
+TBX_FN int tbx_solid_within(tbx_solid_small *m, double error, unsigned *out_within)
+{
+    const double y = TBX_PLACE_FIXED + (double)m->first[1];
+    const double z = TBX_PLACE_FIXED + (double)m->first[2];
+    const double y0 = m->at[1][0] - y;
+    const double y1 = m->at[1][1] - y;
+    const double y2 = m->at[1][2] - y;
+    const double z0 = m->at[2][0] - z;
+    const double z1 = m->at[2][1] - z;
+    const double z2 = m->at[2][2] - z;
+    double layer[3];
+    unsigned sure = 1;
+    unsigned within = 0;
+    int j;
+    int k;
+    layer[0] = m->e[0] = y0 * z1 - z0 * y1;
+    layer[1] = m->e[1] = y1 * z2 - z1 * y2;
+    layer[2] = m->e[2] = y2 * z0 - z2 * y0;
+    m->by_row[0] = z0 - z1;
+    m->by_row[1] = z1 - z2;
+    m->by_row[2] = z2 - z0;
+    m->by_layer[0] = y1 - y0;
+    m->by_layer[1] = y2 - y1;
+    m->by_layer[2] = y0 - y2;
+    for (k = 0; k < m->layers; k++) {
+        double e0 = layer[0];
+        double e1 = layer[1];
+        double e2 = layer[2];
+        for (j = 0; j < m->rows; j++) {
+            const double least = tbx_min3(e0, e1, e2);
+            const double most = tbx_max3(e0, e1, e2);
+            const unsigned in = (unsigned)((least > error) | (most < -error));
+            const unsigned out = (unsigned)((least < -error) & (most > error));
+            within |= in << (4 * k + j);
+            sure &= in | out;
+            e0 += m->by_row[0];
+            e1 += m->by_row[1];
+            e2 += m->by_row[2];
+        }
+        layer[0] += m->by_layer[0];
+        layer[1] += m->by_layer[1];
+        layer[2] += m->by_layer[2];
+    }
+    *out_within = within;
+    return (int)sure;
+}
+
+/* Flips their rows. Returns 0, none flipped, where one is not sure. */
+TBX_FN int tbx_solid_flip_small(const tbx_solid *s, tbx_vertices *c, tbx_solid_small *m, unsigned within,
+                                double error)
+{
+    const double most = 2097152.0; /* 2^21 */
+    int64_t x[16];
+    double along[2];
+    double at;
+    double by_row;
+    double by_layer;
+    double inverse = m->e[0] + m->e[1] + m->e[2];
+    double off;
+    int i;
+    if (!tbx_vertices_fit(c, 0, 1)) {
+        return 0;
+    }
+    tbx_vertices_place(c, &s->places, 0, m->at[0]);
+    along[0] = m->at[0][1] - m->at[0][0];
+    along[1] = m->at[0][2] - m->at[0][0];
+    off = tbx_abs(along[0]) + tbx_abs(along[1]);
+    if (!(tbx_abs(m->at[0][0] - TBX_PLACE_FIXED) + off < most)) {
+        return 0;
+    }
+    TBX_KEEP_SCALAR(inverse);
+    inverse = 1.0 / inverse;
+    off = off * tbx_abs(inverse) * (TBX_SOLID_CELL_SUMS * error) + 8.0 * s->places.error;
+    at = m->at[0][0] + (along[0] * m->e[2] + along[1] * m->e[0]) * inverse;
+    by_row = (along[0] * m->by_row[2] + along[1] * m->by_row[0]) * inverse;
+    by_layer = (along[0] * m->by_layer[2] + along[1] * m->by_layer[0]) * inverse;
+    for (i = 0; within >> i != 0; i++) {
+        if ((within >> i & 1u) != 0 &&
+            !tbx_solid_above(at + by_row * (double)(i & 3) + by_layer * (double)(i >> 2), off, s->n[0],
+                             &x[i])) {
+            return 0;
+        }
+    }
+    for (i = 0; within >> i != 0; i++) {
+        if ((within >> i & 1u) != 0 && x[i] < s->n[0]) {
+            tbx_solid_flip(s, x[i], m->first[1] + (i & 3), m->first[2] + (i >> 2));
+        }
+    }
+    return 1;
+}
+
+/* Flips what a triangle crosses, of rows y[0] + 1 to y[1] and layers z[0] + 1 to z[1], if these are few and
+ * all is sure. Returns 0, nothing flipped, if not. */
+TBX_NOINLINE int tbx_solid_by_cells(const tbx_solid *s, tbx_vertices *c, tbx_solid_small *m,
+                                    const int64_t y[2], const int64_t z[2])
+{
+    const tbx_places *p = &s->places;
+    const double error = TBX_SOLID_CELL_ERROR * p->error;
+    unsigned within;
+    if ((y[1] - y[0] > TBX_SOLID_CELLS) | (z[1] - z[0] > TBX_SOLID_CELLS) | (y[0] < -1) | (z[0] < -1) |
+        (y[1] > p->last[1]) | (z[1] > p->last[2])) {
+        return 0;
+    }
+    m->first[1] = y[0] + 1;
+    m->first[2] = z[0] + 1;
+    m->rows = (int)(y[1] - y[0]);
+    m->layers = (int)(z[1] - z[0]);
+    return tbx_solid_within(m, error, &within) &&
+           (within == 0 || tbx_solid_flip_small(s, c, m, within, error));
+}
+
+/* Flips what triangle t crosses, mostly nothing. Returns 0, nothing flipped, where that is not sure. */
+TBX_FORCED int tbx_solid_quickly(const tbx_solid *s, const tbx_source *source, size_t t, int is_double)
+{
+    const tbx_places *p = &s->places;
+    tbx_vertices c;
+    tbx_solid_small m;
+    int64_t y[2];
+    int64_t z[2];
+    tbx_vertices_find(&c, source, t, is_double);
+    if (!tbx_vertices_fit(&c, 1, 2)) {
+        return 0;
+    }
+    tbx_vertices_place(&c, p, 2, m.at[2]);
+    if (!tbx_places_range(p, m.at[2], z)) {
+        return 0;
+    }
+    if (z[1] <= z[0]) {
+        return z[1] == z[0];
+    }
+    tbx_vertices_place(&c, p, 1, m.at[1]);
+    if (!tbx_places_range(p, m.at[1], y)) {
+        return 0;
+    }
+    if (y[1] <= y[0]) {
+        return y[1] == y[0];
+    }
+    if ((z[1] < 0) | (z[0] >= p->last[2]) | (y[1] < 0) | (y[0] >= p->last[1])) {
+        return 1; /* off the region */
+    }
+    return tbx_solid_by_cells(s, &c, &m, y, z);
 }
 
 TBX_FN void tbx_solid_fill_mesh(const tribox_grid *grid, const tbx_source *source, uint64_t *bits)
@@ -5744,9 +6275,12 @@ TBX_FN void tbx_solid_fill_mesh(const tribox_grid *grid, const tbx_source *sourc
     tbx_solid_init(&s, grid, bits);
     t = TBX_EITHER(tbx_solid_quick_fill(&s, source), 0);
     for (; t < source->triangles; t++) {
-        const int kind = tbx_source_triangle(source, t, v);
-        if (kind != TBX_NO_POINTS) {
-            tbx_solid_part(&s, v, kind, 0);
+        if (!(s.places.on && (source->is_double ? tbx_solid_quickly(&s, source, t, 1)
+                                                : tbx_solid_quickly(&s, source, t, 0)))) {
+            const int kind = tbx_source_triangle(source, t, v);
+            if (kind != TBX_NO_POINTS) {
+                tbx_solid_part(&s, v, kind, 0);
+            }
         }
     }
 }
@@ -7609,8 +8143,8 @@ TBX_FN double tbx_shot_det(const double d[3], const double a[3], const double b[
     const double xz = d[1] * (a[0] * b[2]);
     const double xy = d[2] * (a[0] * b[1]);
     const double yx = d[2] * (a[1] * b[0]);
-    *out_error = (tbx_abs(yz) + tbx_abs(zy) + tbx_abs(zx) + tbx_abs(xz) + tbx_abs(xy) + tbx_abs(yx)) *
-                 TBX_SHOT_ERROR;
+    *out_error =
+        (tbx_abs(yz) + tbx_abs(zy) + tbx_abs(zx) + tbx_abs(xz) + tbx_abs(xy) + tbx_abs(yx)) * TBX_SHOT_ERROR;
     return (yz - zy) + (zx - xz) + (xy - yx);
 }
 
@@ -10565,7 +11099,7 @@ TBX_FN int tbx_filter2(const double v0[3], const double v1[3], const double v2[3
     tbx_d2 n_y;
     tbx_d2 n_z;
     tbx_i4 greatest = tbx_greatest5(TBX_HIGH_WORDS(p0, p1), TBX_HIGH_WORDS(p2, lo), TBX_HIGH_WORDS(hi, z0),
-                             TBX_HIGH_WORDS(z1, z2), TBX_HIGH_WORDS(z_lo, z_hi));
+                                    TBX_HIGH_WORDS(z1, z2), TBX_HIGH_WORDS(z_lo, z_hi));
     if (TBX_RARELY(tbx_any(tbx_splat_int(((1023 + 300) << 20) - 1) - greatest))) {
         return TBX_UNSURE;
     }
@@ -11436,7 +11970,7 @@ typedef struct tbx_quick {
     double box_origin[4]; /* of the region, in lanes 1 to 3; lane 0 lies on nothing */
     double box_units[4];
     double beside[4]; /* what is so near to a grid plane is unsure in fixed point */
-    int precise; /* all of these are in range */
+    int precise;      /* all of these are in range */
     int is_double;
     float delta_low;
     size_t layer_words;
@@ -11451,7 +11985,7 @@ typedef struct tbx_quick {
     size_t row_words;
 } tbx_quick;
 
-#define TBX_MARGIN 16    /* voxels beyond the region in which X is still used */
+#define TBX_MARGIN 16 /* voxels beyond the region in which X is still used */
 #define TBX_PARTS_LOG2 4
 #define TBX_PARTS (1 << TBX_PARTS_LOG2) /* of a voxel, in the lattice */
 
@@ -11472,7 +12006,7 @@ TBX_FN float tbx_lattice_step(const tribox_grid *grid, int k, double spacing)
 
 /* Classes of boxes. */
 enum {
-    TBX_CLASS_ONE,    /* voxel; two along x; two along y or z */
+    TBX_CLASS_ONE, /* voxel; two along x; two along y or z */
     TBX_CLASS_RUN,
     TBX_CLASS_PAIR,
     TBX_CLASS_FLAT_X, /* two on two axes, one on this */
@@ -12896,9 +13430,8 @@ TBX_FORCED void tbx_block_box(tbx_boxed *last, const tbx_block *b, const tribox_
     tbx_i4 v2 = (tbx_i4)corners->row[2][i] & used;
     const tbx_i4 all = (v0 | v1 | v2) & magnitude; /* no exponent is above this one's */
     /* 0 or subnormal, infinite or no number */
-    if (q->is_double ||
-        tbx_any((((v0 | other) & exponent) == none) | (((v1 | other) & exponent) == none) |
-                (((v2 | other) & exponent) == none) | (all > tbx_splat_int(0x7f7fffff)))) {
+    if (q->is_double || tbx_any((((v0 | other) & exponent) == none) | (((v1 | other) & exponent) == none) |
+                                (((v2 | other) & exponent) == none) | (all > tbx_splat_int(0x7f7fffff)))) {
         last->box = tbx_box_slowly(grid, q, source, b->start + (size_t)i);
         last->least = last->most = (tbx_f4)tbx_splat_int(-1); /* no number */
     } else {
@@ -12951,8 +13484,7 @@ TBX_NOINLINE int tbx_block_special(tbx_block *b, const tribox_grid *grid, const 
             }
             if (box[j][3] != TBX_OFF) {
                 tbx_block_add(b, q, list[i + j], box[j]);
-                on_planes +=
-                    box[j][3] != TBX_NOT_KNOWN && (box[j][3] & (TBX_ON_LATTICE | TBX_BESIDE)) != 0;
+                on_planes += box[j][3] != TBX_NOT_KNOWN && (box[j][3] & (TBX_ON_LATTICE | TBX_BESIDE)) != 0;
             }
         }
     }
@@ -13668,16 +14200,15 @@ TBX_FORCED void tbx_precise_set(tbx_precise_axis *a, const tbx_quick *q, int k, 
         const tbx_dp x = a->x[i];
         const tbx_dp x_high = (tbx_dp)((tbx_mp)x & upper);
         const tbx_dp to = x_high * pieces;
-        const tbx_dp whole = tbx_pair_kept((x - tbx_pair_all(q->whole_origin[k])) *
-                                               tbx_pair_all(q->units[k] * TBX_PIECES) +
-                                           round);
+        const tbx_dp whole = tbx_pair_kept(
+            (x - tbx_pair_all(q->whole_origin[k])) * tbx_pair_all(q->units[k] * TBX_PIECES) + round);
         const tbx_dp at = tbx_pair_kept(whole - round);
         const tbx_dp along = tbx_pair_kept(to - from);
         const tbx_dp part = at * tbx_pair_all(q->halves[k].low);
         tbx_dp rest = tbx_pair_kept(along - at * tbx_pair_all(q->halves[k].high));
         if (q->halves[k].origin_high != 0.0) { /* else nothing is rounded */
-            *unsure |= (tbx_mp)(tbx_pair_kept(to - along) != from) |
-                       (tbx_mp)(tbx_pair_kept(along + from) != to);
+            *unsure |=
+                (tbx_mp)(tbx_pair_kept(to - along) != from) | (tbx_mp)(tbx_pair_kept(along + from) != to);
         }
         if (is_simple) {
             rest -= part;
@@ -13814,11 +14345,11 @@ TBX_FORCED void tbx_precise_edges(tbx_precise_found *found, tbx_precise_normal *
     const int up_y = a == 1 ? 1 : 8;
     const tbx_dp zero = tbx_pair_all(0.0);
     const tbx_mp closed = tbx_pair_bits(q->upper_open ? 0 : ~(uint64_t)0);
-    const tbx_mp alike = tbx_pair_bits(
-        q->whole_origin[b] == q->whole_origin[c] && q->halves[b].high == q->halves[c].high &&
-                q->halves[b].low == q->halves[c].low
-            ? ~(uint64_t)0
-            : 0);
+    const tbx_mp alike =
+        tbx_pair_bits(q->whole_origin[b] == q->whole_origin[c] && q->halves[b].high == q->halves[c].high &&
+                              q->halves[b].low == q->halves[c].low
+                          ? ~(uint64_t)0
+                          : 0);
     const tbx_mp across = (x->same[0] & x->same[1]) | (y->same[0] & y->same[1]); /* their box says it all */
     const tbx_mp whole = x->whole & y->whole;
     tbx_precise_line line[3];
@@ -14197,7 +14728,7 @@ TBX_FORCED void tbx_voxels_set(const tbx_bits *to, uint64_t *row, uint64_t key, 
  * and d_r, a bound times d_r is a multiple of q s; where d_b is 0 it is one of q, whatever the rows' axis;
  * the plane's, times n_x, is one of q times the step of the normal. An area may be 0 exactly, or known to be
  * where all corners are level; again its edges run to and fro, and the plane says what they say. */
-#define TBX_ROW_ERROR (24.0f * TBX_U32)  /* times 1 + |g| and m + 2 */
+#define TBX_ROW_ERROR (24.0f * TBX_U32) /* times 1 + |g| and m + 2 */
 #define TBX_AREA_ERROR (64.0 * TBX_U64) /* tau, times m^2 */
 #define TBX_NOWHERE 65536.0f
 
@@ -15972,8 +16503,8 @@ TBX_FN int tbx_segment_filter(const float p[3], const float q[3], const float bo
     hit = tbx_segment4(p0, p1, tbx_max4(lo, tbx_min4(p0, p1)), tbx_min4(hi, tbx_max4(p0, p1)), &open,
                        &refused);
     if (TBX_RARELY(open | (refused != 8))) { /* one branch, hardly ever taken */
-        if (open || (refused & 7) != 0 || tbx_may_flush(p) || tbx_may_flush(q) ||
-            tbx_may_flush(box_min) || tbx_may_flush(box_max)) {
+        if (open || (refused & 7) != 0 || tbx_may_flush(p) || tbx_may_flush(q) || tbx_may_flush(box_min) ||
+            tbx_may_flush(box_max)) {
             return TBX_UNSURE;
         }
     }
@@ -16397,9 +16928,9 @@ TBX_FN int tbx_gap_near_face(const float *const v[3], const float lo[3], const f
  * terms of l measure: l errs by 4 u of these, at most 2^7 of itself, which is 2^-43 of s. The root is a guess
  * from floats, whose l may have errors of its own: where its square is off by 2^-9 at most, a step of fifth
  * order leaves a quarter of the fifth power, 2^-47. The error may be .8 * 2^-40. */
-#define TBX_GAP_SURE 1374389534720.0    /* 1.25 * 2^40 */
-#define TBX_GAP_LENGTH 6.103515625e-05  /* 2^-14, of squares */
-#define TBX_GAP_GUESS 0.001953125       /* 2^-9 */
+#define TBX_GAP_SURE 1374389534720.0   /* 1.25 * 2^40 */
+#define TBX_GAP_LENGTH 6.103515625e-05 /* 2^-14, of squares */
+#define TBX_GAP_GUESS 0.001953125      /* 2^-9 */
 
 TBX_FN int tbx_gap_near_end(double centre, double reach, double error, double square, double terms,
                             double *out_s, double *in_out_root)
@@ -17535,7 +18066,6 @@ TBX_FORCED void tbx_solid_flip_wide(uint64_t *word, size_t left, uint64_t paddin
  *
  * Such a place, as FIXED is added to it, is a whole number of steps of 2^-28 in its double's last bits, and
  * off by one more. Corners are within 2^21 voxels along x, and so is the plane where it counts. */
-#define TBX_SOLID_LINE_ERROR (32.0 * TBX_U64)
 #define TBX_SOLID_FIXED 25165824.0 /* 3 * 2^23 */
 #define TBX_SOLID_LAYERS 32
 
@@ -18727,6 +19257,15 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_SOLID_CLOSE_ERROR
 #undef TBX_SOLID_FEW
 #undef TBX_SOLID_FEW_ERROR
+#undef TBX_PLACE_BITS
+#undef TBX_PLACE_ERROR
+#undef TBX_PLACE_FIXED
+#undef TBX_PLACE_OF_0
+#undef TBX_PLACE_ROUNDED
+#undef TBX_PLACE_STEP
+#undef TBX_SOLID_CELLS
+#undef TBX_SOLID_CELL_ERROR
+#undef TBX_SOLID_CELL_SUMS
 #undef TBX_SOLID_PARTS
 #undef TBX_SOLID_MARGIN
 #undef TBX_SOLID_LINE_ERROR

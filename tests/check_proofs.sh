@@ -35,6 +35,9 @@ SOLID=$(constant '^#define TBX_SOLID_ERROR (\([0-9.]*\) \* TBX_U64)$')
 SOLID_EDGE=$(constant '^#define TBX_SOLID_EDGE_ERROR (\([0-9.]*\) \* TBX_U64)$')
 SOLID_NORMAL=$(constant '^#define TBX_SOLID_NORMAL_ERROR (\([0-9.]*\) \* TBX_U64)$')
 SOLID_PLANE=$(constant '^#define TBX_SOLID_PLANE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+PLACE=$(constant '^#define TBX_PLACE_ERROR (\([0-9.]*\) \* TBX_U64)$')
+CELL=$(constant '^#define TBX_SOLID_CELL_ERROR \([0-9.]*\)$')
+CELL_SUMS=$(constant '^#define TBX_SOLID_CELL_SUMS \([0-9.]*\)$')
 SOLID_LINE=$(constant '^#define TBX_SOLID_LINE_ERROR (\([0-9.]*\) \* TBX_U64)$')
 SOLID_BOX=$(constant '^#define TBX_SOLID_BOX_ERROR (\([0-9.]*\)f \* TBX_U32)$')
 SOLID_PLACE=$(constant '^#define TBX_SOLID_PLACE_ERROR (\([0-9.]*\)f \* TBX_U32)$')
@@ -68,7 +71,7 @@ NUM=$(constant '^#define TBX_NUM_ERROR \([0-9.e-]*\) .*' '^#if TBX_DOUBLE_IS_53_
 export SLAB SLAB_INVERSE RAY NUM GAP_FACE
 export PIERCE4 SHOT BALL BALL4 PLANE_SPHERE PLANE_SPHERE4 TOUCH PIERCE SEGMENT GAP4 GAP_EDGE GAP_NORMAL GAP_SURE GAP_LENGTH GAP_GUESS
 export CROSS_EDGE CROSS_PLANE SOLID SOLID_EDGE SOLID_NORMAL SOLID_PLANE SOLID_LINE SOLID_BOX SOLID_PLACE SOLID_ROW \
-    SOLID_ROW_ULPS SOLID_NEAR SOLID_ALONE SOLID_REST SOLID_CLOSE SOLID_FEW
+    SOLID_ROW_ULPS SOLID_NEAR SOLID_ALONE SOLID_REST SOLID_CLOSE SOLID_FEW PLACE CELL CELL_SUMS
 # groups: delta's share of n u; the bounds in units of n delta and n^2 delta
 SHARE=$(constant '.*const float delta = \([0-9.]*\)f \* TBX_U32 \* (float)n + q->delta_low;.*')
 LINES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)n \* delta).*')
@@ -97,7 +100,7 @@ prove() { # script, P, FUSED or PLAIN, N: lines for boxes of N^3 voxels
         -e "s/@TOUCH@/$TOUCH/g; s/@PIERCE@/$PIERCE/g; s/@PIERCE4@/$PIERCE4/g; s/@SEGMENT@/$SEGMENT/g; s/@SHOT@/$SHOT/g; s/@GAP4@/$GAP4/g" \
         -e "s/@GAP_EDGE@/$GAP_EDGE/g; s/@GAP_NORMAL@/$GAP_NORMAL/g; s/@GAP_FACE@/$GAP_FACE/g; s/@SLAB@/$SLAB/g" \
         -e "s/@SLAB_INVERSE@/$SLAB_INVERSE/g; s/@RAY@/$RAY/g; s/@NUM@/$NUM/g" \
-        -e "s/@SOLID_LINE@/$SOLID_LINE/g; s/@SOLID_BOX@/$SOLID_BOX/g; s/@SOLID_PLACE@/$SOLID_PLACE/g" \
+        -e "s/@SOLID_LINE@/$SOLID_LINE/g; s/@SOLID_BOX@/$SOLID_BOX/g; s/@SOLID_PLACE@/$SOLID_PLACE/g; s/@PLACE@/$PLACE/g" \
         -e "s/@LONE_EDGE@/$LONE_EDGE/g; s/@LONE_PLANE@/$LONE_PLANE/g" \
         -e "s/@GRID@/$GRID/g; s/\bP\b/$2/g; s/^N$n //; /^N[2-4] /d" \
         -e "s/@M@/$((n - 1))/g; s/@N@/$n/g; s/@2MM@/$((2 * mm))/g; s/@4MM@/$((4 * mm))/g; s/@AREA@/$area/g" \
@@ -179,6 +182,14 @@ solid_room() {
 }
 export -f solid_room
 job "proof: solid, room in the bounds of rows" solid_room
+
+# The solid by cells, in units of e: E at the first centre 4 R and a bit, R = 4 cells, and 2 for each of 3 rows and 3 layers, one
+# for roundings and e^2; a crossing: E, 3 E for the sum, one for roundings.
+solid_cells_room() {
+    awk -v cell="$CELL" -v sums="$CELL_SUMS" 'BEGIN { exit !(cell >= 4 * 4 + 2 * (3 + 3) + 1 && sums >= 1 + 3 + 1) }'
+}
+export -f solid_cells_room
+job "proof: solid, room in the bounds of cells" solid_cells_room
 
 # The solid from close by. A corner c is off by PLACE u (|c| + rho), so its sign is sure where |c| > NEAR u rho. A product of
 # two such, and their difference, in units of u: PLACE twice, 1 and 1, of the products; PLACE 2.2 rho four times; the errors'

@@ -584,6 +584,44 @@ static void nothing_is_read_before_the_first_vertex(void)
     free(positions);
 }
 
+static void tenths_set(void *user, int x0, int x1, int y, int z)
+{
+    uint64_t *bits = (uint64_t *)user;
+    int       x;
+    for (x = x0; x <= x1; x++) {
+        bits[8 * z + y] |= (uint64_t)1 << x;
+    }
+}
+
+/* Corners at thirds of voxels of a tenth, edges through grid points but for what such numbers are rounded by: as
+ * near as that, boxes of few voxels are not sure in double. */
+static void edges_through_grid_points_of_tenths(void)
+{
+    tribox_grid     grid = {{0, 0, 0}, {0.1, 0.1, 0.1}, {0, 0, 0}, {8, 8, 8}, 0};
+    tribox_mesh_f64 mesh;
+    double          v[9];
+    uint64_t        bits[2][64];
+    int             i;
+    int             k;
+    mesh.positions = v;
+    mesh.stride = 0;
+    mesh.indices = 0;
+    mesh.triangles = 1;
+    for (i = 0; i < 20000 / TEST_SCALE; i++) {
+        const int first[3] = {random_below(5), random_below(5), random_below(5)};
+        for (k = 0; k < 9; k++) {
+            v[k] = (3 * (first[k % 3] + random_below(4)) + 1 + random_below(2)) / 30.0;
+        }
+        memset(bits, 0, sizeof bits);
+        grid.flags = (unsigned)random_below(3);
+        tribox_grid_fill_f64(&grid, &mesh, bits[0]);
+        tribox_grid_spans_f64(&grid, v, v + 3, v + 6, tenths_set, bits[1]);
+        if (!CHECK(memcmp(bits[0], bits[1], sizeof bits[0]) == 0)) {
+            break;
+        }
+    }
+}
+
 int main(void)
 {
     RUN(fill_is_the_union_of_spans);
@@ -601,5 +639,6 @@ int main(void)
     RUN(empty_mesh_sets_nothing);
     RUN(a_box_beside_a_plane_sets_no_other);
     RUN(nothing_is_read_before_the_first_vertex);
+    RUN(edges_through_grid_points_of_tenths);
     return test_report("test_fill");
 }

@@ -1198,6 +1198,22 @@ static void indices_reach_to_the_end_and_odd_regions_stay_as_they_are(void)
     CHECK(tribox_mesh_contains(&floats, far_off) == 0);
 }
 
+/* Rows of whole words have no padding: a crossing right behind the last voxel flips nothing of the next row. */
+static void crossings_behind_whole_words_flip_nothing(void)
+{
+    static const float v[9] = {64.2f, 0.2f, 0.2f, 64.2f, 0.9f, 0.3f, 64.2f, 0.4f, 0.9f};
+    tribox_grid        grid = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {64, 2, 2}, 0};
+    tribox_mesh        mesh = {v, 0, NULL, 1};
+    uint64_t           bits[4] = {0, 0, 0, 0};
+
+    tribox_grid_fill_solid(&grid, &mesh, bits);
+    CHECK((bits[0] | bits[1] | bits[2] | bits[3]) == 0);
+    grid.hi[0] = 128;
+    grid.hi[1] = 1;
+    tribox_grid_fill_solid(&grid, &mesh, bits);
+    CHECK(bits[0] == 0 && bits[1] == ~(uint64_t)0 && bits[2] == 0 && bits[3] == 0);
+}
+
 int main(void)
 {
     RUN(fill_flips_the_voxels_whose_centre_is_inside);
@@ -1222,5 +1238,6 @@ int main(void)
     RUN(triangles_of_any_size_cross);
     RUN(corners_far_off_along_x);
     RUN(indices_reach_to_the_end_and_odd_regions_stay_as_they_are);
+    RUN(crossings_behind_whole_words_flip_nothing);
     return test_report("test_solid");
 }
