@@ -16278,7 +16278,7 @@ TBX_FORCED uint64_t tbx_lone_voxels(const tbx_lone *r, const tbx_lone_corners *c
     tbx_lone_edge_set(&edge[0], e[0], r->v[1] - r->v[0], sign);
     tbx_lone_edge_set(&edge[1], e[1], r->v[2] - r->v[1], sign);
     tbx_lone_edge_set(&edge[2], e[2], r->v[0] - r->v[2], sign);
-    if (TBX_RARELY(tbx_any((r->v[0] == r->v[1]) | (r->v[1] == r->v[2]) | (r->v[2] == r->v[0])))) {
+    if (TBX_RARELY((tbx_signs((r->v[0] == r->v[1]) | (r->v[1] == r->v[2]) | (r->v[2] == r->v[0])) & 7) != 0)) {
         const tbx_f4 inside = tbx_splat(64.0f);
         const tbx_i4 point[3] = { tbx_lone_point(c, 0, 1), tbx_lone_point(c, 1, 2), tbx_lone_point(c, 2, 0) };
         edge[0].at += tbx_lanes_where(point[0], inside);
@@ -18567,7 +18567,7 @@ TBX_NOINLINE int tbx_solid_few_plane(const tbx_solid_few *f, int64_t j, int64_t 
         }
         tbx_solid_carry(e, 6);
         for (p = 0; p < 6; p++) {
-            for (q = 0; q < 3 && p + q < 8; q++) {
+            for (q = 0; q < 3; q++) {
                 sum[p + q] += e[p] * x[q];
             }
         }
@@ -18706,7 +18706,7 @@ TBX_NOINLINE void tbx_solid_careful(const tbx_solid_quick *q, size_t triangle, i
 {
     double v[3][3];
     const int kind = tbx_source_triangle(q->source, triangle, v);
-    if (kind == TBX_ALL_ORDINARY && q->solid->fits && tbx_solid_by_units(q->solid, v, first)) {
+    if (kind == TBX_ALL_ORDINARY && tbx_solid_by_units(q->solid, v, first)) {
         return;
     }
     if (kind != TBX_NO_POINTS) {
