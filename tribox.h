@@ -17380,6 +17380,7 @@ TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const t
         TBX_KEEP(size_high);
         q->on &= tbx_more(2048.0, rho) & tbx_more(67108864.0, tbx_abs(middle) * scale); /* 2^26 */
         q->origin[k] = (float)middle;
+        TBX_KEEP(q->origin[k]); /* clang 22's -ffast-math leaves the rounding out of what follows */
         q->most_reach[k] = s->reach[k] + tbx_abs(middle) + 2097152.0 * size;
         q->inverse[k] = (float)(1.0 / size);
         q->most[k] =
