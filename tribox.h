@@ -5212,10 +5212,9 @@ TBX_FN void tbx_fill_mesh(const tribox_grid *grid, const tbx_source *source, uin
     tbx_part all;
     tbx_places places;
     size_t t;
-    if (tribox_grid_words(grid) == 0) {
+    if (tribox_grid_words(grid) == 0 || !tbx_frame_init(&f, grid)) {
         return;
     }
-    (void)tbx_frame_init(&f, grid); /* a grid of words is valid */
     target.bits = bits;
     target.row_words = (size_t)(((int64_t)grid->hi[0] - grid->lo[0] + 63) / 64);
     target.ny = (size_t)((int64_t)grid->hi[1] - grid->lo[1]);
