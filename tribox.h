@@ -8713,7 +8713,7 @@ TRIBOX_FN double tribox_gap(const float v0[3], const float v1[3], const float v2
                             const float box_max[3], float out_axis[3])
 {
     const float *const v[5] = { v0, v1, v2, v0, v1 };
-    double s;
+    double s = 0.0;
     const unsigned axes = TBX_EITHER(tbx_gap_quick(v, box_min, box_max, &s, out_axis), TBX_GAP_ALL);
     if (TBX_RARELY(axes != 0)) {
         tbx_gap_answer(v, box_min, box_max, axes, &s, out_axis);

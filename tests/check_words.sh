@@ -13,7 +13,8 @@ sed -e 's/"[^"]*"//g' tribox.h | gcc -fpreprocessed -dD -E -P -x c - 2>/dev/null
 # only these are hit by a macro that takes arguments
 grep -o '[A-Za-z_][A-Za-z_0-9]* *(' "$here/code" | tr -d ' (' | sort -u >"$here/called"
 # what is meant: the standard headers' names, and macros that only preprocessor lines ask for
-sed -n 's/^ *# *\(if\|elif\|ifdef\|ifndef\|error\|pragma\)\(.*\)/\2/p' tribox.h | grep -o '[A-Za-z_][A-Za-z_0-9]*' |
+sed -e ':join' -e '/\\$/{N;s/\\\n//;b join' -e '}' tribox.h |
+    sed -n 's/^ *# *\(if\|elif\|ifdef\|ifndef\|error\|pragma\)\(.*\)/\2/p' | grep -o '[A-Za-z_][A-Za-z_0-9]*' |
     sort -u >"$here/asked"
 printf '#include <stdint.h>\n#include <stddef.h>\n#include <float.h>\n' | gcc -dM -E -x c - |
     sed -n 's/^#define \([A-Za-z_0-9]*\).*/\1/p' | sort -u >"$here/meant"
