@@ -269,6 +269,48 @@ static void grids_of_any_scale(void)
     }
 }
 
+/* Triangles of one row whose middle corner lies beside the row's centre by what a double of a tenth is off. */
+static void middle_corners_on_centres_of_tenths(void)
+{
+    int i;
+
+    random_seed(1218);
+    for (i = 0; i < 24; i++) {
+        static solid_case c;
+        int               t;
+        int               k;
+        c.seed = random_state;
+        for (k = 0; k < 3; k++) {
+            c.grid.origin[k] = 0;
+            c.grid.size[k] = 0.1;
+            c.grid.lo[k] = 0;
+            c.grid.hi[k] = c.n[k] = k ? 9 : 15;
+        }
+        c.grid.flags = 0;
+        c.triangles = SOLID_TRIANGLES;
+        c.words = 81;
+        for (t = 0; t < SOLID_TRIANGLES; t++) {
+            const int turned = random_below(2);
+            const double y = 0.1 * random_below(9) + 0.05;
+            const double z = 0.1 * random_below(9) + 0.05;
+            double      *v = c.doubles + 9 * t;
+            v[0] = 0.1 * random_below(15);
+            v[3] = 0.1 * random_below(15);
+            v[6] = 0.1 * random_below(15);
+            v[1 + turned] = y - 0.03;
+            v[4 + turned] = y + 0.03;
+            v[7 + turned] = nudge_double(y, random_below(3) - 1);
+            v[2 - turned] = z - 0.03;
+            v[5 - turned] = z + 0.02 * random_signed();
+            v[8 - turned] = z + 0.03;
+        }
+        for (k = 0; k < 9 * SOLID_TRIANGLES; k++) {
+            c.positions[k] = (float)c.doubles[k];
+        }
+        solid_check(&c);
+    }
+}
+
 /* Triangles that are nearly a line through centres as seen along x, and steep: from row to row the plane goes 2^30
  * voxels on. */
 static void slivers_through_centres(void)
@@ -1218,6 +1260,7 @@ int main(void)
 {
     RUN(fill_flips_the_voxels_whose_centre_is_inside);
     RUN(grids_of_any_scale);
+    RUN(middle_corners_on_centres_of_tenths);
     RUN(slivers_through_centres);
     RUN(origins_next_to_zero);
     RUN(centres_are_no_doubles);
