@@ -477,6 +477,16 @@ static void lines_that_clearly_miss_a_box(void)
     }
 }
 
+/* Does this program's own arithmetic read subnormals as zero, as when it is linked with -ffast-math? */
+static int subnormals_are_zero(void)
+{
+    static const uint32_t least = 1;
+    volatile float        x;
+
+    memcpy((void *)&x, &least, sizeof least);
+    return x == 0;
+}
+
 /* Times that no float holds come out as the nearest floats outside. */
 static void times_beyond_floats_are_rounded_outward(void)
 {
@@ -512,6 +522,9 @@ static void times_beyond_floats_are_rounded_outward(void)
         dir[0] = 1;
         CHECK(tribox_ray_box(origin, dir, -1, 9, near_by, hi, &t[0], &t[1]) == 1);
         CHECK(t[0] == near_by[0] && t[1] == 1);
+    }
+    if (subnormals_are_zero()) { /* cannot compare what follows */
+        return;
     }
     origin[1] = origin[2] = 0.5f;
     dir[0] = 1e38f; /* from 1e-10 before the box: 1e-48 is less than the least float */
@@ -655,6 +668,9 @@ static void gaps_of_subnormals(void)
     const float unit = (float)power_of_two(-149);
     int         i;
 
+    if (subnormals_are_zero()) { /* cannot make them */
+        return;
+    }
     random_seed(908);
     for (i = 0; i < TEST_LOOPS(2000); i++) {
         float  v[2][3][3];
