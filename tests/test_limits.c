@@ -482,8 +482,10 @@ static int subnormals_are_zero(void)
 {
     static const uint32_t least = 1;
     volatile float        x;
+    float                 tiny;
 
-    memcpy((void *)&x, &least, sizeof least);
+    memcpy(&tiny, &least, sizeof least);
+    x = tiny;
     return x == 0;
 }
 

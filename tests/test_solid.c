@@ -466,13 +466,13 @@ static void edges_through_centres_of_tenths(void)
  * is off one of tenths, or of 1 + 2^-36, by 1e-40. Meshes of many triangles: boxes are looked at again where it pays. */
 static void doubles_beside_lines_of_centres(void)
 {
-    enum { N = 9, SIDE = N + 1 };
+    enum { N = 9, ACROSS = N + 1 };
     int i;
 
     random_seed(1217);
     for (i = 0; i < TEST_LOOPS(200); i++) {
         static double   v[2 * N * N * 3][3];
-        static double   corner[SIDE][SIDE][3];
+        static double   corner[ACROSS][ACROSS][3];
         const double    size = i % 2 == 0 ? 1.0 : i % 8 < 4 ? 0.1 : 1.0 + 1.0 / 68719476736.0;
         tribox_mesh_f64 mesh;
         tribox_grid     g;
@@ -490,8 +490,8 @@ static void doubles_beside_lines_of_centres(void)
             g.hi[k] = 12;
         }
         g.flags = 0;
-        for (y = 0; y < SIDE; y++) {
-            for (z = 0; z < SIDE; z++) {
+        for (y = 0; y < ACROSS; y++) {
+            for (z = 0; z < ACROSS; z++) {
                 corner[y][z][0] = size * 0.5 * random_below(24);
                 corner[y][z][1] = size * 0.5 * (2 * y + (i % 4 != 2));
                 corner[y][z][2] = size * 0.5 * (2 * z + (i % 4 != 2));
