@@ -71,7 +71,7 @@
 #include <stdint.h>
 
 #if defined(__CUDACC__) || defined(__HIPCC__)
-#define TBX_FN __host__ __device__ static inline /* one set of functions serves host and device */
+#define TBX_FN __host__ __device__ static inline    /* one set of functions serves host and device */
 #elif defined(_MSC_VER) && !defined(__cplusplus)
 #define TBX_FN static __inline
 #else
@@ -99,16 +99,16 @@ extern "C" {
  *             the bits that the coordinates span.
  * Source      [AM01] for the axes; the bound is derived in section 6.
  */
-TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                             const float box_max[3]);
+TRIBOX_FN int tribox_overlap(const float v0[3], const float v1[3], const float v2[3],
+                             const float box_min[3], const float box_max[3]);
 TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const double v2[3],
                                  const double box_min[3], const double box_max[3]);
 
-enum {                       /* flags; 0 = closed, conservative */
-       TRIBOX_HALF_OPEN = 1, /* the box is [min, max) on each axis: every point lies in exactly one
+enum {                      /* flags; 0 = closed, conservative */
+    TRIBOX_HALF_OPEN = 1,   /* the box is [min, max) on each axis: every point lies in exactly one
                              * grid voxel */
-       TRIBOX_OPEN = 2,      /* the box is its interior: touching does not count */
-       TRIBOX_THIN = 4       /* 6-separating test of [SS10] instead of the conservative one; always closed */
+    TRIBOX_OPEN      = 2,   /* the box is its interior: touching does not count */
+    TRIBOX_THIN      = 4    /* 6-separating test of [SS10] instead of the conservative one; always closed */
 };
 
 /* The same under a touching rule.
@@ -132,8 +132,8 @@ TRIBOX_FN int tribox_overlap_rule_f64(const double v0[3], const double v1[3], co
  * Cost        About 170 flops.
  * Source      [AM01].
  */
-TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                         const float box_max[3]);
+TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3],
+                         const float box_min[3], const float box_max[3]);
 
 /* ---- One triangle, many voxels */
 
@@ -168,24 +168,24 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
  * scaled by a power of two such that rounding changes values by less than 1, and 1 is added. Between 0 and 2,
  * integers decide. */
 typedef struct tribox_tri {
-    float ref[4]; /* x, y, z, z of a point beside v[0] */
-    float n_e_b[2][4];
-    float n_e_c[2][4];
-    float n_z[4]; /* 0, 0, 0, z of the normal */
-    float d_e[3][4];
-    double v[3][3];  /* the corners */
-    double size[3];  /* dp, the boxes' size */
-    double t_min[3]; /* the triangle's bounding box */
-    double t_max[3];
+    float    ref[4];      /* x, y, z, z of a point beside v[0] */
+    float    n_e_b[2][4];
+    float    n_e_c[2][4];
+    float    n_z[4];      /* 0, 0, 0, z of the normal */
+    float    d_e[3][4];
+    double   v[3][3];     /* the corners */
+    double   size[3];     /* dp, the boxes' size */
+    double   t_min[3];    /* the triangle's bounding box */
+    double   t_max[3];
     unsigned flags;       /* as they apply: infinite boxes are never thin */
-    int empty;            /* 1: the triangle or every box is the empty set */
+    int      empty;       /* 1: the triangle or every box is the empty set */
     struct {              /* may change with any version */
-        unsigned flags;   /* as given */
-        int in_range;     /* 0: the conditions are unsure of every p; 2: and all numbers are floats */
-        float step[4];    /* size, as x, y, z, z */
-        int32_t most[4];  /* the faces hold iff the bits of x, y, z, z as integers are <= most, */
-        int32_t shift[4]; /* and, moved by shift, wrapping round, <= span */
-        int32_t span[4];
+        unsigned flags;    /* as given */
+        int      in_range; /* 0: the conditions are unsure of every p; 2: and all numbers are floats */
+        float    step[4];  /* size, as x, y, z, z */
+        int32_t  most[4];  /* the faces hold iff the bits of x, y, z, z as integers are <= most, */
+        int32_t  shift[4]; /* and, moved by shift, wrapping round, <= span */
+        int32_t  span[4];
     } hidden;
 } tribox_tri;
 
@@ -225,11 +225,11 @@ TRIBOX_FN int tribox_tri_test_f64(const tribox_tri *tri, const double p[3]);
 
 /* A voxel grid. Voxel (i,j,k) is [origin + (i,j,k)*size, origin + (i+1,j+1,k+1)*size], in real numbers. */
 typedef struct tribox_grid {
-    double origin[3]; /* minimum corner of voxel (0,0,0) */
-    double size[3];   /* of a voxel, > 0 */
-    int lo[3];        /* the region that a call works on: lo <= index < hi; indices may be negative */
-    int hi[3];
-    unsigned flags; /* TRIBOX_HALF_OPEN, TRIBOX_OPEN or TRIBOX_THIN; 0 = closed, conservative */
+    double   origin[3];     /* minimum corner of voxel (0,0,0) */
+    double   size[3];       /* of a voxel, > 0 */
+    int      lo[3];         /* the region that a call works on: lo <= index < hi; indices may be negative */
+    int      hi[3];
+    unsigned flags;         /* TRIBOX_HALF_OPEN, TRIBOX_OPEN or TRIBOX_THIN; 0 = closed, conservative */
 } tribox_grid;
 
 /* Receives voxels x0..x1, both included, of row y, z. */
@@ -239,17 +239,17 @@ typedef void (*tribox_span_fn)(void *user, int x0, int x1, int y, int z);
 typedef void (*tribox_mesh_span_fn)(void *user, size_t triangle, int x0, int x1, int y, int z);
 
 typedef struct tribox_mesh {
-    const float *positions;  /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
-    size_t stride;           /* bytes between vertices; 0 means 3*sizeof(float) */
-    const uint32_t *indices; /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
-    size_t triangles;
+    const float    *positions;  /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
+    size_t          stride;     /* bytes between vertices; 0 means 3*sizeof(float) */
+    const uint32_t *indices;    /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
+    size_t          triangles;
 } tribox_mesh;
 
 typedef struct tribox_mesh_f64 {
-    const double *positions; /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
-    size_t stride;           /* bytes between vertices; 0 means 3*sizeof(double) */
-    const uint32_t *indices; /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
-    size_t triangles;
+    const double   *positions;  /* x,y,z of vertex i at (const char *)positions + i*stride; any alignment */
+    size_t          stride;     /* bytes between vertices; 0 means 3*sizeof(double) */
+    const uint32_t *indices;    /* 3 per triangle; NULL means 0,1,2, 3,4,5, ... */
+    size_t          triangles;
 } tribox_mesh_f64;
 
 /* The voxels of the grid's region that the triangle touches, as runs along x.
@@ -490,9 +490,9 @@ TRIBOX_FN int tribox_ray_triangle_f64(const double origin[3], const double dir[3
  * Cost        1 us; where two times or an axis cannot be told apart in double, 7 us.
  * Source      The 13 axes of [AM01], moving.
  */
-TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                           const float box_max[3], const float velocity[3], float *out_t0, float *out_t1,
-                           float out_axis[3]);
+TRIBOX_FN int tribox_sweep(const float v0[3], const float v1[3], const float v2[3],
+                           const float box_min[3], const float box_max[3], const float velocity[3],
+                           float *out_t0, float *out_t1, float out_axis[3]);
 
 /* tribox_sweep under a touching rule: what a box at rest on a floor, or sliding along it, has to ask.
  *
@@ -582,8 +582,8 @@ TRIBOX_FN unsigned tribox_tri_octants_f64(const tribox_tri *tri, const double p[
  *             box. A point that rounds like an earlier one is left out.
  * Cost        1 us, f64 2 us; where a cut cannot be decided or rounded in double, 5 us.
  */
-TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
-                          const float box_max[3], float out_polygon[9][3]);
+TRIBOX_FN int tribox_clip(const float v0[3], const float v1[3], const float v2[3],
+                          const float box_min[3], const float box_max[3], float out_polygon[9][3]);
 TRIBOX_FN int tribox_clip_f64(const double v0[3], const double v1[3], const double v2[3],
                               const double box_min[3], const double box_max[3], double out_polygon[9][3]);
 
@@ -719,8 +719,7 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #error "tribox.h needs the formats of IEEE 754: a float of 32 bits, a double of 64"
 #endif
 #if defined(__alpha__) && defined(__GNUC__) && !defined(_IEEE_FP)
-#error \
-    "tribox.h on Alpha needs -mieee: without it (-ffast-math turns it off) the processor stops at subnormals"
+#error "tribox.h on Alpha needs -mieee: without it (-ffast-math turns it off) the processor stops at subnormals"
 #endif
 
 /* The rare path: kept out of line, so that its stack and code stay out of the callers. */
@@ -922,6 +921,10 @@ TBX_FN int tbx_tri_init_simd(tribox_tri *tri, const float v0[3], const float v1[
                              const float size[3], unsigned flags);
 TBX_FN int tbx_tri_narrow(float out[4][3], const double v[3][3], const double size[3]);
 TBX_FN int tbx_tri_test_simd(const tribox_tri *tri, const float p[3]);
+TBX_NOINLINE uint64_t tbx_lone_find(int first[4], const tribox_grid *grid, const float v0[3],
+                                    const float v1[3], const float v2[3]);
+TBX_NOINLINE uint64_t tbx_lone_find_f64(int first[4], const tribox_grid *grid, const double v0[3],
+                                        const double v1[3], const double v2[3]);
 TBX_FN size_t tbx_mesh_spans_quick(const struct tbx_frame *f, const struct tbx_source *source,
                                    tribox_mesh_span_fn on_span, void *user, size_t *count);
 TBX_FN size_t tbx_fill_quick(const struct tbx_frame *frame, const struct tbx_source *source,
@@ -4486,6 +4489,8 @@ TBX_FN double tbx_small_plane(tbx_small *m, double n_x, double n_y, double n_z)
     return least;
 }
 
+#define TBX_EACH_LAYER ((uint64_t)0x00010001u << 32 | 0x00010001u)
+
 /* The voxels that are missed, coordinates being off by delta. Returns 0 where something is not sure. */
 TBX_FN int tbx_small_decide(tbx_small *m, double delta)
 {
@@ -4495,7 +4500,7 @@ TBX_FN int tbx_small_decide(tbx_small *m, double delta)
     m->least = 1.0;
     n[0] = n[1] = n[2] = 0.0;
     if (m->more[0] != 0 && m->more[1] != 0) {
-        n[2] = tbx_small_edges(m, 0, 1, (uint64_t)0x00010001u << 32 | 0x00010001u);
+        n[2] = tbx_small_edges(m, 0, 1, TBX_EACH_LAYER);
     }
     if (m->more[1] != 0 && m->more[2] != 0) {
         n[0] = tbx_small_edges(m, 1, 2, 15);
@@ -4551,8 +4556,6 @@ TBX_NOINLINE int tbx_walk_small(const tbx_walk *w, uint64_t *out_missed)
     *out_missed = m.missed;
     return 1;
 }
-
-#define TBX_EACH_LAYER ((uint64_t)0x00010001u << 32 | 0x00010001u)
 
 /* Takes the lowest row off voxels, bit x + 4 y + 16 z from `first` on. It has no gaps. */
 TBX_FN void tbx_next_row(tbx_span *out, uint64_t *voxels, const int first[3])
@@ -4726,11 +4729,6 @@ TBX_FN size_t tbx_spans(const tribox_grid *grid, double v[3][3], int kind, tribo
 }
 
 #if TRIBOX_SIMD /* section 11.3 */
-TBX_NOINLINE uint64_t tbx_lone_find(int first[4], const tribox_grid *grid, const float v0[3],
-                                    const float v1[3], const float v2[3]);
-TBX_NOINLINE uint64_t tbx_lone_find_f64(int first[4], const tribox_grid *grid, const double v0[3],
-                                        const double v1[3], const double v2[3]);
-
 /* Tells the spans of a small box's voxels. Returns how many voxels they are. */
 TBX_FN size_t tbx_small_tell(uint64_t voxels, const int first[3], tribox_span_fn on_span, void *user)
 {
@@ -12252,9 +12250,10 @@ TBX_FN tbx_later *tbx_fill_later(tbx_fill *fill, size_t triangle)
 /* ---- Blocks of triangles: their boxes, and lists of them by class
  *
  * Of a box there are the first voxel, from the region's first, x, y, z modulo 2^16 from bit 16 on (that of a
- * cut box may lie before it); and in four bytes its flags, the lowest, and the extents, that is the voxels less 1, of
- * x, y, z. A key is the first voxel, and below it extents of up to 3 in two bits each. Corners are rows of
- * four floats: x, y, z in lanes 1 to 3, anything finite in lane 0, so that a row of a mesh is one load. */
+ * cut box may lie before it); and in four bytes its flags, the lowest, and the extents, that is the voxels
+ * less 1, of x, y, z. A key is the first voxel, and below it extents of up to 3 in two bits each. Corners are
+ * rows of four floats: x, y, z in lanes 1 to 3, anything finite in lane 0, so that a row of a mesh is one
+ * load. */
 typedef struct tbx_block {
     uint64_t first[TBX_BLOCK + 2]; /* that each has a successor */
     uint32_t more[TBX_BLOCK + 4];
@@ -12967,8 +12966,7 @@ TBX_FORCED uint64_t tbx_key_voxels(uint64_t key)
 {
     const uint64_t row = ((uint64_t)2 << (key & 3)) - 1;
     const uint64_t rows = row * (0x1111u >> (12 - (key & 12)));
-    const uint64_t layers = (uint64_t)0x00010001u << 32 | 0x00010001u;
-    return rows * (layers >> (48 - (key & 48)));
+    return rows * (TBX_EACH_LAYER >> (48 - (key & 48)));
 }
 
 /* Puts triangle i of the block, with its box, into its class. */
@@ -16268,6 +16266,7 @@ TBX_FORCED uint64_t tbx_lone_voxels(const tbx_lone *r, const tbx_lone_corners *c
     tbx_i4 sign;
     uint64_t cells;
     uint64_t missed;
+    int repeats; /* x, y, z that corners share */
     if (needs == 0) {
         return box;
     }
@@ -16277,7 +16276,8 @@ TBX_FORCED uint64_t tbx_lone_voxels(const tbx_lone *r, const tbx_lone_corners *c
     tbx_lone_edge_set(&edge[0], e[0], r->v[1] - r->v[0], sign);
     tbx_lone_edge_set(&edge[1], e[1], r->v[2] - r->v[1], sign);
     tbx_lone_edge_set(&edge[2], e[2], r->v[0] - r->v[2], sign);
-    if (TBX_RARELY((tbx_signs((r->v[0] == r->v[1]) | (r->v[1] == r->v[2]) | (r->v[2] == r->v[0])) & 7) != 0)) {
+    repeats = tbx_signs((r->v[0] == r->v[1]) | (r->v[1] == r->v[2]) | (r->v[2] == r->v[0])) & 7;
+    if (TBX_RARELY(repeats != 0)) {
         const tbx_f4 inside = tbx_splat(64.0f);
         const tbx_i4 point[3] = { tbx_lone_point(c, 0, 1), tbx_lone_point(c, 1, 2), tbx_lone_point(c, 2, 0) };
         edge[0].at += tbx_lanes_where(point[0], inside);
