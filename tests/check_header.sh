@@ -116,12 +116,24 @@ leaves_only_tribox_macros() {
     [ -z "$leaked" ] && grep -q '^#define TRIBOX_VERSION ' "$CHECK_DIR/header/after"
 }
 
-export -f includes_only_three leaves_only_tribox_macros
+# gcc without optimization compiles what is static and not inline, called or not: seconds and a megabyte in each
+# file of a debug build
+costs_nothing_uncalled() {
+    local compiler object=$CHECK_DIR/header/uncalled.o
+    for compiler in "gcc -x c" "g++ -x c++"; do
+        # shellcheck disable=SC2086 # a compiler and its language
+        echo '#include "tribox.h"' | $compiler -O0 -I. -c - -o "$object" || return 1
+        [ -z "$(nm "$object")" ] || { echo "$compiler -O0: $(nm "$object" | wc -l) symbols"; return 1; }
+    done
+}
+
+export -f includes_only_three leaves_only_tribox_macros costs_nothing_uncalled
 
 job "README.md's counts, sizes and names are those of the code" bash tests/doc_counts.sh
 have gcc && job "its words are nobody's macros" bash tests/check_words.sh
 have gcc && job "includes float.h, stddef.h, stdint.h alone" includes_only_three
 have gcc && job "leaves TRIBOX_ macros alone" leaves_only_tribox_macros
+have gcc && have g++ && job "no code in a file that calls nothing, gcc and g++ -O0" costs_nothing_uncalled
 
 # ---- static analysis. What is switched off, and why:
 # easily-swappable-parameters: triangles and boxes are alike by nature
