@@ -3420,7 +3420,8 @@ TBX_FN int tbx_source_triangle(const tbx_source *s, size_t t, double v[3][3])
  * edges in the plane xy bound x per y, those in xz bound x per z, those in yz bound y per z; only the
  * triangle's plane couples all three, and it is a slab: x within a half width of a middle that is linear in y
  * and z.
- * These are four groups of lines: in row r, a line lets voxels begin, or end, at floor(at + slope*r).
+ * These are four groups of lines: in row r, a line lets voxels begin, or end, at floor(at + slope*r). The
+ * lines of xy and of the plane count the same rows, and are asked at once.
  *
  * Lines are evaluated in double with a bound of their error. Where the floors of value - error and value +
  * error agree, the bound is certain. Where they do not, first the lattice is tried: if on the line's two axes
@@ -3541,12 +3542,12 @@ typedef struct tbx_part {
     int64_t last[2];
 } tbx_part;
 
-/* Three lines. In row r the voxels begin at or after floor(at_lo + slope*r), and end at or before floor(at_hi
- * + slope*r), counted from 1, so that truncation is floor. What does not bound is BEYOND. */
+/* Lines of a group. In row r the voxels begin at or after floor(at_lo + slope*r), and end at or before
+ * floor(at_hi + slope*r), counted from 1, so that truncation is floor. What does not bound is BEYOND. */
 typedef struct tbx_lines {
-    double at_lo[3];
-    double at_hi[3];
-    double slope[3];
+    double at_lo[4];
+    double at_hi[4];
+    double slope[4];
     double error; /* more than MOST_ERROR: nothing is certain */
 } tbx_lines;
 
@@ -3554,7 +3555,7 @@ typedef struct tbx_lines {
 
 enum { TBX_XY = 0, TBX_XZ = 1, TBX_YZ = 2, TBX_PLANE = 3 };
 
-#define TBX_CACHED 64 /* rows whose bounds by the xy edges are kept */
+#define TBX_CACHED 64 /* rows whose bounds by the xy edges are kept, where they are not sure at once */
 
 typedef struct tbx_row {
     int64_t y;
@@ -3584,6 +3585,7 @@ typedef struct tbx_walk {
     double extent;      /* the longest, and 2 */
     double delta;
     tbx_lines group[4];
+    tbx_lines rows;     /* the lines of XY, and of PLANE as the fourth */
     double plane_at[2]; /* of layer 0 */
     double plane_slope_z;
     int64_t y; /* the next row */
@@ -3969,12 +3971,22 @@ TBX_FN void tbx_walk_plane_to_layer(tbx_walk *w)
     const double along = w->plane_slope_z * (double)w->z;
     w->group[TBX_PLANE].at_lo[0] = w->plane_at[0] + along;
     w->group[TBX_PLANE].at_hi[0] = w->plane_at[1] + along;
+    w->rows.at_lo[3] = w->group[TBX_PLANE].at_lo[0];
+    w->rows.at_hi[3] = w->group[TBX_PLANE].at_hi[0];
 }
 
 TBX_FN void tbx_walk_set_lines(tbx_walk *w, const double quantum[3])
 {
+    int i;
+    w->rows.error = 0.0;
     if (w->uses[TBX_XY]) {
         tbx_lines_set(w, TBX_XY, 0, 1, quantum[0] * quantum[1]);
+        for (i = 0; i < 3; i++) {
+            w->rows.at_lo[i] = w->group[TBX_XY].at_lo[i];
+            w->rows.at_hi[i] = w->group[TBX_XY].at_hi[i];
+            w->rows.slope[i] = w->group[TBX_XY].slope[i];
+        }
+        w->rows.error = w->group[TBX_XY].error;
     }
     if (w->uses[TBX_XZ]) {
         tbx_lines_set(w, TBX_XZ, 0, 2, quantum[0] * quantum[2]);
@@ -3984,6 +3996,9 @@ TBX_FN void tbx_walk_set_lines(tbx_walk *w, const double quantum[3])
     }
     if (w->uses[TBX_PLANE]) {
         tbx_walk_plane(w, quantum[0] * quantum[1] * quantum[2]);
+        w->rows.slope[3] = w->group[TBX_PLANE].slope[0];
+        w->rows.error =
+            w->rows.error > w->group[TBX_PLANE].error ? w->rows.error : w->group[TBX_PLANE].error;
     }
 }
 
@@ -4057,8 +4072,18 @@ TBX_COLD int tbx_walk_snap(tbx_walk *w)
     return 1;
 }
 
-/* Narrows first..last by `count` lines in row r. Returns 0 where they are unsure: a bound lies in
- * *first..*first_most, the other in *last_least..*last. */
+/* Narrows lower..upper by line i in a row. */
+TBX_FN void tbx_line_narrow(const tbx_lines *l, int i, double row, double *lower, double *upper)
+{
+    const double along = l->slope[i] * row;
+    const double at_lo = l->at_lo[i] + along;
+    const double at_hi = l->at_hi[i] + along;
+    *lower = at_lo > *lower ? at_lo : *lower;
+    *upper = at_hi < *upper ? at_hi : *upper;
+}
+
+/* Narrows first..last by `count` lines, 1, 3 or 4, in row r. Returns 0 where they are unsure: a bound lies
+ * in *first..*first_most, the other in *last_least..*last. */
 TBX_FN int tbx_lines_narrow(const tbx_lines *l, int count, int64_t r, int64_t *first, int64_t *last,
                             int64_t *first_most, int64_t *last_least)
 {
@@ -4067,13 +4092,13 @@ TBX_FN int tbx_lines_narrow(const tbx_lines *l, int count, int64_t r, int64_t *f
     const double end = (double)*last + 1.5;
     double lower = begin;
     double upper = end;
-    int i;
-    for (i = 0; i < count; i++) {
-        const double along = l->slope[i] * row;
-        const double at_lo = l->at_lo[i] + along;
-        const double at_hi = l->at_hi[i] + along;
-        lower = at_lo > lower ? at_lo : lower;
-        upper = at_hi < upper ? at_hi : upper;
+    tbx_line_narrow(l, 0, row, &lower, &upper);
+    if (count > 1) {
+        tbx_line_narrow(l, 1, row, &lower, &upper);
+        tbx_line_narrow(l, 2, row, &lower, &upper);
+    }
+    if (count > 3) {
+        tbx_line_narrow(l, 3, row, &lower, &upper);
     }
     lower = lower < end + 1.0 ? lower : end + 1.0;
     upper = upper > begin - 1.0 ? upper : begin - 1.0;
@@ -4310,17 +4335,26 @@ TBX_FN void tbx_walk_groups(tbx_walk *w)
     const double none[3] = { 0.0, 0.0, 0.0 };
     const unsigned more = (unsigned)((w->more[0] > 0) | (w->more[1] > 0) << 1 | (w->more[2] > 0) << 2);
     const unsigned thick = w->frame->thin || !w->light ? 7u : more;
+    int i;
     w->uses[TBX_XY] = (thick & 3u) == 3u;
     w->uses[TBX_XZ] = (thick & 5u) == 5u;
     w->uses[TBX_YZ] = (thick & 6u) == 6u;
     w->uses[TBX_PLANE] = 0;
+    /* numbers also where nothing bounds: compilers compute with them before they ask */
+    w->plane_at[0] = -TBX_BEYOND;
+    w->plane_at[1] = TBX_BEYOND;
+    w->plane_slope_z = 0.0;
+    for (i = 0; i < 4; i++) {
+        w->rows.at_lo[i] = -TBX_BEYOND;
+        w->rows.at_hi[i] = TBX_BEYOND;
+        w->rows.slope[i] = 0.0;
+    }
+    w->rows.error = 1.0;
     if ((thick & (thick - 1u)) == 0) {
         return;
     }
     w->group[TBX_XY].error = w->group[TBX_XZ].error = w->group[TBX_YZ].error = w->group[TBX_PLANE].error =
         1.0;
-    /* numbers also where the plane is not used: compilers compute with them before they ask */
-    w->plane_at[0] = w->plane_at[1] = w->plane_slope_z = 0.0;
     if (w->light) {
         w->extent = 0.0;
         w->delta = w->frame->reach;
@@ -4637,41 +4671,45 @@ TBX_NOINLINE void tbx_walk_set_out(tbx_walk *w)
     w->y_last = -1;
 }
 
-/* The next spans, up to SPANS. Fewer: these were the last. */
-TBX_NOINLINE int tbx_walk_next(tbx_walk *w, tbx_span *out)
+/* The voxels first..last of a row in the walk's layer, group by group, where they are not sure at once. */
+TBX_COLD void tbx_walk_row_unsure(tbx_walk *w, int64_t y, int64_t *first, int64_t *last)
+{
+    *first = w->layer_first;
+    *last = w->layer_last;
+    if (w->uses[TBX_XY]) {
+        tbx_row *row = &w->row[y % TBX_CACHED];
+        if (row->y != y) {
+            row->y = y;
+            row->first = w->first[0];
+            row->last = w->last[0];
+            tbx_walk_narrow(w, TBX_XY, y, y, 0, &row->first, &row->last);
+        }
+        *first = row->first > *first ? row->first : *first;
+        *last = row->last < *last ? row->last : *last;
+    }
+    if (w->uses[TBX_PLANE] && *first <= *last) {
+        tbx_walk_narrow(w, TBX_PLANE, y, y, w->z, first, last);
+    }
+}
+
+/* Adds spans of the layer's next rows to n that there are. Returns how many there are then, up to SPANS. */
+TBX_FN int tbx_walk_rows(tbx_walk *w, tbx_span *out, int n)
 {
     const int *lo = w->frame->grid->lo;
-    const int64_t z_last = w->last[2];
-    int n = 0;
-    for (;;) {
-        int64_t first;
-        int64_t last;
-        int64_t y;
-        while (w->y > w->y_last) {
-            if (w->z >= z_last) {
-                return n;
-            }
-            tbx_walk_layer(w);
-        }
-        if (n == TBX_SPANS) {
-            return n;
-        }
-        y = w->y++;
-        first = w->layer_first;
-        last = w->layer_last;
-        if (w->uses[TBX_XY]) {
-            tbx_row *row = &w->row[y % TBX_CACHED];
-            if (row->y != y) {
-                row->y = y;
-                row->first = w->first[0];
-                row->last = w->last[0];
-                tbx_walk_narrow(w, TBX_XY, y, y, 0, &row->first, &row->last);
-            }
-            first = row->first > first ? row->first : first;
-            last = row->last < last ? row->last : last;
-        }
-        if (w->uses[TBX_PLANE] && first <= last) {
-            tbx_walk_narrow(w, TBX_PLANE, y, y, w->z, &first, &last);
+    const int bounded = w->uses[TBX_XY] | w->uses[TBX_PLANE];
+    const int64_t y_last = w->y_last;
+    int64_t y;
+    for (y = w->y; y <= y_last && n < TBX_SPANS; y++) {
+        int64_t first = w->layer_first;
+        int64_t last = w->layer_last;
+        int64_t first_most;
+        int64_t last_least;
+        if (bounded &&
+            (TBX_RARELY(!(w->rows.error <= TBX_MOST_ERROR)) ||
+             TBX_RARELY(!tbx_lines_narrow(&w->rows, 4, y, &first, &last, &first_most, &last_least)))) {
+            tbx_walk_row_unsure(w, y, &first_most, &last_least);
+            first = first_most;
+            last = last_least;
         }
         if (first <= last) {
             out[n].x0 = (int)(lo[0] + first);
@@ -4681,6 +4719,24 @@ TBX_NOINLINE int tbx_walk_next(tbx_walk *w, tbx_span *out)
             n++;
         }
     }
+    w->y = y;
+    return n;
+}
+
+/* The next spans, up to SPANS. Fewer: these were the last. */
+TBX_NOINLINE int tbx_walk_next(tbx_walk *w, tbx_span *out)
+{
+    int n = 0;
+    while (n < TBX_SPANS) {
+        while (w->y > w->y_last) {
+            if (w->z >= w->last[2]) {
+                return n;
+            }
+            tbx_walk_layer(w);
+        }
+        n = tbx_walk_rows(w, out, n);
+    }
+    return n;
 }
 
 /* The first spans after tbx_walk_box, as tbx_walk_next. */
