@@ -1437,6 +1437,8 @@ enum { TBX_LO = 3, TBX_MID = 4, TBX_HI = 5, TBX_ROWS = 6 };
 
 typedef struct tbx_exact {
     tbx_coord x[TBX_ROWS][3]; /* rows 0..2: corners; LO, MID, HI */
+    int thin;
+    unsigned open[2]; /* bit k: the lower, the upper face across axis k is not in the box */
     int limbs;
     tbx_limb d[TBX_ROWS][3][TBX_COORD_LIMBS]; /* x / 2^e, of so many limbs */
 } tbx_exact;
@@ -1591,30 +1593,33 @@ TBX_FN int tbx_far_row(int sign)
 }
 
 /* Does the face that a critical point uses on axis k belong to the box? A zero coefficient uses none. */
-TBX_FN int tbx_uses_open(unsigned open_lo, unsigned open_hi, int k, int sign)
+TBX_FN int tbx_uses_open(const tbx_exact *f, int k, int sign)
 {
-    return sign != 0 && (((sign > 0 ? open_hi : open_lo) >> k) & 1u) != 0;
+    return sign != 0 && ((f->open[sign > 0] >> k) & 1u) != 0;
 }
 
-/* Edge i in the plane across axis a, [SS10] with the sign of n_a given:
- * max over the box of w.(q - v_i) >= 0. */
-TBX_FN int tbx_exact_edge(const tbx_exact *f, int a, int i, int n_sign, unsigned open_lo, unsigned open_hi)
+/* Edge i in the plane across axis a, [SS10] with the sign of n_a given: max over the box of w.(q - v_i) >= 0.
+ * 6-separating: max |w_k| h_k in place of the sum, so the critical point is the farthest of the voxel's face
+ * centres. */
+TBX_FN int tbx_exact_edge(const tbx_exact *f, int a, int i, int n_sign)
 {
     const int b = (a + 1) % 3;
     const int c = (a + 2) % 3;
+    const int j = (i + 1) % 3;
     const int w_sign = n_sign >= 0 ? 1 : -1;
     const int w_b = -w_sign * tbx_edge_sign(f, i, c);
     const int w_c = w_sign * tbx_edge_sign(f, i, b);
-    const int value = w_sign * tbx_orient2(f, b, c, i, (i + 1) % 3, tbx_far_row(w_b), tbx_far_row(w_c));
-    if (value != 0) {
-        return value > 0;
+    int value;
+    if (f->thin) {
+        return w_sign * tbx_orient2(f, b, c, i, j, tbx_far_row(w_b), TBX_MID) >= 0 ||
+               w_sign * tbx_orient2(f, b, c, i, j, TBX_MID, tbx_far_row(w_c)) >= 0;
     }
-    return !tbx_uses_open(open_lo, open_hi, b, w_b) && !tbx_uses_open(open_lo, open_hi, c, w_c);
+    value = w_sign * tbx_orient2(f, b, c, i, j, tbx_far_row(w_b), tbx_far_row(w_c));
+    return value > 0 || (value == 0 && !tbx_uses_open(f, b, w_b) && !tbx_uses_open(f, c, w_c));
 }
 
-/* The plane, one side: side * n.(q - v0) >= 0 at the critical point along side * n. */
-TBX_FN int tbx_exact_plane(const tbx_exact *f, const int n_sign[3], int side, unsigned open_lo,
-                           unsigned open_hi)
+/* The plane, one side: side * n.(q - v0) >= 0 at the critical point along side * n, likewise. */
+TBX_FN int tbx_exact_plane(const tbx_exact *f, const int n_sign[3], int side)
 {
     int q[3];
     int k;
@@ -1622,9 +1627,16 @@ TBX_FN int tbx_exact_plane(const tbx_exact *f, const int n_sign[3], int side, un
     int is_open = 0;
     for (k = 0; k < 3; k++) {
         q[k] = tbx_far_row(side * n_sign[k]);
-        is_open |= tbx_uses_open(open_lo, open_hi, k, side * n_sign[k]);
+        is_open |= tbx_uses_open(f, k, side * n_sign[k]);
     }
-    value = side * tbx_orient3(f, q);
+    for (k = 0; k < 3 && f->thin; k++) {
+        int centre[3] = { TBX_MID, TBX_MID, TBX_MID };
+        centre[k] = q[k];
+        if (side * tbx_orient3(f, centre) >= 0) {
+            return 1;
+        }
+    }
+    value = f->thin ? -1 : side * tbx_orient3(f, q);
     return value > 0 || (value == 0 && !is_open);
 }
 
@@ -1637,10 +1649,10 @@ TBX_FN void tbx_exact_normal(const tbx_exact *f, int n_sign[3])
 }
 
 /* Plane and edges; the faces are known to hold. Bits 0..2 of `asked`: the edges in the plane across that
- * axis, bit 3: the triangle's plane. Bit k of open_lo, open_hi: that face is not in the box. */
+ * axis, bit 3: the triangle's plane. */
 #define TBX_ALL_AXES 15u
 
-TBX_FN int tbx_exact_axes(const tbx_exact *f, unsigned asked, unsigned open_lo, unsigned open_hi)
+TBX_FN int tbx_exact_axes(const tbx_exact *f, unsigned asked)
 {
     int n_sign[3];
     int a;
@@ -1648,60 +1660,17 @@ TBX_FN int tbx_exact_axes(const tbx_exact *f, unsigned asked, unsigned open_lo, 
     tbx_exact_normal(f, n_sign);
     for (a = 0; a < 3; a++) {
         for (i = 0; i < 3 && ((asked >> a) & 1u) != 0; i++) {
-            if (!tbx_exact_edge(f, a, i, n_sign[a], open_lo, open_hi)) {
+            if (!tbx_exact_edge(f, a, i, n_sign[a])) {
                 return 0;
             }
         }
     }
     for (i = 1; i >= -1 && (asked & 8u) != 0; i -= 2) {
-        if (!tbx_exact_plane(f, n_sign, i, open_lo, open_hi)) {
+        if (!tbx_exact_plane(f, n_sign, i)) {
             return 0;
         }
     }
     return 1;
-}
-
-/* [SS10] 6-separating: max |n_k| h_k in place of the sum, so the critical point is the farthest of
- * the voxel's face centres. */
-TBX_FN int tbx_exact_thin_edge(const tbx_exact *f, int a, int i, int n_sign)
-{
-    const int b = (a + 1) % 3;
-    const int c = (a + 2) % 3;
-    const int j = (i + 1) % 3;
-    const int w_sign = n_sign >= 0 ? 1 : -1;
-    const int far_b = tbx_far_row(-w_sign * tbx_edge_sign(f, i, c));
-    const int far_c = tbx_far_row(w_sign * tbx_edge_sign(f, i, b));
-    return w_sign * tbx_orient2(f, b, c, i, j, far_b, TBX_MID) >= 0 ||
-           w_sign * tbx_orient2(f, b, c, i, j, TBX_MID, far_c) >= 0;
-}
-
-TBX_FN int tbx_exact_thin_plane(const tbx_exact *f, const int n_sign[3], int side)
-{
-    int k;
-    for (k = 0; k < 3; k++) {
-        int q[3] = { TBX_MID, TBX_MID, TBX_MID };
-        q[k] = tbx_far_row(side * n_sign[k]);
-        if (side * tbx_orient3(f, q) >= 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-TBX_FN int tbx_exact_thin_axes(const tbx_exact *f)
-{
-    int n_sign[3];
-    int a;
-    int i;
-    tbx_exact_normal(f, n_sign);
-    for (a = 0; a < 3; a++) {
-        for (i = 0; i < 3; i++) {
-            if (!tbx_exact_thin_edge(f, a, i, n_sign[a])) {
-                return 0;
-            }
-        }
-    }
-    return tbx_exact_thin_plane(f, n_sign, 1) && tbx_exact_thin_plane(f, n_sign, -1);
 }
 
 /* The least (side = -1) or greatest (1) corner on axis k. */
@@ -1724,14 +1693,9 @@ TBX_COLD int tbx_exact_overlap(tbx_exact *f, unsigned flags)
 {
     const int lo_is_open = tbx_lo_is_open(flags);
     const int hi_is_open = tbx_hi_is_open(flags);
-    unsigned open_lo = 0;
-    unsigned open_hi = 0;
     int k;
-    if ((flags & TRIBOX_THIN) != 0) {
-        tbx_exact_finish(f);
-        return tbx_exact_thin_axes(f);
-    }
-    for (k = 0; k < 3; k++) {
+    f->thin = (flags & TRIBOX_THIN) != 0;
+    for (k = 0; k < 3 && !f->thin; k++) {
         const tbx_coord t_min = tbx_exact_extreme(f, k, -1);
         const tbx_coord t_max = tbx_exact_extreme(f, k, 1);
         tbx_coord *lo = &f->x[TBX_LO][k];
@@ -1739,26 +1703,28 @@ TBX_COLD int tbx_exact_overlap(tbx_exact *f, unsigned flags)
         if (tbx_compare(lo, &t_min) < 0) {
             *lo = t_min;
         } else if (lo_is_open) {
-            open_lo |= 1u << k;
+            f->open[0] |= 1u << k;
         }
         if (tbx_compare(hi, &t_max) > 0) {
             *hi = t_max;
         } else if (hi_is_open) {
-            open_hi |= 1u << k;
+            f->open[1] |= 1u << k;
         }
         f->x[TBX_MID][k] = f->x[0][k]; /* unused: what it was may span more bits */
     }
     tbx_exact_finish(f);
-    return tbx_exact_axes(f, TBX_ALL_AXES, open_lo, open_hi);
+    return tbx_exact_axes(f, TBX_ALL_AXES);
 }
 
-/* The corners and two opposite corners of the box; its centre is v0 until it is set. */
+/* The corners and two opposite corners of the box, which is closed; its centre is v0 until it is set. */
 TBX_NOINLINE void tbx_exact_points(tbx_exact *f, const double v0[3], const double v1[3], const double v2[3],
                                    const double lo[3], const double hi[3])
 {
     const double *const x[TBX_ROWS] = { v0, v1, v2, lo, v0, hi };
     int i;
     int k;
+    f->thin = 0;
+    f->open[0] = f->open[1] = 0;
     for (i = 0; i < TBX_ROWS; i++) {
         for (k = 0; k < 3; k++) {
             f->x[i][k] = i == TBX_MID ? f->x[0][k] : tbx_at(&x[i][k], NULL, 0);
@@ -2081,8 +2047,10 @@ TBX_COLD int tbx_clipped_exact(const double v0[3], const double v1[3], const dou
 {
     tbx_exact f;
     tbx_exact_points(&f, v0, v1, v2, clip->lo, clip->hi);
+    f.open[0] = clip->open_lo;
+    f.open[1] = clip->open_hi;
     tbx_exact_finish(&f);
-    return tbx_exact_axes(&f, unsure, clip->open_lo, clip->open_hi);
+    return tbx_exact_axes(&f, unsure);
 }
 
 /* Does t surpass p and q on some axis? */
@@ -3175,8 +3143,7 @@ TBX_FN double tbx_sum_exact(double a, double b, double *out_lost)
     TBX_KEEP_SCALAR(of_b);
     of_a = a - of_a;
     of_b = b - of_b;
-    TBX_KEEP_SCALAR(of_a);
-    TBX_KEEP_SCALAR(of_b);
+    TBX_KEEP2(SCALAR, of_a, of_b);
     *out_lost = of_a + of_b;
     return sum;
 }
@@ -3274,9 +3241,7 @@ TBX_FN int tbx_plane_compare(const tribox_grid *grid, int k, int64_t i, double x
         double offset;
         double value;
         double error;
-        TBX_KEEP_SCALAR(base);
-        TBX_KEEP_SCALAR(along);
-        TBX_KEEP_SCALAR(to);
+        TBX_KEEP3(SCALAR, base, along, to);
         along *= (double)i;
         offset = base - to;
         TBX_KEEP_SCALAR(offset);
@@ -3356,22 +3321,26 @@ typedef struct tbx_source {
     int is_double;
 } tbx_source;
 
-TBX_FN void tbx_source_float(tbx_source *s, const tribox_mesh *mesh)
+TBX_FN tbx_source tbx_source_of(const void *positions, size_t stride, const uint32_t *indices,
+                                size_t triangles, int is_double)
 {
-    s->positions = (const char *)mesh->positions;
-    s->stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(float);
-    s->indices = mesh->indices;
-    s->triangles = mesh->triangles;
-    s->is_double = 0;
+    tbx_source s;
+    s.positions = (const char *)positions;
+    s.stride = stride != 0 ? stride : 3 * (is_double ? sizeof(double) : sizeof(float));
+    s.indices = indices;
+    s.triangles = triangles;
+    s.is_double = is_double;
+    return s;
 }
 
-TBX_FN void tbx_source_double(tbx_source *s, const tribox_mesh_f64 *mesh)
+TBX_FN tbx_source tbx_source_float(const tribox_mesh *mesh)
 {
-    s->positions = (const char *)mesh->positions;
-    s->stride = mesh->stride != 0 ? mesh->stride : 3 * sizeof(double);
-    s->indices = mesh->indices;
-    s->triangles = mesh->triangles;
-    s->is_double = 1;
+    return tbx_source_of(mesh->positions, mesh->stride, mesh->indices, mesh->triangles, 0);
+}
+
+TBX_FN tbx_source tbx_source_double(const tribox_mesh_f64 *mesh)
+{
+    return tbx_source_of(mesh->positions, mesh->stride, mesh->indices, mesh->triangles, 1);
 }
 
 /* What a triangle's numbers allow. */
@@ -3768,8 +3737,6 @@ TBX_FN int tbx_walk_fine(tbx_walk *w, int id, const int64_t index[3])
 TBX_COLD int tbx_walk_exact(const tbx_walk *w, int id, const int64_t index[3])
 {
     const tribox_grid *grid = w->frame->grid;
-    const unsigned open_lo = w->frame->lo_is_open ? 7u : 0u;
-    const unsigned open_hi = w->frame->hi_is_open ? 7u : 0u;
     tbx_exact f;
     int k;
     tbx_exact_corners(&f, w->corner[0], w->corner[1], w->corner[2]);
@@ -3779,13 +3746,12 @@ TBX_COLD int tbx_walk_exact(const tbx_walk *w, int id, const int64_t index[3])
         f.x[TBX_MID][k] = tbx_at(&grid->origin[k], &grid->size[k], half + 1);
         f.x[TBX_HI][k] = tbx_at(&grid->origin[k], &grid->size[k], half + 2);
     }
+    f.thin = w->frame->thin;
+    f.open[0] = w->frame->lo_is_open ? 7u : 0u;
+    f.open[1] = w->frame->hi_is_open ? 7u : 0u;
     tbx_exact_finish(&f);
-    if (w->frame->thin) {
-        return id < 9 ? tbx_exact_thin_edge(&f, id / 3, id % 3, w->n_sign[id / 3])
-                      : tbx_exact_thin_plane(&f, w->n_sign, id == 9 ? 1 : -1);
-    }
-    return id < 9 ? tbx_exact_edge(&f, id / 3, id % 3, w->n_sign[id / 3], open_lo, open_hi)
-                  : tbx_exact_plane(&f, w->n_sign, id == 9 ? 1 : -1, open_lo, open_hi);
+    return id < 9 ? tbx_exact_edge(&f, id / 3, id % 3, w->n_sign[id / 3])
+                  : tbx_exact_plane(&f, w->n_sign, id == 9 ? 1 : -1);
 }
 
 /* The sign with which index `axis` enters a condition; 0 where the condition follows from the faces or other
@@ -4458,9 +4424,7 @@ TBX_FN double tbx_small_edges(tbx_small *m, int b, int c, uint64_t free)
     uint64_t missed2 = 0;
     int i;
     int j;
-    TBX_KEEP_SCALAR(e0);
-    TBX_KEEP_SCALAR(e1);
-    TBX_KEEP_SCALAR(e2);
+    TBX_KEEP3(SCALAR, e0, e1, e2);
     area = (e0 + e1) + e2;
     sign = area < 0.0 ? -1.0 : 1.0;
     least = tbx_abs(area) < least ? tbx_abs(area) : least;
@@ -4581,9 +4545,7 @@ TBX_NOINLINE int tbx_walk_small(const tbx_walk *w, uint64_t *out_missed)
         double x0 = w->corner[0][k] - f->origin[k];
         double x1 = w->corner[1][k] - f->origin[k];
         double x2 = w->corner[2][k] - f->origin[k];
-        TBX_KEEP_SCALAR(x0);
-        TBX_KEEP_SCALAR(x1);
-        TBX_KEEP_SCALAR(x2);
+        TBX_KEEP3(SCALAR, x0, x1, x2);
         m.v[0][k] = x0 * f->inverse[k] - at;
         m.v[1][k] = x1 * f->inverse[k] - at;
         m.v[2][k] = x2 * f->inverse[k] - at;
@@ -4608,11 +4570,10 @@ TBX_FN void tbx_next_row(tbx_span *out, uint64_t *voxels, const int first[3])
     *voxels &= ~(uint64_t)0 << (at | 3) << 1;
 }
 
-/* The voxels of a box with so many after its first. */
-TBX_FN uint64_t tbx_small_box(int more_x, int more_y, int more_z)
+/* The voxels of a box with so many after its first, bits x + 4 y + 16 z: those of y and z given as bits. */
+TBX_FN uint64_t tbx_small_box(int more_x, int bits_y, int bits_z)
 {
-    return (((uint64_t)2 << more_x) - 1) * (0x1111u >> 4 * (3 - more_y)) *
-           (TBX_EACH_LAYER >> 16 * (3 - more_z));
+    return (((uint64_t)2 << more_x) - 1) * (0x1111u >> (12 - bits_y)) * (TBX_EACH_LAYER >> (48 - bits_z));
 }
 
 /* The spans of a small box within the region, at most 16. */
@@ -4628,7 +4589,7 @@ TBX_NOINLINE int tbx_small_spans(const tbx_walk *w, uint64_t missed, tbx_span *o
         more[k] = (int)(w->last[k] - w->first[k]);
         first[k] = (int)(w->frame->grid->lo[k] + w->first[k]);
     }
-    voxels &= tbx_small_box(more[0], more[1], more[2]);
+    voxels &= tbx_small_box(more[0], 4 * more[1], 16 * more[2]);
     while (voxels != 0) {
         tbx_next_row(&out[n++], &voxels, first);
     }
@@ -4901,16 +4862,14 @@ TBX_FN size_t tbx_mesh_spans(const tribox_grid *grid, const tbx_source *source, 
 TRIBOX_FN size_t tribox_mesh_spans(const tribox_grid *grid, const tribox_mesh *mesh,
                                    tribox_mesh_span_fn on_span, void *user)
 {
-    tbx_source source;
-    tbx_source_float(&source, mesh);
+    const tbx_source source = tbx_source_float(mesh);
     return tbx_mesh_spans(grid, &source, on_span, user);
 }
 
 TRIBOX_FN size_t tribox_mesh_spans_f64(const tribox_grid *grid, const tribox_mesh_f64 *mesh,
                                        tribox_mesh_span_fn on_span, void *user)
 {
-    tbx_source source;
-    tbx_source_double(&source, mesh);
+    const tbx_source source = tbx_source_double(mesh);
     return tbx_mesh_spans(grid, &source, on_span, user);
 }
 
@@ -4971,8 +4930,7 @@ TBX_FN void tbx_places_set(tbx_places *p, const tribox_grid *grid, double first)
         const double lo = (double)grid->lo[k];
         double size = on ? grid->size[k] : 1.0;
         double origin = on ? grid->origin[k] : 0.0;
-        TBX_KEEP_SCALAR(size);
-        TBX_KEEP_SCALAR(origin);
+        TBX_KEEP2(SCALAR, size, origin);
         p->last[k] = (int64_t)grid->hi[k] - 1 - grid->lo[k];
         p->inverse[k] = 1.0 / size;
         origin *= p->inverse[k];
@@ -5045,9 +5003,7 @@ TBX_FORCED int tbx_vertices_fit(tbx_vertices *c, int k, int count)
                    tbx_floats_beyond(c->at[2] + at)) &
                   0x8000000080000000u) != 0;
     }
-    TBX_KEEP_POINTER(c->at[0]);
-    TBX_KEEP_POINTER(c->at[1]);
-    TBX_KEEP_POINTER(c->at[2]);
+    TBX_KEEP3(POINTER, c->at[0], c->at[1], c->at[2]);
     return !beyond;
 }
 
@@ -5114,25 +5070,6 @@ TBX_FN void tbx_set_run(const tbx_target *t, uint64_t *row, size_t from, size_t 
     row[last] |= tail;
 }
 
-/* Are all voxels of a box of up to 2^3 set? 0 for larger boxes. */
-TBX_FN int tbx_is_set(const int64_t first[3], const int64_t last[3], const tbx_target *t)
-{
-    const int64_t x = last[0] - first[0];
-    const int64_t y = last[1] - first[1];
-    const int64_t z = last[2] - first[2];
-    const unsigned at = (unsigned)first[0] & 63u;
-    if (((x | y | z) & ~(int64_t)1) != 0 || at + (unsigned)x > 63u) {
-        return 0;
-    } else {
-        const uint64_t run = (uint64_t)(1 + 2 * x) << at;
-        const size_t next_y = y != 0 ? t->row_words : 0;
-        const size_t next_z = z != 0 ? t->row_words * t->ny : 0;
-        const uint64_t *row =
-            t->bits + ((size_t)first[2] * t->ny + (size_t)first[1]) * t->row_words + ((size_t)first[0] >> 6);
-        return (row[0] & row[next_y] & row[next_z] & row[next_y + next_z] & run) == run;
-    }
-}
-
 /* A part of one triangle. */
 TBX_NOINLINE void tbx_fill_triangle(const tbx_frame *f, const tbx_source *source, size_t triangle,
                                     const tbx_part *part, const tbx_target *target)
@@ -5142,8 +5079,7 @@ TBX_NOINLINE void tbx_fill_triangle(const tbx_frame *f, const tbx_source *source
     tbx_span span[TBX_SPANS];
     double v[3][3];
     int n;
-    if (!tbx_walk_box(&w, f, v, tbx_source_triangle(source, triangle, v), part) ||
-        tbx_is_set(w.first, w.last, target)) {
+    if (!tbx_walk_box(&w, f, v, tbx_source_triangle(source, triangle, v), part)) {
         return;
     }
     n = tbx_walk_begin(&w, span);
@@ -5291,15 +5227,13 @@ TBX_FN void tbx_fill_mesh(const tribox_grid *grid, const tbx_source *source, uin
 
 TRIBOX_FN void tribox_grid_fill(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
 {
-    tbx_source source;
-    tbx_source_float(&source, mesh);
+    const tbx_source source = tbx_source_float(mesh);
     tbx_fill_mesh(grid, &source, bits);
 }
 
 TRIBOX_FN void tribox_grid_fill_f64(const tribox_grid *grid, const tribox_mesh_f64 *mesh, uint64_t *bits)
 {
-    tbx_source source;
-    tbx_source_double(&source, mesh);
+    const tbx_source source = tbx_source_double(mesh);
     tbx_fill_mesh(grid, &source, bits);
 }
 
@@ -5456,15 +5390,13 @@ TBX_FN int tbx_contains(const tbx_source *source, const double point[3])
 
 TRIBOX_FN int tribox_mesh_contains(const tribox_mesh *mesh, const double point[3])
 {
-    tbx_source source;
-    tbx_source_float(&source, mesh);
+    const tbx_source source = tbx_source_float(mesh);
     return tbx_contains(&source, point);
 }
 
 TRIBOX_FN int tribox_mesh_contains_f64(const tribox_mesh_f64 *mesh, const double point[3])
 {
-    tbx_source source;
-    tbx_source_double(&source, mesh);
+    const tbx_source source = tbx_source_double(mesh);
     return tbx_contains(&source, point);
 }
 
@@ -6345,16 +6277,14 @@ TBX_FN void tbx_solid_fill_mesh(const tribox_grid *grid, const tbx_source *sourc
 
 TRIBOX_FN void tribox_grid_fill_solid(const tribox_grid *grid, const tribox_mesh *mesh, uint64_t *bits)
 {
-    tbx_source source;
-    tbx_source_float(&source, mesh);
+    const tbx_source source = tbx_source_float(mesh);
     tbx_solid_fill_mesh(grid, &source, bits);
 }
 
 TRIBOX_FN void tribox_grid_fill_solid_f64(const tribox_grid *grid, const tribox_mesh_f64 *mesh,
                                           uint64_t *bits)
 {
-    tbx_source source;
-    tbx_source_double(&source, mesh);
+    const tbx_source source = tbx_source_double(mesh);
     tbx_solid_fill_mesh(grid, &source, bits);
 }
 
@@ -6514,15 +6444,13 @@ TBX_FN int tbx_fit(tribox_grid *grid, const tbx_source *source, int n)
 
 TRIBOX_FN int tribox_grid_fit(tribox_grid *grid, const tribox_mesh *mesh, int n)
 {
-    tbx_source source;
-    tbx_source_float(&source, mesh);
+    const tbx_source source = tbx_source_float(mesh);
     return tbx_fit(grid, &source, n);
 }
 
 TRIBOX_FN int tribox_grid_fit_f64(tribox_grid *grid, const tribox_mesh_f64 *mesh, int n)
 {
-    tbx_source source;
-    tbx_source_double(&source, mesh);
+    const tbx_source source = tbx_source_double(mesh);
     return tbx_fit(grid, &source, n);
 }
 #ifndef TRIBOX_NO_COMPANIONS
@@ -7195,7 +7123,7 @@ TBX_FN void tbx_fraction_orient(const tbx_calc *c, tbx_fraction *r, int d_sign)
 }
 
 /* The sign of a - b; equal infinities give 0. */
-TBX_FN int tbx_fraction_compare(tbx_calc *c, const tbx_fraction *a, const tbx_fraction *b)
+TBX_NOINLINE int tbx_fraction_compare(tbx_calc *c, const tbx_fraction *a, const tbx_fraction *b)
 {
     const int mark = c->used;
     tbx_num x;
@@ -7422,10 +7350,11 @@ TBX_NOINLINE int tbx_plane_box(const tbx_plane *p)
     tbx_calc c;
     int side;
     tbx_calc_begin(&c, 0, store);
-    do {
-        side = tbx_plane_side(&c, p, 1) < 0 ? -1 : tbx_plane_side(&c, p, -1) < 0;
+    do { /* 1: all of the box is below; -1: above; else -3 */
+        for (side = 1; side >= -1 && tbx_plane_side(&c, p, side) >= 0; side -= 2) {
+        }
     } while (tbx_calc_again(&c));
-    return side;
+    return side >= -1 ? -side : 0;
 }
 
 TRIBOX_FN int tribox_plane_box(const float n[3], float d, const float box_min[3], const float box_max[3])
@@ -8970,7 +8899,7 @@ TBX_FN const tbx_real *tbx_line_face(const tbx_cut *t, int line)
 }
 
 /* r += n_axis * (v0_axis - face), of a line that is a face */
-TBX_FN void tbx_cut_add_face(tbx_cut *t, tbx_num *r, int line)
+TBX_NOINLINE void tbx_cut_add_face(tbx_cut *t, tbx_num *r, int line)
 {
     const int axis = tbx_line_axis(line);
     tbx_num x;
@@ -9029,24 +8958,31 @@ TBX_FN void tbx_cut_coordinate(tbx_cut *t, tbx_vertex x, int k, tbx_fraction *r)
     tbx_fraction_orient(c, r, tbx_num_sign(c, &r->d));
 }
 
+/* The sign of x_k - y_k. */
+TBX_NOINLINE int tbx_cut_order(tbx_cut *t, tbx_vertex x, tbx_vertex y, int k)
+{
+    const tbx_real *x_given = tbx_cut_given(t, x, k);
+    const tbx_real *y_given = tbx_cut_given(t, y, k);
+    const int mark = t->calc.used;
+    tbx_fraction x_k;
+    tbx_fraction y_k;
+    int order;
+    if (x_given != NULL && y_given != NULL) {
+        return tbx_key_order(x_given->key, y_given->key);
+    }
+    tbx_cut_coordinate(t, x, k, &x_k);
+    tbx_cut_coordinate(t, y, k, &y_k);
+    order = tbx_fraction_compare(&t->calc, &x_k, &y_k);
+    t->calc.used = mark;
+    return order;
+}
+
 /* The sign of the vertex's distance to the face, positive inside the box. */
 TBX_FN int tbx_cut_side(tbx_cut *t, tbx_vertex x, int line)
 {
-    const int inward = (line - 3) % 2 == 0 ? 1 : -1;
-    const tbx_real *given = tbx_cut_given(t, x, tbx_line_axis(line));
-    const tbx_real *f = tbx_line_face(t, line);
-    const int mark = t->calc.used;
-    tbx_fraction at;
-    tbx_fraction face;
-    int order;
-    if (given != NULL) {
-        return inward * tbx_key_order(given->key, f->key);
-    }
-    tbx_cut_coordinate(t, x, tbx_line_axis(line), &at);
-    tbx_fraction_of(&t->calc, &face, f);
-    order = tbx_fraction_compare(&t->calc, &at, &face);
-    t->calc.used = mark;
-    return order * inward;
+    tbx_vertex face = { 0, 0 };
+    face.b = line; /* any point of it */
+    return tbx_cut_order(t, x, face, tbx_line_axis(line)) * ((line - 3) % 2 == 0 ? 1 : -1);
 }
 
 TBX_FN void tbx_polygon_add(tbx_polygon *p, int a, int b, int line)
@@ -9089,19 +9025,7 @@ TBX_FN int tbx_cut_compare(tbx_cut *t, tbx_vertex x, tbx_vertex y)
     int order = 0;
     int k;
     for (k = 0; k < 3 && order == 0; k++) {
-        const tbx_real *x_given = tbx_cut_given(t, x, k);
-        const tbx_real *y_given = tbx_cut_given(t, y, k);
-        if (x_given != NULL && y_given != NULL) {
-            order = tbx_key_order(x_given->key, y_given->key);
-        } else {
-            const int mark = t->calc.used;
-            tbx_fraction x_k;
-            tbx_fraction y_k;
-            tbx_cut_coordinate(t, x, k, &x_k);
-            tbx_cut_coordinate(t, y, k, &y_k);
-            order = tbx_fraction_compare(&t->calc, &x_k, &y_k);
-            t->calc.used = mark;
-        }
+        order = tbx_cut_order(t, x, y, k);
     }
     return order;
 }
@@ -9377,7 +9301,7 @@ TRIBOX_FN size_t tribox_mesh_query(const tribox_mesh *mesh, const float box_min[
                                    uint32_t *out_triangles, size_t capacity)
 {
     tbx_query q;
-    tbx_source_float(&q.mesh, mesh);
+    q.mesh = tbx_source_float(mesh);
     q.box_min = box_min;
     q.box_max = box_max;
     q.out_triangles = out_triangles;
@@ -9389,7 +9313,7 @@ TRIBOX_FN size_t tribox_mesh_query_f64(const tribox_mesh_f64 *mesh, const double
                                        const double box_max[3], uint32_t *out_triangles, size_t capacity)
 {
     tbx_query q;
-    tbx_source_double(&q.mesh, mesh);
+    q.mesh = tbx_source_double(mesh);
     q.box_min = box_min;
     q.box_max = box_max;
     q.out_triangles = out_triangles;
@@ -10707,6 +10631,17 @@ TBX_FN tbx_f4 tbx_fma4(tbx_f4 a, tbx_f4 b, tbx_f4 c)
 #endif
 }
 
+/* The sign bits of four vectors, those of the first lowest. */
+TBX_FN unsigned tbx_signs16(tbx_i4 a, tbx_i4 b, tbx_i4 c, tbx_i4 d)
+{
+#if defined(__SSE2__)
+    return (unsigned)__builtin_ia32_pmovmskb128(
+        __builtin_ia32_packsswb128(__builtin_ia32_packssdw128(a, b), __builtin_ia32_packssdw128(c, d)));
+#else
+    return (unsigned)(tbx_signs(a) | tbx_signs(b) << 4 | tbx_signs(c) << 8 | tbx_signs(d) << 12);
+#endif
+}
+
 TBX_FN int tbx_any(tbx_i4 mask)
 {
     return tbx_signs(mask) != 0;
@@ -11250,6 +11185,17 @@ TBX_FN void tbx_widen4(tbx_d2 *low, tbx_d2 *high, tbx_f4 x)
 #else
     *low = tbx_pair((double)x[0], (double)x[1]);
     *high = tbx_pair((double)x[2], (double)x[3]);
+#endif
+}
+
+/* Two doubles as floats, in lanes 0 and 1. */
+TBX_FORCED tbx_f4 tbx_narrow(tbx_d2 x)
+{
+#if defined(__SSE2__)
+    return (tbx_f4)__builtin_ia32_cvtpd2ps(x);
+#else
+    const tbx_f4 r = { (float)x[0], (float)x[1], 0.0f, 0.0f };
+    return r;
 #endif
 }
 
@@ -12073,8 +12019,7 @@ enum {
     TBX_CLASS_2, /* 2^3, up to 3^3, 4^3 */
     TBX_CLASS_3,
     TBX_CLASS_4,
-    TBX_CLASS_ON_2, /* the same with some axis on the lattice */
-    TBX_CLASS_ON_3,
+    TBX_CLASS_ON_3, /* up to 3^3, 4^3, with some axis on the lattice */
     TBX_CLASS_ON_4,
     TBX_CLASS_LARGE,
     TBX_CLASS_AGAIN, /* up to FEW^3, with a corner beside a grid plane */
@@ -12249,7 +12194,6 @@ typedef struct tbx_group {
     tbx_i4 box[TBX_WIDE];
     size_t triangle[TBX_WIDE];
     int n;
-    int32_t lattice; /* not 0: some are on the lattice */
 } TBX_ALIGNED tbx_group;
 
 /* Returns 1 when the group is full. */
@@ -12258,7 +12202,6 @@ TBX_FORCED int tbx_group_add(tbx_group *g, tbx_i4 box, size_t triangle)
     const int n = g->n;
     g->box[n] = box;
     g->triangle[n] = triangle;
-    g->lattice |= box[3] & TBX_ON_LATTICE;
     g->n = n + 1;
     return n + 1 == TBX_WIDE;
 }
@@ -12589,8 +12532,7 @@ TBX_FN int tbx_block_load(tbx_corners *out, const tbx_quick *q, const tbx_source
 {
     if (source->is_double || source->stride != 3 * sizeof(float) ||
         tbx_block_has_first(source, first, count)) {
-        return source->indices != NULL ? tbx_block_corners(out, q, source, 1, 0, first, count)
-                                       : tbx_block_corners(out, q, source, 0, 0, first, count);
+        return tbx_block_corners(out, q, source, source->indices != NULL, 0, first, count);
     } else {
         return source->indices != NULL ? tbx_block_corners(out, q, source, 1, 1, first, count)
                                        : tbx_block_corners(out, q, source, 0, 1, first, count);
@@ -12651,14 +12593,11 @@ TBX_FORCED void tbx_ends_find(tbx_ends *out, const tbx_quick *q, const tbx_fixed
     tbx_iw low;
     tbx_iw high;
     if (careful) { /* nothing is computed before the question whether it may be */
-        TBX_KEEP_VECTOR(v0);
-        TBX_KEEP_VECTOR(v1);
-        TBX_KEEP_VECTOR(v2);
+        TBX_KEEP3(VECTOR, v0, v1, v2);
     }
     least = tbx_wide_min(tbx_wide_min(v0, v1), v2) - f->base;
     most = tbx_wide_max(tbx_wide_max(v0, v1), v2) - f->base;
-    TBX_KEEP_VECTOR(least);
-    TBX_KEEP_VECTOR(most);
+    TBX_KEEP2(VECTOR, least, most);
     least *= f->steps;
     most *= f->steps;
     if (careful) {
@@ -13022,12 +12961,10 @@ TBX_FORCED int32_t tbx_key_more(uint64_t key)
     return (int32_t)((key & 3) | (key >> 2 & 3) << 8 | (key >> 4 & 3) << 16);
 }
 
-/* The voxels of a box of up to 4^3, bits x + 4 y + 16 z. */
+/* The voxels of a box of up to 4^3. */
 TBX_FORCED uint64_t tbx_key_voxels(uint64_t key)
 {
-    const uint64_t row = ((uint64_t)2 << (key & 3)) - 1;
-    const uint64_t rows = row * (0x1111u >> (12 - (key & 12)));
-    return rows * (TBX_EACH_LAYER >> (48 - (key & 48)));
+    return tbx_small_box((int)key & 3, (int)key & 12, (int)key & 48);
 }
 
 /* Puts triangle i of the block, with its box, into its class. */
@@ -13041,9 +12978,9 @@ TBX_FORCED void tbx_block_add(tbx_block *b, const tbx_quick *q, int i, tbx_i4 bo
     if (is_again && q->precise && c > TBX_CLASS_PAIR && !q->thin) {
         c = TBX_CLASS_AGAIN;
     } else if ((box[3] & TBX_ON_LATTICE) != 0 && c > TBX_CLASS_PAIR) {
-        c = c < TBX_CLASS_2 ? (unsigned)TBX_CLASS_2 : c;
         c = q->upper_open || c == TBX_CLASS_LARGE ? (unsigned)TBX_CLASS_LARGE
-                                                  : c + (TBX_CLASS_ON_2 - TBX_CLASS_2);
+            : c == TBX_CLASS_4                    ? (unsigned)TBX_CLASS_ON_4
+                                                  : (unsigned)TBX_CLASS_ON_3;
     }
     b->first[i] = tbx_key_set(box) & ~(uint64_t)65535;
     b->more[i] = more;
@@ -13204,7 +13141,7 @@ TBX_FORCED tbx_fw tbx_lattice_place(const tbx_quick *q, int k, tbx_fw x, tbx_iw 
 }
 
 /* Index boxes on axis k, exactly where all corners are on the lattice. */
-TBX_FORCED void tbx_box_axis(const tbx_quick *q, int k, tbx_fw x0, tbx_fw x1, tbx_fw x2, tbx_boxes *out)
+TBX_NOINLINE void tbx_box_axis(const tbx_quick *q, int k, tbx_fw x0, tbx_fw x1, tbx_fw x2, tbx_boxes *out)
 {
     const tbx_fw inverse = tbx_wide_all(q->inverse[k + 1]);
     const tbx_fw down = tbx_wide_all(q->shift_down[k]);
@@ -13391,7 +13328,7 @@ TBX_FORCED void tbx_faces_find(tbx_faces *f, const tribox_grid *grid, const tbx_
 }
 
 /* A box by its least and greatest coordinates, in lanes 1 to 3. */
-TBX_FORCED tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, const tbx_d2 least[2],
+TBX_NOINLINE tbx_i4 tbx_box_exact(const tribox_grid *grid, const tbx_quick *q, const tbx_d2 least[2],
                                 const tbx_d2 most[2])
 {
     const tbx_i4 n = { 1, q->n[0], q->n[1], q->n[2] };
@@ -13461,18 +13398,6 @@ typedef struct tbx_boxed {
     tbx_f4 most;
 } TBX_ALIGNED tbx_boxed;
 
-/* The doubles of four floats. */
-TBX_FORCED void tbx_pairs_of(tbx_d2 out[2], tbx_f4 a)
-{
-#if defined(__SSE2__) && !defined(__clang__)
-    out[0] = __builtin_ia32_cvtps2pd(a);
-    out[1] = __builtin_ia32_cvtps2pd(TBX_LANES(a, a, 2, 3, 2, 3));
-#else
-    out[0] = tbx_pair((double)a[0], (double)a[1]);
-    out[1] = tbx_pair((double)a[2], (double)a[3]);
-#endif
-}
-
 /* Box of triangle i of a block, by exact signs of corners against grid planes; the last one's where the
  * extremes are the same, as two triangles of a quad have them. */
 TBX_FORCED void tbx_block_box(tbx_boxed *last, const tbx_block *b, const tribox_grid *grid,
@@ -13495,16 +13420,14 @@ TBX_FORCED void tbx_block_box(tbx_boxed *last, const tbx_block *b, const tribox_
     } else {
         tbx_f4 low;
         tbx_f4 high;
-        TBX_KEEP_VECTOR(v0);
-        TBX_KEEP_VECTOR(v1);
-        TBX_KEEP_VECTOR(v2);
+        TBX_KEEP3(VECTOR, v0, v1, v2);
         low = tbx_min4(tbx_min4((tbx_f4)v0, (tbx_f4)v1), (tbx_f4)v2);
         high = tbx_max4(tbx_max4((tbx_f4)v0, (tbx_f4)v1), (tbx_f4)v2);
         if (tbx_any(((tbx_i4)low != (tbx_i4)last->least) | ((tbx_i4)high != (tbx_i4)last->most))) {
             tbx_d2 least[2];
             tbx_d2 most[2];
-            tbx_pairs_of(least, low);
-            tbx_pairs_of(most, high);
+            tbx_widen4(&least[0], &least[1], low);
+            tbx_widen4(&most[0], &most[1], high);
             last->least = low;
             last->most = high;
             last->box = tbx_box_exact(grid, q, least, most);
@@ -13622,22 +13545,17 @@ TBX_FORCED void tbx_group_place(const tbx_quick *q, int k, tbx_iw first, tbx_fw 
     *x0 -= high;
     *x1 -= high;
     *x2 -= high;
-    TBX_KEEP_VECTOR(*x0);
-    TBX_KEEP_VECTOR(*x1);
-    TBX_KEEP_VECTOR(*x2);
+    TBX_KEEP3(VECTOR, *x0, *x1, *x2);
     *x0 = (*x0 - low) * inverse;
     *x1 = (*x1 - low) * inverse;
     *x2 = (*x2 - low) * inverse;
-    TBX_KEEP_VECTOR(*x0);
-    TBX_KEEP_VECTOR(*x1);
-    TBX_KEEP_VECTOR(*x2);
+    TBX_KEEP3(VECTOR, *x0, *x1, *x2);
 }
 
 /* The triangles that a kernel decides: so many of a list of a block's. */
 typedef struct tbx_some {
     const tbx_block *block;
     const tbx_corners *corners;
-    const tbx_source *source;
     const unsigned char *list;
     int count; /* 1 to WIDE */
 } tbx_some;
@@ -13723,9 +13641,7 @@ TBX_FORCED tbx_fw tbx_note_edges(tbx_uw *missed, tbx_outline *p, int n, int stri
     tbx_fw e1 = p->b[1] * p->c[2] - p->c[1] * p->b[2];
     tbx_fw e2 = p->b[2] * p->c[0] - p->c[2] * p->b[0];
     tbx_fw area;
-    TBX_KEEP_VECTOR(e0);
-    TBX_KEEP_VECTOR(e1);
-    TBX_KEEP_VECTOR(e2);
+    TBX_KEEP3(VECTOR, e0, e1, e2);
     area = (e0 + e1) + e2;
     p->s = (tbx_iw)area & tbx_wide_int(TBX_SIGN_BIT);
     p->least = tbx_wide_min(tbx_wide_all(1.0f), tbx_wide_abs(area) + p->touch);
@@ -13733,6 +13649,24 @@ TBX_FORCED tbx_fw tbx_note_edges(tbx_uw *missed, tbx_outline *p, int n, int stri
     *missed |= tbx_note_edge(p, e1, 1, 2, n, stride_b, stride_c);
     *missed |= tbx_note_edge(p, e2, 2, 0, n, stride_b, stride_c);
     return area;
+}
+
+/* The same of boxes of 3 and 4 voxels, out of line: three planes, on the lattice or not, have one code. */
+TBX_NOINLINE tbx_fw tbx_note_edges3(tbx_uw *missed, tbx_outline *p)
+{
+    return tbx_note_edges(missed, p, 3, 1, 4);
+}
+
+TBX_NOINLINE tbx_fw tbx_note_edges4(tbx_uw *missed, tbx_outline *p)
+{
+    return tbx_note_edges(missed, p, 4, 1, 4);
+}
+
+TBX_FORCED tbx_fw tbx_note_edges_of(tbx_uw *missed, tbx_outline *p, int n)
+{
+    return n == 2   ? tbx_note_edges(missed, p, 2, 1, 4)
+           : n == 3 ? tbx_note_edges3(missed, p)
+                    : tbx_note_edges4(missed, p);
 }
 
 TBX_FORCED const tbx_fw *tbx_axis_of(const tbx_points *p, int k)
@@ -13970,7 +13904,7 @@ TBX_FORCED unsigned tbx_decide(uint64_t out[TBX_WIDE], const tbx_quick *q, const
     tbx_uw cells[2];
     tbx_outline xy;
     tbx_outline yz;
-    tbx_outline zx;
+    tbx_outline xz; /* seen from behind: its area is the normal's y turned round */
     tbx_fw d;
     tbx_iw unsure;
     tbx_uw octants;
@@ -13986,20 +13920,20 @@ TBX_FORCED unsigned tbx_decide(uint64_t out[TBX_WIDE], const tbx_quick *q, const
     side.touch = p.touch_plane;
     tbx_outline_of(&xy, p.v, 0, 1);
     tbx_outline_of(&yz, p.v, 1, 2);
-    tbx_outline_of(&zx, p.v, 2, 0);
+    tbx_outline_of(&xz, p.v, 0, 2);
     if (lattice) {
         xy.touch = p.touch[0];
         yz.touch = p.touch[1];
-        zx.touch = p.touch[2];
+        xz.touch = p.touch[2];
     }
-    normal.z = tbx_note_edges(&plane[0], &xy, n, 1, 4);
-    normal.x = tbx_note_edges(&plane[1], &yz, n, 1, 4);
-    normal.y = tbx_note_edges(&plane[2], &zx, n, 4, 1);
+    normal.z = tbx_note_edges_of(&plane[0], &xy, n);
+    normal.x = tbx_note_edges_of(&plane[1], &yz, n);
+    normal.y = -tbx_note_edges_of(&plane[2], &xz, n);
     d = (normal.x * p.v[0].x + normal.y * p.v[0].y) + normal.z * p.v[0].z;
     cells[0] = tbx_cells_join(plane[0], plane[1], plane[2], 0);
     cells[1] = n > 2 ? tbx_cells_join(plane[0], plane[1], plane[2], 2) : none;
     unsure =
-        tbx_wide_min(tbx_wide_min(xy.least, yz.least), zx.least) <= tbx_wide_all(12.0f * (float)n * delta);
+        tbx_wide_min(tbx_wide_min(xy.least, yz.least), xz.least) <= tbx_wide_all(12.0f * (float)n * delta);
     if (n == 2 && !lattice) {
         tbx_halves_to(out, ~(cells[0] | tbx_plane_cell(d, &normal)) & (tbx_uw)tbx_wide_int(0x330033), none);
         return tbx_wide_signs(unsure | (tbx_wide_abs(d) <= plane_error));
@@ -14043,50 +13977,20 @@ TBX_FORCED unsigned tbx_decide_flat(uint64_t out[TBX_WIDE], const tbx_quick *q, 
     return tbx_wide_signs(p.least <= tbx_wide_all(12.0f * 2.0f * delta));
 }
 
-TBX_NOINLINE unsigned tbx_decide_flat_x(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
-{
-    return tbx_decide_flat(out, q, some, 0);
-}
-
-TBX_NOINLINE unsigned tbx_decide_flat_y(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
-{
-    return tbx_decide_flat(out, q, some, 1);
-}
-
-TBX_NOINLINE unsigned tbx_decide_flat_z(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
-{
-    return tbx_decide_flat(out, q, some, 2);
-}
-
-TBX_NOINLINE unsigned tbx_decide2(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
-{
-    return tbx_decide(out, q, some, 2, 0);
-}
-
-TBX_NOINLINE unsigned tbx_decide3(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
-{
-    return tbx_decide(out, q, some, 3, 0);
-}
-
-TBX_NOINLINE unsigned tbx_decide4(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
-{
-    return tbx_decide(out, q, some, 4, 0);
-}
-
-TBX_NOINLINE unsigned tbx_decide_on_2(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
-{
-    return tbx_decide(out, q, some, 2, 1);
-}
-
-TBX_NOINLINE unsigned tbx_decide_on_3(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
-{
-    return tbx_decide(out, q, some, 3, 1);
-}
-
-TBX_NOINLINE unsigned tbx_decide_on_4(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some)
-{
-    return tbx_decide(out, q, some, 4, 1);
-}
+/* Each out of line: in one function gcc has fewer registers for each, and fills take 1.02 times as long. */
+#define TBX_DECIDES(name, call)                                                                  \
+    TBX_NOINLINE unsigned name(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some) \
+    {                                                                                            \
+        return call;                                                                             \
+    }
+TBX_DECIDES(tbx_decide_flat_x, tbx_decide_flat(out, q, some, 0))
+TBX_DECIDES(tbx_decide_flat_y, tbx_decide_flat(out, q, some, 1))
+TBX_DECIDES(tbx_decide_flat_z, tbx_decide_flat(out, q, some, 2))
+TBX_DECIDES(tbx_decide2, tbx_decide(out, q, some, 2, 0))
+TBX_DECIDES(tbx_decide3, tbx_decide(out, q, some, 3, 0))
+TBX_DECIDES(tbx_decide4, tbx_decide(out, q, some, 4, 0))
+TBX_DECIDES(tbx_decide_on_3, tbx_decide(out, q, some, 3, 1))
+TBX_DECIDES(tbx_decide_on_4, tbx_decide(out, q, some, 4, 1))
 
 /* Decides by class, FLAT_X to ON_4. */
 TBX_FN unsigned tbx_decide_class(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some, unsigned c)
@@ -14098,7 +14002,6 @@ TBX_FN unsigned tbx_decide_class(uint64_t out[TBX_WIDE], const tbx_quick *q, con
     case TBX_CLASS_2: return tbx_decide2(out, q, some);
     case TBX_CLASS_3: return tbx_decide3(out, q, some);
     case TBX_CLASS_4: return tbx_decide4(out, q, some);
-    case TBX_CLASS_ON_2: return tbx_decide_on_2(out, q, some);
     case TBX_CLASS_ON_3: return tbx_decide_on_3(out, q, some);
     default: return tbx_decide_on_4(out, q, some);
     }
@@ -14217,7 +14120,7 @@ typedef struct tbx_precise_normal {
     tbx_mp flat;
 } TBX_ALIGNED tbx_precise_normal;
 
-/* Missed cells of the planes yz (bit y + 8 z), zx and xy (bits x + 8 z, x + 8 y); layers of inner points on
+/* Missed cells of the planes yz (bit y + 8 z), xz and xy (bits x + 8 z, x + 8 y); layers of inner points on
  * either side of the triangle's plane (bits x + 8 y). */
 typedef struct tbx_precise_found {
     tbx_mp missed[3];
@@ -14325,8 +14228,7 @@ TBX_FORCED void tbx_precise_edge(tbx_precise_line *out, const tbx_precise_axis *
 }
 
 /* The points at which an edge is outside, and lanes in which that is unsure. */
-TBX_FORCED tbx_mp tbx_precise_outside(const tbx_precise_line *l, int points_x, int points_y, int up_x,
-                                      int up_y, tbx_mp *unsure)
+TBX_FORCED tbx_mp tbx_precise_outside(const tbx_precise_line *l, int points_x, int points_y, tbx_mp *unsure)
 {
     const tbx_dp zero = tbx_pair_all(0.0);
     const tbx_dp step = l->step_x[0];
@@ -14348,11 +14250,11 @@ TBX_FORCED tbx_mp tbx_precise_outside(const tbx_precise_line *l, int points_x, i
             least = tbx_pair_min(least, tbx_pair_abs(e));
             whole -= step;
             rest -= step_rest;
-            bit = bit << tbx_pair_bits((uint64_t)up_x);
+            bit += bit;
         } while (--x > 0);
         row += l->step_y[0];
         row_rest += l->step_y[1];
-        cell = cell << tbx_pair_bits((uint64_t)up_y);
+        cell = cell << tbx_pair_bits(8);
     } while (--y > 0);
     *unsure |= tbx_pair_less(least, l->error);
     return outside;
@@ -14390,17 +14292,16 @@ TBX_FORCED void tbx_precise_exact(tbx_precise_line *l, tbx_mp decides, tbx_mp is
     l->error = tbx_pair_where(is_rounded, l->error);
 }
 
-/* The three edges in the plane across axis a. Where the grid has the same numbers on both other axes, corners
- * with equal coordinates lie on a line through grid points, exactly. */
-TBX_FORCED void tbx_precise_edges(tbx_precise_found *found, tbx_precise_normal *n,
+/* The three edges in the plane across axis a, of both other axes in their order: that of y is seen from
+ * behind. Where the grid has the same numbers on both, corners with equal coordinates lie on a line through
+ * grid points, exactly. */
+TBX_NOINLINE void tbx_precise_edges(tbx_precise_found *found, tbx_precise_normal *n,
                                   const tbx_precise_axis axis[3], const tbx_quick *q, int a)
 {
-    const int b = a < 2 ? a + 1 : 0;
-    const int c = a > 0 ? a - 1 : 2;
+    const int b = a == 0;
+    const int c = a == 2 ? 1 : 2;
     const tbx_precise_axis *x = &axis[b];
     const tbx_precise_axis *y = &axis[c];
-    const int up_x = a == 1 ? 8 : 1; /* bits from one point to the next */
-    const int up_y = a == 1 ? 1 : 8;
     const tbx_dp zero = tbx_pair_all(0.0);
     const tbx_mp closed = tbx_pair_bits(q->upper_open ? 0 : ~(uint64_t)0);
     const tbx_mp alike =
@@ -14429,8 +14330,7 @@ TBX_FORCED void tbx_precise_edges(tbx_precise_found *found, tbx_precise_normal *
         n->flat |= x->same[i] & y->same[i];
         special |= on_line[i];
     }
-    TBX_KEEP_VECTOR(n->whole);
-    TBX_KEEP_VECTOR(n->rest);
+    TBX_KEEP2(VECTOR, n->whole, n->rest);
     on_line[3] = on_line[0];
     is_special = tbx_pair_any(special | n->flat);
     n->flat |= (on_line[0] & on_line[1] & on_line[2]) | (whole & (tbx_mp)(n->whole == zero));
@@ -14455,9 +14355,11 @@ TBX_FORCED void tbx_precise_edges(tbx_precise_found *found, tbx_precise_normal *
             tbx_precise_exact(l, decides, decides & ~(closed & (diagonal | whole)));
         }
         found->missed[a] |= tbx_precise_move(
-            tbx_precise_move(tbx_precise_outside(l, x->points, y->points, up_x, up_y, &found->unsure), to_x,
-                             up_x),
-            to_y, up_y);
+            tbx_precise_move(tbx_precise_outside(l, x->points, y->points, &found->unsure), to_x, 1), to_y, 8);
+    }
+    if (a == 1) {
+        n->whole = -n->whole;
+        n->rest = -n->rest;
     }
 }
 
@@ -14682,13 +14584,6 @@ TBX_FORCED tbx_bits tbx_bits_of(const tbx_fill *fill)
     r.row_words = fill->target->row_words;
     r.layer_words = fill->quick.layer_words;
     return r;
-}
-
-/* The word of a key's first voxel. */
-TBX_FORCED size_t tbx_key_word(const tbx_bits *to, uint64_t key)
-{
-    return (size_t)tbx_key_axis(key, 2) * to->layer_words + (size_t)tbx_key_axis(key, 1) * to->row_words +
-           (size_t)(tbx_key_axis(key, 0) >> 6);
 }
 
 /* ORs a layer's n rows, 3 or 4, nibbles of v moved to where `run` is, and turns v to the next layer. */
@@ -15266,7 +15161,7 @@ TBX_FN void tbx_few_store(const tbx_few *few, const tbx_fill *fill, const tbx_gr
     const int x = g->box[i][0] & 63;
     const int layers = (g->box[i][3] >> 16 & 255) + 1;
     const tbx_bits to = tbx_bits_of(fill);
-    uint64_t *layer = to.bits + tbx_key_word(&to, tbx_key_set(g->box[i]));
+    uint64_t *layer = to.bits + (size_t)tbx_first_word(&fill->quick, tbx_key_set(g->box[i]));
     int z;
     for (z = 0; z < layers; z++, layer += layer_words) {
         const int last_y = few->last_y[z][i];
@@ -15568,7 +15463,7 @@ TBX_NOINLINE void tbx_fill_again(tbx_fill *fill, tbx_group *g)
         const int more_y = box[3] >> 8 & 255;
         const int more_z = box[3] >> 16 & 255;
         const int x = box[0] & 63;
-        uint64_t *row = to.bits + tbx_key_word(&to, tbx_key_set(box));
+        uint64_t *row = to.bits + (size_t)tbx_first_word(&fill->quick, tbx_key_set(box));
         int y;
         int z;
         if ((unsure & 1u) != 0) {
@@ -15646,7 +15541,6 @@ TBX_FN void tbx_block_decide(tbx_fill *fill, const tbx_block *b, const tbx_corne
     tbx_some some;
     some.block = b;
     some.corners = corners;
-    some.source = fill->source;
     some.list = list;
     for (; count > 0; count -= TBX_WIDE, some.list += TBX_WIDE) {
         uint64_t voxels[TBX_WIDE];
@@ -15659,7 +15553,7 @@ TBX_FN void tbx_block_decide(tbx_fill *fill, const tbx_block *b, const tbx_corne
             tbx_some_set(fill, &some, 1, voxels, c == TBX_CLASS_FLAT_Y);
         } else if (c <= TBX_CLASS_2) {
             tbx_some_set(fill, &some, 2, voxels, 0);
-        } else if (c == TBX_CLASS_3 || c == TBX_CLASS_ON_2 || c == TBX_CLASS_ON_3) {
+        } else if (c == TBX_CLASS_3 || c == TBX_CLASS_ON_3) {
             tbx_some_set(fill, &some, 3, voxels, 0);
         } else {
             tbx_some_set(fill, &some, 4, voxels, 0);
@@ -15755,8 +15649,6 @@ TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, c
     fill.target = target;
     fill.later_count = 0;
     fill.rows[0].n = fill.rows[1].n = fill.again.n = 0;
-    fill.again.lattice = 0;
-    fill.rows[0].lattice = fill.rows[1].lattice = 0;
     tbx_quick_init(&fill.quick, frame->grid, target, source->is_double);
     fill.habit = TBX_HABIT_NONE;
     if (!fill.quick.on) {
@@ -15792,7 +15684,6 @@ TBX_NOINLINE void tbx_decide_again(tbx_decided *d, const tbx_quick *q, const tbx
     const tbx_block *b = &d->block;
     uint64_t rest = b->of[TBX_CLASS_AGAIN];
     tbx_group g;
-    g.lattice = 0;
     while (rest != 0) {
         tbx_precise_voxels voxels;
         unsigned unsure;
@@ -15825,7 +15716,6 @@ TBX_NOINLINE void tbx_decide_block(tbx_decided *d, const tbx_quick *q, const tri
     tbx_block_find(&d->block, &corners, grid, q, source, first, count, habit);
     some.block = &d->block;
     some.corners = &corners;
-    some.source = source;
     for (c = TBX_CLASS_FLAT_X; c < TBX_CLASS_LARGE; c++) {
         unsigned char list[TBX_LIST];
         int left = tbx_list_of(list, d->block.of[c]);
@@ -15987,17 +15877,6 @@ TBX_FORCED tbx_f4 tbx_lanes_where(tbx_i4 mask, tbx_f4 a)
     return (tbx_f4)((tbx_i4)a & mask);
 }
 
-/* Two doubles as floats, in lanes 0 and 1. */
-TBX_FORCED tbx_f4 tbx_narrow2(tbx_d2 x)
-{
-#if defined(__SSE2__) && !defined(__clang__)
-    return __builtin_ia32_cvtpd2ps(x);
-#else
-    const tbx_f4 r = { (float)x[0], (float)x[1], 0.0f, 0.0f };
-    return r;
-#endif
-}
-
 /* Returns 0 where a corner is NaN or infinite; of doubles also where it is beyond 2^150. */
 TBX_FORCED int tbx_lone_load(tbx_lone_corners *c)
 {
@@ -16029,16 +15908,12 @@ TBX_FORCED int tbx_lone_load(tbx_lone_corners *c)
         x01 = tbx_load_xy(v0, v1);
         x2 = TBX_LANES(tbx_load_pair(v2), z01, 0, 1, 4, 5);
         z2 = tbx_splat(tbx_load_z(v2));
-        TBX_KEEP_VECTOR(x01);
-        TBX_KEEP_VECTOR(x2);
-        TBX_KEEP_VECTOR(z2);
+        TBX_KEEP3(VECTOR, x01, x2, z2);
         a = (tbx_i4)x01;
         b = (tbx_i4)x2;
         last = (tbx_i4)z2;
     }
-    TBX_KEEP_VECTOR(a);
-    TBX_KEEP_VECTOR(b);
-    TBX_KEEP_VECTOR(last);
+    TBX_KEEP3(VECTOR, a, b, last);
     if (TBX_RARELY(
             tbx_any(((a & magnitude) > most) | ((b & magnitude) > most) | ((last & magnitude) > most)))) {
         return 0;
@@ -16046,8 +15921,7 @@ TBX_FORCED int tbx_lone_load(tbx_lone_corners *c)
     if (!c->is_double) {
         tbx_d2 again;
         TBX_KEEP_VECTOR(x01); /* not converted before they are known to be finite */
-        TBX_KEEP_VECTOR(x2);
-        TBX_KEEP_VECTOR(z2);
+        TBX_KEEP2(VECTOR, x2, z2);
         tbx_widen4(&c->xy[0], &c->xy[1], x01);
         tbx_widen4(&c->xy[2], &c->z01, x2);
         tbx_widen4(&c->z2, &again, z2);
@@ -16068,9 +15942,7 @@ TBX_FORCED int tbx_lone_grid(tbx_d2 origin[2], tbx_d2 inverse[2], const tribox_g
     origin[0] = tbx_load2(grid->origin);
     size[0] = tbx_load2(grid->size);
     origin[1] = (tbx_d2)tbx_load_xy(&grid->origin[2], &grid->size[2]);
-    TBX_KEEP_VECTOR(origin[0]);
-    TBX_KEEP_VECTOR(size[0]);
-    TBX_KEEP_VECTOR(origin[1]);
+    TBX_KEEP3(VECTOR, origin[0], size[0], origin[1]);
     size[1] = TBX_PAIR(origin[1], origin[1], 1, 1);
     origin[1] = TBX_PAIR(origin[1], origin[1], 0, 0);
     xy = TBX_HIGH_WORDS(origin[0], size[0]) & magnitude;
@@ -16078,8 +15950,7 @@ TBX_FORCED int tbx_lone_grid(tbx_d2 origin[2], tbx_d2 inverse[2], const tribox_g
     if (TBX_RARELY(tbx_any((xy > most) | (least > xy) | (z > most) | (least > z)))) {
         return 0;
     }
-    TBX_KEEP_VECTOR(size[0]);
-    TBX_KEEP_VECTOR(size[1]);
+    TBX_KEEP2(VECTOR, size[0], size[1]);
     inverse[0] = one / size[0];
     inverse[1] = one / size[1];
     return 1;
@@ -16150,11 +16021,11 @@ TBX_FORCED int tbx_lone_box(tbx_lone *r, const tribox_grid *grid, const tbx_lone
     least.xy = (tbx_d2)((tbx_l2)least.xy & upper) - before;
     least.z = (tbx_d2)((tbx_l2)least.z & upper) - before;
     {
-        const tbx_f4 z01 = tbx_narrow2(z[0] - least.z);
-        const tbx_f4 z2 = tbx_narrow2(z[1] - least.z);
-        r->v[0] = TBX_LANES(tbx_narrow2(xy[0] - least.xy), z01, 0, 1, 4, 5);
-        r->v[1] = TBX_LANES(tbx_narrow2(xy[1] - least.xy), z01, 0, 1, 5, 5);
-        r->v[2] = TBX_LANES(tbx_narrow2(xy[2] - least.xy), z2, 0, 1, 4, 5);
+        const tbx_f4 z01 = tbx_narrow(z[0] - least.z);
+        const tbx_f4 z2 = tbx_narrow(z[1] - least.z);
+        r->v[0] = TBX_LANES(tbx_narrow(xy[0] - least.xy), z01, 0, 1, 4, 5);
+        r->v[1] = TBX_LANES(tbx_narrow(xy[1] - least.xy), z01, 0, 1, 5, 5);
+        r->v[2] = TBX_LANES(tbx_narrow(xy[2] - least.xy), z2, 0, 1, 4, 5);
     }
     return 1;
 }
@@ -16176,19 +16047,6 @@ TBX_FORCED void tbx_lone_edge_set(tbx_lone_edge *r, tbx_f4 e, tbx_f4 d, tbx_i4 s
     r->along = (tbx_f4)((tbx_i4)TBX_LANES(d, d, 2, 2, 1, 3) ^ (s ^ along));
     r->across = (tbx_f4)((tbx_i4)TBX_LANES(d, d, 1, 0, 0, 3) ^ (s ^ across));
     r->at = ((tbx_f4)((tbx_i4)e ^ s) - tbx_min4(r->along, zero)) - tbx_min4(r->across, zero);
-}
-
-/* The sign bits of four lanes of each, from the lowest bits on. */
-TBX_FORCED unsigned tbx_four_signs(tbx_f4 a, tbx_f4 b, tbx_f4 c, tbx_f4 d)
-{
-#if defined(__SSE2__)
-    const tbx_s8 low = __builtin_ia32_packssdw128((tbx_i4)a, (tbx_i4)b);
-    const tbx_s8 high = __builtin_ia32_packssdw128((tbx_i4)c, (tbx_i4)d);
-    return (unsigned)tbx_bytes_signs((tbx_b16)__builtin_ia32_packsswb128(low, high));
-#else
-    return (unsigned)(tbx_signs((tbx_i4)a) | tbx_signs((tbx_i4)b) << 4 | tbx_signs((tbx_i4)c) << 8 |
-                      tbx_signs((tbx_i4)d) << 12);
-#endif
 }
 
 /* Of a cell the edge that leaves most of it outside. */
@@ -16222,7 +16080,8 @@ TBX_FORCED uint64_t tbx_lone_cells(tbx_f4 *least, const tbx_lone_edge edge[3], i
         e2 += edge[2].along;
         cell[2] = tbx_lone_cell(least, e0, e1, e2);
         cell[3] = tbx_lone_cell(least, e0 + edge[0].along, e1 + edge[1].along, e2 + edge[2].along);
-        missed |= (uint64_t)tbx_four_signs(cell[0], cell[1], cell[2], cell[3]) << at;
+        missed |= (uint64_t)tbx_signs16((tbx_i4)cell[0], (tbx_i4)cell[1], (tbx_i4)cell[2], (tbx_i4)cell[3])
+                  << at;
         at0 += edge[0].across;
         at1 += edge[1].across;
         at2 += edge[2].across;
@@ -16243,9 +16102,7 @@ TBX_FORCED void tbx_lone_products(tbx_f4 e[3], const tbx_f4 v[3])
     e[0] = b0 * c1 - c0 * b1;
     e[1] = b1 * c2 - c1 * b2;
     e[2] = b2 * c0 - c2 * b0;
-    TBX_KEEP_VECTOR(e[0]);
-    TBX_KEEP_VECTOR(e[1]);
-    TBX_KEEP_VECTOR(e[2]);
+    TBX_KEEP3(VECTOR, e[0], e[1], e[2]);
 }
 
 /* The voxels that such cells miss. */
@@ -16284,7 +16141,7 @@ TBX_FORCED uint64_t tbx_lone_plane(tbx_f4 *least, const tbx_lone *r, tbx_f4 n)
         const tbx_f4 row1 = layer - n_y;
         const tbx_f4 row2 = row1 - n_y;
         *least = tbx_min4(tbx_min4(*least, tbx_abs4(layer)), tbx_min4(tbx_abs4(row1), tbx_abs4(row2)));
-        below |= (uint64_t)tbx_four_signs(layer, row1, row2, row2) << at;
+        below |= (uint64_t)tbx_signs16((tbx_i4)layer, (tbx_i4)row1, (tbx_i4)row2, (tbx_i4)row2) << at;
         layer -= n_z;
         at += 16;
     } while (at < 16 * r->more[2]);
@@ -16316,7 +16173,7 @@ TBX_FORCED uint64_t tbx_lone_voxels(const tbx_lone *r, const tbx_lone_corners *c
     const int32_t *const more = r->more;
     const int most = more[0] > more[1] ? more[0] : more[1];
     const int rows = 1 + (more[2] > most ? more[2] : most);
-    const uint64_t box = tbx_small_box(more[0], more[1], more[2]);
+    const uint64_t box = tbx_small_box(more[0], 4 * more[1], 16 * more[2]);
     const int thick = tbx_signs(tbx_load4i(more) > tbx_splat_int(0)) & 7;
     const unsigned needs = 0x71204000u >> 4 * thick & 7; /* planes yz, zx, xy: 1, 2, 4 */
     tbx_lone_edge edge[3];
@@ -16395,16 +16252,6 @@ TBX_NOINLINE uint64_t tbx_lone_find_f64(int first[4], const tribox_grid *grid, c
 /* ---- 11.4 Companions */
 
 #ifndef TRIBOX_NO_COMPANIONS
-/* Three floats' keys: integers that order as they do, 0 for both zeros. */
-TBX_FN tbx_i4 tbx_keys4(const float x[3])
-{
-    tbx_i4 bits = tbx_load3i(x);
-    tbx_i4 negative;
-    TBX_KEEP_VECTOR(bits);
-    negative = bits >> 31;
-    return ((bits & tbx_splat_int(0x7fffffff)) ^ negative) - negative;
-}
-
 /* Lanes in which a closed box holds no real number: not lo <= hi, lo = infinity, hi = -infinity, NaN. */
 TBX_FN tbx_i4 tbx_box_empty4(tbx_i4 lo, tbx_i4 hi)
 {
@@ -16415,10 +16262,15 @@ TBX_FN tbx_i4 tbx_box_empty4(tbx_i4 lo, tbx_i4 hi)
 TBX_FN int tbx_box_box4(const float a_min[3], const float a_max[3], const float b_min[3],
                         const float b_max[3])
 {
-    const tbx_i4 a_lo = tbx_keys4(a_min);
-    const tbx_i4 a_hi = tbx_keys4(a_max);
-    const tbx_i4 b_lo = tbx_keys4(b_min);
-    const tbx_i4 b_hi = tbx_keys4(b_max);
+    tbx_i4 a_lo = tbx_load3i(a_min);
+    tbx_i4 a_hi = tbx_load3i(a_max);
+    tbx_i4 b_lo = tbx_load3i(b_min);
+    tbx_i4 b_hi = tbx_load3i(b_max);
+    TBX_KEEP4(VECTOR, a_lo, a_hi, b_lo, b_hi);
+    a_lo = tbx_keys((tbx_f4)a_lo);
+    a_hi = tbx_keys((tbx_f4)a_hi);
+    b_lo = tbx_keys((tbx_f4)b_lo);
+    b_hi = tbx_keys((tbx_f4)b_hi);
     return !tbx_any(tbx_box_empty4(a_lo, a_hi) | tbx_box_empty4(b_lo, b_hi) | (b_lo > a_hi) | (a_lo > b_hi));
 }
 
@@ -16752,19 +16604,6 @@ TBX_FN tbx_f4 tbx_inverse_root4(tbx_f4 x)
     tbx_f4 y = (tbx_f4)(tbx_splat_int(0x5f375a86) - (tbx_i4)((tbx_u4)most >> 1));
     y = y * (much - half * y * y);
     return y * (much - half * y * y);
-#endif
-}
-
-/* The sign bits of four vectors of masks, those of the first lowest. */
-TBX_FN unsigned tbx_signs16(tbx_i4 a, tbx_i4 b, tbx_i4 c, tbx_i4 d)
-{
-#if defined(__SSE2__)
-    typedef short tbx_words8 __attribute__((vector_size(16)));
-    const tbx_words8 ab = (tbx_words8)__builtin_ia32_packssdw128(a, b);
-    const tbx_words8 cd = (tbx_words8)__builtin_ia32_packssdw128(c, d);
-    return (unsigned)__builtin_ia32_pmovmskb128(__builtin_ia32_packsswb128(ab, cd));
-#else
-    return (unsigned)(tbx_signs(a) | tbx_signs(b) << 4 | tbx_signs(c) << 8 | tbx_signs(d) << 12);
 #endif
 }
 
@@ -19002,17 +18841,6 @@ TBX_FORCED void tbx_solid_load(tbx_points *out, const tribox_mesh *mesh, int ind
     out->z = tbx_wide_of(z);
 }
 
-/* Two doubles as floats, in lanes 0 and 1. */
-TBX_FORCED tbx_f4 tbx_narrow(tbx_d2 x)
-{
-#if defined(__SSE2__)
-    return (tbx_f4)__builtin_ia32_cvtpd2ps(x);
-#else
-    const tbx_f4 r = { (float)x[0], (float)x[1], 0.0f, 0.0f };
-    return r;
-#endif
-}
-
 /* The same of doubles, less the first centre: what is too large becomes 0, and its lane of `wild` is set. */
 TBX_FORCED void tbx_solid_load_f64(tbx_points *out, const tbx_solid_quick *q, int indexed, size_t first,
                                    size_t c, tbx_iw *wild)
@@ -19239,6 +19067,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_GNU
 #undef TBX_ALIGNED
 #undef TBX_EVAL_METHOD
+#undef TBX_DECIDES
 #undef TBX_DOUBLE_IS_53_BITS
 #undef TBX_EITHER
 #undef TBX_RETURN_IF_SURE
