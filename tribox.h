@@ -735,7 +735,7 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #define TBX_NOINLINE TBX_HD static __attribute__((noinline, unused))
 #define TBX_COLD TBX_HD static __attribute__((noinline, cold, unused))
 #elif defined(_MSC_VER)
-#define TBX_NOINLINE __declspec(noinline) TBX_FN /* inline, too: warning C4505 names other statics not called */
+#define TBX_NOINLINE __declspec(noinline) TBX_FN /* without inline: C4505 where it is not called */
 #define TBX_COLD TBX_NOINLINE
 #else
 #define TBX_NOINLINE static inline
@@ -763,7 +763,7 @@ TRIBOX_FN int tribox_ray_sphere(const float origin[3], const float dir[3], float
 #if TBX_GNU && !defined(__CUDA_ARCH__)
 #define TBX_PREFETCH(address) __builtin_prefetch((const void *)(address), 1) /* NOLINT(*-no-int-to-ptr) */
 #else
-#define TBX_PREFETCH(address) ((void)0)
+#define TBX_PREFETCH(address) ((void)(address))
 #endif
 
 /* Copies a few bytes of any alignment; compilers turn it into one move. */
