@@ -11928,9 +11928,9 @@ TBX_FORCED void tbx_load_corners(tbx_points out[3], const tbx_source *s, const s
  * `spacing`, and with them every high is, below 2^24 of it. low = base_low + i * size_low, at most
  * rho = spacing * (n + 34) / size. (v - high - low) * inverse, v within m voxels, is then off by at most
  *   (m + rho) + 3 rho (low itself) + m + 2 m (the inverse, the product) = 4 (m + rho)
- * in units of u, and what doubles add: delta(m) = 4.1 u m + delta_low. Corners of doubles are floats from the
- * centre on, t above, and so are the planes: that adds what rounding t took, u (n / 2 + 34 + u |centre| /
- * size).
+ * in units of u, and what doubles add: delta(m) = PLACED_ERROR m + delta_low. Corners of doubles are floats
+ * from the centre on, t above, and so are the planes: that adds what rounding t took, u (n / 2 + 34 + u
+ * |centre| / size).
  *
  * Meshes on grid planes touch voxels exactly, which no bound decides. But where all planes are whole numbers
  * of `spacing`, and the places between them that cut a voxel into PARTS, too, all these are floats, exactly;
@@ -11944,6 +11944,7 @@ TBX_FORCED void tbx_load_corners(tbx_points out[3], const tbx_source *s, const s
 #define TBX_STEPS 65536.0    /* of a voxel in fixed point */
 #define TBX_STEPS_ULPS 3.0   /* of y, in units of u |y|: as above */
 #define TBX_BOUND_ERROR 1.01 /* a bound times this: its own rounding, and terms of second order */
+#define TBX_PLACED_ERROR (4.1f * TBX_U32)
 
 typedef struct tbx_quick {
     double origin[3]; /* of the region */
@@ -12036,8 +12037,8 @@ TBX_FN int32_t tbx_off_place(double x)
     return (int32_t)place;
 }
 
-/* Fixed point on axis k. Origins are less than 2^37 sizes off, as delta is below 1e-4: so the error is below
- * an eighth of a voxel, and the bias below 2^32. */
+/* Fixed point on axis k. Origins are less than 2^37 sizes off, as delta is below QUICK_MOST: so the error is
+ * below an eighth of a voxel, and the bias below 2^32. */
 TBX_FN void tbx_fixed_init(tbx_quick *q, int k, int is_double)
 {
     const double u = (double)TBX_U32;
@@ -12107,7 +12108,8 @@ TBX_FN void tbx_quick_axis(tbx_quick *q, const tribox_grid *grid, int k, int is_
     size_high = tbx_floor_to(size, spacing);
     TBX_KEEP(base_high);
     TBX_KEEP(size_high);
-    delta_low = 4.1 * u * spacing * (n + 34.0) * units + 2.0 * q->delta + rounded + 1e-12;
+    delta_low =
+        (double)TBX_PLACED_ERROR * spacing * (n + 34.0) * units + 2.0 * q->delta + rounded + 1e-12;
     q->inverse[k + 1] = (float)units;
     q->shift_down[k] = (float)(margin - origin * units - slack);
     q->shift_up[k] = (float)(margin - origin * units + slack);
@@ -12120,7 +12122,12 @@ TBX_FN void tbx_quick_axis(tbx_quick *q, const tribox_grid *grid, int k, int is_
     q->end[k] = TBX_MARGIN + q->n[k] - 1;
 }
 
-/* For a source of doubles or floats. */
+/* For a source of doubles or floats. A coordinate in voxels, (v - origin) * units, is off by less than
+ * QUICK_ERROR times |origin| / size + |lo| + n + 64: of the region's origin a product and a sum, the
+ * difference, 1 / size (4 u) and the product, u each. It counts up to QUICK_MOST. */
+#define TBX_QUICK_ERROR (8.0 * TBX_U64)
+#define TBX_QUICK_MOST 1e-4
+
 TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_target *t, int is_double)
 {
     int k;
@@ -12155,11 +12162,11 @@ TBX_FN void tbx_quick_init(tbx_quick *q, const tribox_grid *grid, const tbx_targ
             q->origin[k] = grid->origin[k] + offset;
             q->n[k] = (int)n;
             delta = (tbx_abs(grid->origin[k]) + tbx_abs(offset)) * q->units[k] + n + 64.0;
-            delta *= 8.0 * TBX_U64;
+            delta *= TBX_QUICK_ERROR;
             q->delta = delta > q->delta ? delta : q->delta;
         }
     }
-    q->on &= q->delta < 1e-4;
+    q->on &= q->delta < TBX_QUICK_MOST;
     q->fetch = 0;
     if (t->bits != NULL) { /* 1 MiB, 32 MiB */
         q->fetch = (q->layer_words > 131072 / (size_t)q->n[2]) + (q->layer_words > 4194304 / (size_t)q->n[2]);
@@ -13513,16 +13520,18 @@ TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribo
  * 1 <= p_b, p_c <= n - 1 for every box of the class: points on or beyond the far faces of a box smaller than
  * n^3 separate nothing that is in it, truly.
  *
- * Bounds, delta = delta(n) >= 4.1 u n, |v| <= n - 1 as computed; tests/proofs/groups.gappa has the rounding:
+ * Bounds, delta = delta(n) >= PLACED_ERROR n, |v| <= n - 1 as computed; tests/proofs/groups.gappa has the
+ * rounding:
  *   E     The coordinates 4 (n - 1) delta. Rounding, in units of u: 4 (n - 1)^2 at the first point, 2 n and
  *         4 (n - 1)^2 for each of at most n - 2 steps on both axes: at most 4, 38, 124 for n = 2, 3, 4, which
  *         is 0.5, 3.2, 7.8 delta. Where the sign of d_c is wrong, |d_c| <= 2 delta + u n; since the triangle
  *         meets the plane c = p_c, |E| is at most |d_c| n then, 2.3 n delta. Beyond a far face it need not
  *         meet it; but then |E| above another 2.3 n delta makes the sign of d_b right, and the cell that is
- *         missed lies beyond that face. In all less than 12 n delta.
+ *         missed lies beyond that face. In all less than GROUP_EDGE_ERROR n delta.
  *   area  The sum of three E at the first point: 4 n delta and 20 (n - 1)^2 u, less than that.
  *   D     The normal's 7 n delta times n, three times; its n^2 times delta, three times; rounding
- *         (8 + 9 (n - 2)) n^3 u: less than 32 n^2 delta. The signs of n are those of the areas, and sure.
+ *         (8 + 9 (n - 2)) n^3 u: less than GROUP_PLANE_ERROR n^2 delta. The signs of n are those of the
+ *         areas, and sure.
  * What is left covers second-order terms. No value is NaN: a sure box has finite corners within it.
  *
  * On the lattice, closed boxes only: a triangle lies strictly inside its box here, too, and at a point of
@@ -13531,6 +13540,9 @@ TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribo
  * bound the segment from both sides; the plane then says what they say. All of it is exact in floats: corners
  * are up to 3 voxels off, areas up to 2^14 q^2, D up to 2^21 q^3. Where a triangle is level on an axis on the
  * lattice, E is 0 at the inner points of its box in the planes of that axis, whatever the other one is. */
+
+#define TBX_GROUP_EDGE_ERROR 12.0f
+#define TBX_GROUP_PLANE_ERROR 32.0f
 
 /* Coordinates of one axis from the first inner grid plane of box `first`. */
 TBX_FORCED void tbx_group_place(const tbx_quick *q, int k, tbx_iw first, tbx_fw *x0, tbx_fw *x1, tbx_fw *x2)
@@ -13890,8 +13902,9 @@ TBX_FORCED tbx_uw tbx_plane_cell(tbx_fw d, const tbx_points *normal)
 TBX_FORCED unsigned tbx_decide(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some, int n,
                                int lattice)
 {
-    const float delta = 4.1f * TBX_U32 * (float)n + q->delta_low;
-    const tbx_fw plane_error = tbx_wide_all(32.0f * (float)(n * n) * delta);
+    const float delta = TBX_PLACED_ERROR * (float)n + q->delta_low;
+    const tbx_fw edge_error = tbx_wide_all(TBX_GROUP_EDGE_ERROR * (float)n * delta);
+    const tbx_fw plane_error = tbx_wide_all(TBX_GROUP_PLANE_ERROR * (float)(n * n) * delta);
     const tbx_uw none = (tbx_uw)tbx_wide_int(0);
     uint64_t missed[TBX_WIDE];
     uint64_t below[TBX_WIDE];
@@ -13932,8 +13945,7 @@ TBX_FORCED unsigned tbx_decide(uint64_t out[TBX_WIDE], const tbx_quick *q, const
     d = (normal.x * p.v[0].x + normal.y * p.v[0].y) + normal.z * p.v[0].z;
     cells[0] = tbx_cells_join(plane[0], plane[1], plane[2], 0);
     cells[1] = n > 2 ? tbx_cells_join(plane[0], plane[1], plane[2], 2) : none;
-    unsure =
-        tbx_wide_min(tbx_wide_min(xy.least, yz.least), xz.least) <= tbx_wide_all(12.0f * (float)n * delta);
+    unsure = tbx_wide_min(tbx_wide_min(xy.least, yz.least), xz.least) <= edge_error;
     if (n == 2 && !lattice) {
         tbx_halves_to(out, ~(cells[0] | tbx_plane_cell(d, &normal)) & (tbx_uw)tbx_wide_int(0x330033), none);
         return tbx_wide_signs(unsure | (tbx_wide_abs(d) <= plane_error));
@@ -13963,7 +13975,7 @@ TBX_FORCED unsigned tbx_decide(uint64_t out[TBX_WIDE], const tbx_quick *q, const
 TBX_FORCED unsigned tbx_decide_flat(uint64_t out[TBX_WIDE], const tbx_quick *q, const tbx_some *some,
                                     int thin)
 {
-    const float delta = 4.1f * TBX_U32 * 2.0f + q->delta_low;
+    const float delta = TBX_PLACED_ERROR * 2.0f + q->delta_low;
     const int b = thin == 0 ? 4 : 1; /* strides of the two axes */
     const int c = thin == 2 ? 4 : 16;
     const uint32_t all = 1u | 1u << b | 1u << c | 1u << (b + c);
@@ -13974,7 +13986,7 @@ TBX_FORCED unsigned tbx_decide_flat(uint64_t out[TBX_WIDE], const tbx_quick *q, 
     tbx_outline_of(&p, v, thin == 0, thin == 2 ? 1 : 2);
     (void)tbx_note_edges(&missed, &p, 2, b, c);
     tbx_halves_to(out, ~missed & (tbx_uw)tbx_wide_int((int32_t)all), (tbx_uw)tbx_wide_int(0));
-    return tbx_wide_signs(p.least <= tbx_wide_all(12.0f * 2.0f * delta));
+    return tbx_wide_signs(p.least <= tbx_wide_all(TBX_GROUP_EDGE_ERROR * 2.0f * delta));
 }
 
 /* Each out of line: in one function gcc has fewer registers for each, and fills take 1.02 times as long. */
@@ -14030,6 +14042,7 @@ TBX_FN unsigned tbx_decide_class(uint64_t out[TBX_WIDE], const tbx_quick *q, con
 #define TBX_FEW 8
 #define TBX_PRECISE_EDGE_ERROR ((double)TBX_FEW * TBX_PIECES * TBX_FINE_ERROR)
 #define TBX_PRECISE_PLANE_ERROR (1048576.0 * TBX_FINE_ERROR)
+#define TBX_PRECISE_LEAST 1e-30    /* 0 is not sure, nor is what underflow, 2^-1022 of each product, leaves */
 #define TBX_PRECISE (TBX_WIDE / 2) /* triangles at once */
 
 typedef double tbx_dp __attribute__((vector_size(4 * TBX_WIDE), aligned(16)));
@@ -14224,7 +14237,8 @@ TBX_FORCED void tbx_precise_edge(tbx_precise_line *out, const tbx_precise_axis *
     const tbx_dp h1 = y->place[i] * x->rest[j];
     out->whole = tbx_pair_kept(x->place[i] * y->place[j] - y->place[i] * x->place[j]);
     out->rest = tbx_pair_kept((g0 - g1) + (h0 - h1));
-    out->error = (x->size[i] + y->size[i]) * tbx_pair_all(TBX_PRECISE_EDGE_ERROR) + tbx_pair_all(1e-30);
+    out->error =
+        (x->size[i] + y->size[i]) * tbx_pair_all(TBX_PRECISE_EDGE_ERROR) + tbx_pair_all(TBX_PRECISE_LEAST);
 }
 
 /* The points at which an edge is outside, and lanes in which that is unsure. */
@@ -14376,7 +14390,7 @@ TBX_FORCED void tbx_precise_plane_at(tbx_precise_line *out, const tbx_precise_ax
         out->rest += n[i].whole * a->rest[0] + n[i].rest * (a->place[0] + a->rest[0]);
         error += a->size[0] + a->size[1];
     }
-    out->error = error * tbx_pair_all(TBX_PRECISE_PLANE_ERROR) + tbx_pair_all(1e-30);
+    out->error = error * tbx_pair_all(TBX_PRECISE_PLANE_ERROR) + tbx_pair_all(TBX_PRECISE_LEAST);
 }
 
 /* The plane: of each voxel's box the sides of its inner points. */
@@ -14662,8 +14676,8 @@ TBX_FORCED void tbx_voxels_set(const tbx_bits *to, uint64_t *row, uint64_t key, 
  * h = |g| / 2, and in the thin test max(|g| - 1, 0) / 2. The plane does both: M(y, z) = x of the plane over
  * the middle of the row, h = (|n_y| + |n_z|) / (2 |n_x|), thin: max(|n_y| - |n_x|, |n_z| - |n_x|, 0) / (2
  * |n_x|). Each bound is computed twice, less and plus its error; a row where the floors differ is unsure.
- * Edges with |d_r| < 1e-18 bound nothing: such an edge crosses its row of cells from end to end, or it is a
- * point, and its other corner's edges are those of a segment.
+ * Edges with |d_r| < ROW_LEAST bound nothing: such an edge crosses its row of cells from end to end, or it is
+ * a point, and its other corner's edges are those of a segment.
  *
  * Error, in units of u; m: the box's longest side. Corners are off by delta(m), 4.1 m; edges, normals and the
  * plane's slopes are doubles, rounded to float; 1 / d_r is taken for off by 4, as fast-math divides.
@@ -14674,8 +14688,8 @@ TBX_FORCED void tbx_voxels_set(const tbx_bits *to, uint64_t *row, uint64_t key, 
  *           that, tau. Below it the triangle is a segment in that plane up to tau / |d_r|, and each of its
  *           edges bounds from both sides. If that plane is yz, the plane's condition follows from theirs: a
  *           cell that passes them does so by their error, 8192 tau m^2 / |d_r|, while n_x moves the plane by
- *           at most tau m, and n_y, n_z, of which |n_y| + |n_z| > 1e-3, by as much. Else n_x and its bound
- *           move it by 4 tau / |n_x| (1 + |g_y| + |g_z|) (m + 2).
+ *           at most tau m, and n_y, n_z, of which |n_y| + |n_z| > ROW_TILT, by as much. Else n_x and its
+ *           bound move it by 4 tau / |n_x| (1 + |g_y| + |g_z|) (m + 2).
  *
  * On the lattice, with q the coarsest step of the corners' places, 1/2 at most, and s that of an edge's d_b
  * and d_r, a bound times d_r is a multiple of q s; where d_b is 0 it is one of q, whatever the rows' axis;
@@ -14683,6 +14697,8 @@ TBX_FORCED void tbx_voxels_set(const tbx_bits *to, uint64_t *row, uint64_t key, 
  * where all corners are level; again its edges run to and fro, and the plane says what they say. */
 #define TBX_ROW_ERROR (24.0f * TBX_U32) /* times 1 + |g| and m + 2 */
 #define TBX_AREA_ERROR (64.0 * TBX_U64) /* tau, times m^2 */
+#define TBX_ROW_LEAST 1e-18f /* its inverse, times all that it is multiplied with, is a float */
+#define TBX_ROW_TILT 1e-3f
 #define TBX_NOWHERE 65536.0f
 
 /* What the lines of rows are made of, in lanes of triangles. */
@@ -14898,7 +14914,7 @@ TBX_FORCED void tbx_row_line(tbx_row_lines *out, const tbx_row_parts *p, const t
     const tbx_fw half = tbx_wide_all(0.5f);
     const tbx_fw one = tbx_wide_all(1.0f);
     const tbx_fw nowhere = tbx_wide_all(TBX_NOWHERE);
-    const tbx_iw has = tbx_wide_abs(e_r) > tbx_wide_all(1e-18f);
+    const tbx_iw has = tbx_wide_abs(e_r) > tbx_wide_all(TBX_ROW_LEAST);
     const tbx_fw inverse = tbx_wide_inverse(has, e_r);
     const tbx_fw slope = tbx_wide_where(has, e_b * inverse);
     const tbx_fw steep = tbx_wide_abs(slope);
@@ -15011,7 +15027,7 @@ TBX_NOINLINE void tbx_rows_set(tbx_rows *out, const tbx_quick *q, const tbx_grou
     near_y = (tbx_wide_abs(p.n.y) <= p.tau) & ~p.flat_y;
     near_z = (tbx_wide_abs(p.n.z) <= p.tau) & ~p.flat_z;
     tbx_row_plane(out, &p, q, flat | near_x);
-    out->unsure |= near_x & ~flat & (tbx_wide_abs(p.n.y) + tbx_wide_abs(p.n.z) <= tbx_wide_all(1e-3f));
+    out->unsure |= near_x & ~flat & (tbx_wide_abs(p.n.y) + tbx_wide_abs(p.n.z) <= tbx_wide_all(TBX_ROW_TILT));
     if (q->thin) { /* it has to know */
         out->unsure |= near_x | near_y | near_z;
     }
@@ -19068,6 +19084,14 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_ALIGNED
 #undef TBX_EVAL_METHOD
 #undef TBX_DECIDES
+#undef TBX_PLACED_ERROR
+#undef TBX_GROUP_EDGE_ERROR
+#undef TBX_GROUP_PLANE_ERROR
+#undef TBX_QUICK_ERROR
+#undef TBX_QUICK_MOST
+#undef TBX_PRECISE_LEAST
+#undef TBX_ROW_LEAST
+#undef TBX_ROW_TILT
 #undef TBX_DOUBLE_IS_53_BITS
 #undef TBX_EITHER
 #undef TBX_RETURN_IF_SURE

@@ -73,9 +73,9 @@ export PIERCE4 SHOT BALL BALL4 PLANE_SPHERE PLANE_SPHERE4 TOUCH PIERCE SEGMENT G
 export CROSS_EDGE CROSS_PLANE SOLID SOLID_EDGE SOLID_NORMAL SOLID_PLANE SOLID_LINE SOLID_BOX SOLID_PLACE SOLID_ROW \
     SOLID_ROW_ULPS SOLID_NEAR SOLID_ALONE SOLID_REST SOLID_CLOSE SOLID_FEW PLACE CELL CELL_SUMS
 # groups: delta's share of n u; the bounds in units of n delta and n^2 delta
-SHARE=$(constant '.*const float delta = \([0-9.]*\)f \* TBX_U32 \* (float)n + q->delta_low;.*')
-LINES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)n \* delta).*')
-PLANES=$(constant '.*wide_all(\([0-9.]*\)f \* (float)(n \* n) \* delta).*')
+SHARE=$(constant '^#define TBX_PLACED_ERROR (\([0-9.]*\)f \* TBX_U32)$')
+LINES=$(constant '^#define TBX_GROUP_EDGE_ERROR \([0-9.]*\)f$')
+PLANES=$(constant '^#define TBX_GROUP_PLANE_ERROR \([0-9.]*\)f$')
 SMALL_EDGE=$(constant '^#define TBX_SMALL_EDGE_ERROR \([0-9.]*\) .*')
 SMALL_PLANE=$(constant '^#define TBX_SMALL_PLANE_ERROR \([0-9.]*\) .*')
 LONE_EDGE=$(constant '^#define TBX_LONE_EDGE_ERROR (\([0-9.]*\)f \* TBX_U32)$')

@@ -351,7 +351,7 @@ __attribute__((noinline)) static void fill_rows(filled *r, const tbx_quick *quic
     g.box[0][3] = (count[0] - 1) | (count[1] - 1) << 8 | (count[2] - 1) << 16;
     g.n = 1;
     tbx_group_pad(&g);
-    tbx_source_float(&source, &mesh);
+    source = tbx_source_float(&mesh);
     tbx_rows_set(&rows, quick, &g, &source);
     if (rows.unsure[0] != 0) {
         return;
