@@ -9775,31 +9775,77 @@ TBX_FN int tbx_ball_compare(tbx_calc *c, const tbx_num x[3], const tbx_num *r)
     return tbx_num_sign(c, &a);
 }
 
-TBX_COLD int tbx_sphere_sphere_exact(const float a[3], const float b[3], const float radius[2])
+/* Two spheres are a box of one point, and both radii. The point of the box that is nearest to the centre is
+ * known by comparisons alone. */
+TBX_COLD int tbx_sphere_box_exact(const float center[3], const float box_min[3], const float box_max[3],
+                                  const float radius[2])
 {
     tbx_limb store[TBX_STORE];
     tbx_calc c;
-    tbx_real x[2][3];
+    tbx_real x[3];
+    tbx_real lo[3];
+    tbx_real hi[3];
     tbx_real r[2];
     tbx_num d[3];
     tbx_num sum;
-    tbx_num of_b;
-    int kind_a;
-    int kind_b;
+    tbx_num other;
+    int k;
     tbx_calc_begin(&c, 1, store);
-    tbx_read(x[0], a, 3, TBX_FLOAT);
-    tbx_read(x[1], b, 3, TBX_FLOAT);
+    tbx_read(x, center, 3, TBX_FLOAT);
+    tbx_read(lo, box_min, 3, TBX_FLOAT);
+    tbx_read(hi, box_max, 3, TBX_FLOAT);
     tbx_read(r, radius, 2, TBX_FLOAT);
-    kind_a = tbx_ball_kind(x[0], &r[0]);
-    kind_b = tbx_ball_kind(x[1], &r[1]);
-    if (kind_a != TBX_BALL || kind_b != TBX_BALL) {
-        return kind_a != TBX_BALL_EMPTY && kind_b != TBX_BALL_EMPTY;
+    if (!tbx_box_valid(lo, hi) || tbx_ball_kind(x, &r[0]) == TBX_BALL_EMPTY ||
+        tbx_ball_kind(x, &r[1]) == TBX_BALL_EMPTY) {
+        return 0;
     }
-    tbx_num_difference3(&c, d, x[0], x[1]);
+    if (r[0].key == TBX_KEY_INFINITY || r[1].key == TBX_KEY_INFINITY) {
+        return 1;
+    }
+    for (k = 0; k < 3; k++) {
+        if (x[k].key < lo[k].key) {
+            tbx_num_difference(&c, &d[k], &lo[k], &x[k]);
+        } else if (x[k].key > hi[k].key) {
+            tbx_num_difference(&c, &d[k], &x[k], &hi[k]);
+        } else {
+            tbx_num_integer(&c, &d[k], 0, 0);
+        }
+    }
     tbx_num_of(&c, &sum, &r[0]);
-    tbx_num_of(&c, &of_b, &r[1]);
-    tbx_num_add(&c, &sum, &sum, &of_b, 1);
+    tbx_num_of(&c, &other, &r[1]);
+    tbx_num_add(&c, &sum, &sum, &other, 1);
     return tbx_ball_compare(&c, d, &sum) <= 0;
+}
+
+/* How far x lies outside of lo..hi. */
+TBX_FN double tbx_outside(double x, double lo, double hi)
+{
+    const double below = lo - x;
+    const double above = x - hi;
+    const double farther = below > above ? below : above;
+    return farther > 0.0 ? farther : 0.0;
+}
+
+/* Empty boxes are unsure, too. */
+TBX_FN int tbx_sphere_box_filter(const float center[3], double r, const float box_min[3],
+                                 const float box_max[3])
+{
+    double c[3];
+    double lo[3];
+    double hi[3];
+    double x;
+    double y;
+    double z;
+    tbx_take3_float(c, center);
+    tbx_take3_float(lo, box_min);
+    tbx_take3_float(hi, box_max);
+    x = tbx_outside(c[0], lo[0], hi[0]);
+    y = tbx_outside(c[1], lo[1], hi[1]);
+    z = tbx_outside(c[2], lo[2], hi[2]);
+    if (TBX_RARELY(tbx_more(lo[0], hi[0]) | tbx_more(lo[1], hi[1]) | tbx_more(lo[2], hi[2]))) {
+        return TBX_UNSURE;
+    }
+    return tbx_ball_less(x * x + y * y + z * z, r * r);
 }
 
 /* A float that came by value, and may be anything, goes out of line as its bits: kept in a register until
@@ -9809,34 +9855,37 @@ TBX_FN void tbx_float_of(float *out, uint32_t bits)
     TBX_COPY(out, &bits, sizeof bits);
 }
 
-/* In double, then in integers. */
-TBX_NOINLINE int tbx_sphere_sphere_wide(const float a[3], uint32_t a_bits, const float b[3], uint32_t b_bits)
+/* In double, then in integers; both radii count. */
+TBX_NOINLINE int tbx_sphere_box_wide(const float c[3], const float box_min[3], const float box_max[3],
+                                     uint32_t radius_bits, uint32_t other_bits)
 {
     float radius[2];
-    tbx_float_of(&radius[0], a_bits);
-    tbx_float_of(&radius[1], b_bits);
+    tbx_float_of(&radius[0], radius_bits);
+    tbx_float_of(&radius[1], other_bits);
 #if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY(tbx_odd4(a, a, b, b) || (tbx_odd_radius(&radius[0]) | tbx_odd_radius(&radius[1])))) {
+    if (!TBX_RARELY(tbx_odd4(c, c, box_min, box_max) ||
+                    (tbx_odd_radius(&radius[0]) | tbx_odd_radius(&radius[1])))) {
         const double r = tbx_take(&radius[0]) + tbx_take(&radius[1]);
-        double p[3];
-        double q[3];
-        int verdict;
-        tbx_take3_float(p, a);
-        tbx_take3_float(q, b);
-        tbx_minus3(p, p, q);
-        verdict = tbx_ball_less(tbx_dot3(p, p), r * r);
+        const int verdict = tbx_sphere_box_filter(c, r, box_min, box_max);
         if (!TBX_RARELY(verdict == TBX_UNSURE)) {
             return verdict;
         }
     }
 #endif
-    return tbx_sphere_sphere_exact(a, b, radius);
+    return tbx_sphere_box_exact(c, box_min, box_max, radius);
 }
 
 TRIBOX_FN int tribox_sphere_sphere(const float a[3], float a_radius, const float b[3], float b_radius)
 {
     TBX_RETURN_IF_SURE(tbx_sphere_sphere4(a, &a_radius, b, &b_radius));
-    return tbx_sphere_sphere_wide(a, tbx_bits32(&a_radius), b, tbx_bits32(&b_radius));
+    return tbx_sphere_box_wide(a, b, b, tbx_bits32(&a_radius), tbx_bits32(&b_radius));
+}
+
+TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_min[3],
+                                const float box_max[3])
+{
+    TBX_RETURN_IF_SURE(tbx_sphere_box4(c, &radius, box_min, box_max));
+    return tbx_sphere_box_wide(c, box_min, box_max, tbx_bits32(&radius), 0);
 }
 
 /* By the sign of v = n.c + d, and of v^2 - r^2 |n|^2. */
@@ -9939,97 +9988,6 @@ TRIBOX_FN int tribox_plane_sphere(const float n[3], float d, const float c[3], f
 {
     TBX_RETURN_IF_SURE(tbx_plane_sphere4(n, &d, c, &radius));
     return tbx_plane_sphere_wide(n, tbx_bits32(&d), c, tbx_bits32(&radius));
-}
-
-/* The point of the box that is nearest to the centre is known by comparisons alone. */
-TBX_COLD int tbx_sphere_box_exact(const float center[3], const float *radius, const float box_min[3],
-                                  const float box_max[3])
-{
-    tbx_limb store[TBX_STORE];
-    tbx_calc c;
-    tbx_real x[3];
-    tbx_real lo[3];
-    tbx_real hi[3];
-    tbx_real r;
-    tbx_num d[3];
-    tbx_num of_r;
-    int kind;
-    int k;
-    tbx_calc_begin(&c, 1, store);
-    tbx_read(x, center, 3, TBX_FLOAT);
-    tbx_read(lo, box_min, 3, TBX_FLOAT);
-    tbx_read(hi, box_max, 3, TBX_FLOAT);
-    tbx_read1(&r, radius, TBX_FLOAT);
-    kind = tbx_ball_kind(x, &r);
-    if (kind != TBX_BALL || !tbx_box_valid(lo, hi)) {
-        return kind == TBX_BALL_SPACE && tbx_box_valid(lo, hi);
-    }
-    for (k = 0; k < 3; k++) {
-        if (x[k].key < lo[k].key) {
-            tbx_num_difference(&c, &d[k], &lo[k], &x[k]);
-        } else if (x[k].key > hi[k].key) {
-            tbx_num_difference(&c, &d[k], &x[k], &hi[k]);
-        } else {
-            tbx_num_integer(&c, &d[k], 0, 0);
-        }
-    }
-    tbx_num_of(&c, &of_r, &r);
-    return tbx_ball_compare(&c, d, &of_r) <= 0;
-}
-
-/* How far x lies outside of lo..hi. */
-TBX_FN double tbx_outside(double x, double lo, double hi)
-{
-    const double below = lo - x;
-    const double above = x - hi;
-    const double farther = below > above ? below : above;
-    return farther > 0.0 ? farther : 0.0;
-}
-
-/* Empty boxes are unsure, too. */
-TBX_FN int tbx_sphere_box_filter(const float center[3], double r, const float box_min[3],
-                                 const float box_max[3])
-{
-    double c[3];
-    double lo[3];
-    double hi[3];
-    double x;
-    double y;
-    double z;
-    tbx_take3_float(c, center);
-    tbx_take3_float(lo, box_min);
-    tbx_take3_float(hi, box_max);
-    x = tbx_outside(c[0], lo[0], hi[0]);
-    y = tbx_outside(c[1], lo[1], hi[1]);
-    z = tbx_outside(c[2], lo[2], hi[2]);
-    if (TBX_RARELY(tbx_more((double)lo[0], (double)hi[0]) | tbx_more((double)lo[1], (double)hi[1]) |
-                   tbx_more((double)lo[2], (double)hi[2]))) {
-        return TBX_UNSURE;
-    }
-    return tbx_ball_less(x * x + y * y + z * z, r * r);
-}
-
-TBX_NOINLINE int tbx_sphere_box_wide(const float c[3], uint32_t radius_bits, const float box_min[3],
-                                     const float box_max[3])
-{
-    float radius;
-    tbx_float_of(&radius, radius_bits);
-#if TBX_DOUBLE_IS_53_BITS
-    if (!TBX_RARELY(tbx_odd4(c, c, box_min, box_max) || tbx_odd_radius(&radius))) {
-        const int verdict = tbx_sphere_box_filter(c, tbx_take(&radius), box_min, box_max);
-        if (!TBX_RARELY(verdict == TBX_UNSURE)) {
-            return verdict;
-        }
-    }
-#endif
-    return tbx_sphere_box_exact(c, &radius, box_min, box_max);
-}
-
-TRIBOX_FN int tribox_sphere_box(const float c[3], float radius, const float box_min[3],
-                                const float box_max[3])
-{
-    TBX_RETURN_IF_SURE(tbx_sphere_box4(c, &radius, box_min, box_max));
-    return tbx_sphere_box_wide(c, tbx_bits32(&radius), box_min, box_max);
 }
 
 /* ---- sphere and triangle */
@@ -10900,7 +10858,7 @@ TBX_FN tbx_d2 tbx_pair(double x, double y)
     return r;
 }
 
-TBX_FN tbx_d2 tbx_load2(const double v[2])
+TBX_FN tbx_d2 tbx_load2(const void *v)
 {
     tbx_d2 r;
     TBX_COPY(&r, v, sizeof r);
@@ -10908,7 +10866,7 @@ TBX_FN tbx_d2 tbx_load2(const double v[2])
 }
 
 /* A double, and 0. */
-TBX_FN tbx_d2 tbx_load1(const double *v)
+TBX_FN tbx_d2 tbx_load1(const void *v)
 {
     tbx_l2 r = { 0, 0 };
     int64_t bits;
@@ -12395,49 +12353,19 @@ typedef struct tbx_centre {
  * Numbers that no float would hold are infinite. */
 TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
 {
-#if defined(__SSE2__)
     tbx_i4 bits = tbx_splat_int(0x7f800000);
-    tbx_d2 xy;
-    tbx_d2 z = { 0.0, 0.0 };
-    tbx_i4 upper;
-    double last;
-    TBX_COPY(&xy, from, sizeof xy);
-    TBX_COPY(&last, from + sizeof xy, sizeof last);
-    z[1] = last;
-    upper = TBX_LANES((tbx_i4)xy, (tbx_i4)z, 1, 3, 5, 7) & tbx_splat_int(0x7fffffff);
+    tbx_d2 xy = tbx_load2(from);
+    tbx_d2 z = tbx_swap(tbx_load1(from + sizeof xy));
+    const tbx_i4 upper = TBX_HIGH_WORDS(xy, z) & tbx_splat_int(0x7fffffff);
     if (!TBX_RARELY(tbx_any(upper > tbx_splat_int((1023 + 100) << 20)))) {
-        tbx_f4 low;
-        tbx_f4 high;
         tbx_f4 row;
-        TBX_KEEP_VECTOR(xy); /* not converted before: overflow */
-        TBX_KEEP_VECTOR(z);
-        low = __builtin_ia32_cvtpd2ps(xy - centre->xy);
-        high = __builtin_ia32_cvtpd2ps(z - centre->z);
-        row = TBX_LANES(low, high, 0, 1, 4, 5);
+        TBX_KEEP2(VECTOR, xy, z); /* not converted before: overflow */
+        row = TBX_LANES(tbx_narrow(xy - centre->xy), tbx_narrow(z - centre->z), 0, 1, 4, 5);
         TBX_KEEP_VECTOR(row); /* two moves; as one they become eight */
         bits = (tbx_i4)TBX_LANES(row, row, 2, 0, 1, 3);
     }
     TBX_KEEP_VECTOR(bits);
     return bits;
-#else
-    const uint64_t magnitude = ~(uint64_t)0 >> 1;
-    const uint64_t most = (uint64_t)(1023 + 100) << 52;
-    tbx_f4 r = { 0.0f, 0.0f, 0.0f, 0.0f };
-    tbx_i4 bits = tbx_splat_int(0x7f800000);
-    double x[3];
-    TBX_COPY(x, from, sizeof x);
-    if (!TBX_RARELY((int)((tbx_bits64(&x[0]) & magnitude) > most) |
-                    (int)((tbx_bits64(&x[1]) & magnitude) > most) |
-                    (int)((tbx_bits64(&x[2]) & magnitude) > most))) {
-        TBX_KEEP(x); /* not converted before: overflow */
-        r[1] = (float)(x[0] - centre->xy[0]);
-        r[2] = (float)(x[1] - centre->xy[1]);
-        r[3] = (float)(x[2] - centre->z[1]);
-        bits = (tbx_i4)r;
-    }
-    TBX_KEEP_VECTOR(bits);
-    return bits;
-#endif
 }
 
 /* Corner k, vertex number `at` of the mesh. */
@@ -12539,7 +12467,8 @@ TBX_FN int tbx_block_load(tbx_corners *out, const tbx_quick *q, const tbx_source
 {
     if (source->is_double || source->stride != 3 * sizeof(float) ||
         tbx_block_has_first(source, first, count)) {
-        return tbx_block_corners(out, q, source, source->indices != NULL, 0, first, count);
+        return source->indices != NULL ? tbx_block_corners(out, q, source, 1, 0, first, count)
+                                       : tbx_block_corners(out, q, source, 0, 0, first, count);
     } else {
         return source->indices != NULL ? tbx_block_corners(out, q, source, 1, 1, first, count)
                                        : tbx_block_corners(out, q, source, 0, 1, first, count);
@@ -14616,7 +14545,16 @@ TBX_FORCED uint64_t tbx_layer_or(uint64_t *row, size_t y1, size_t y2, size_t y3,
     return v >> 4 * (5 - n) | v << (64 - 4 * (5 - n));
 }
 
-/* Voxels of a box whose rows start at one of a word's last three bits, and may go on in the next word. */
+/* A run of a few bits from bit x of a word on, which may go on in the next word. */
+TBX_FORCED void tbx_run_or(uint64_t *word, uint64_t run, unsigned x)
+{
+    word[0] |= run << x;
+    if (TBX_RARELY(x > 64 - TBX_FEW) && run >> (64 - x) != 0) {
+        word[1] |= run >> (64 - x);
+    }
+}
+
+/* Voxels of a box whose rows start at one of a word's last three bits. */
 TBX_NOINLINE void tbx_voxels_set_two(const tbx_bits *to, uint64_t *row, uint64_t key, uint64_t voxels)
 {
     const unsigned x = (unsigned)(key >> 16) & 63u;
@@ -14627,12 +14565,7 @@ TBX_NOINLINE void tbx_voxels_set_two(const tbx_bits *to, uint64_t *row, uint64_t
     for (z = 0; z <= more_z; z++, row += to->layer_words) {
         uint64_t *word = row;
         for (y = 0; y <= more_y; y++, word += to->row_words) {
-            const uint64_t run = voxels >> (4 * y + 16 * z) & 15;
-            const uint64_t beyond = run >> (64 - x);
-            word[0] |= run << x;
-            if (beyond != 0) {
-                word[1] |= beyond;
-            }
+            tbx_run_or(word, voxels >> (4 * y + 16 * z) & 15, x);
         }
     }
 }
@@ -15478,7 +15411,7 @@ TBX_NOINLINE void tbx_fill_again(tbx_fill *fill, tbx_group *g)
         const tbx_i4 box = g->box[i];
         const int more_y = box[3] >> 8 & 255;
         const int more_z = box[3] >> 16 & 255;
-        const int x = box[0] & 63;
+        const unsigned x = (unsigned)box[0] & 63u;
         uint64_t *row = to.bits + (size_t)tbx_first_word(&fill->quick, tbx_key_set(box));
         int y;
         int z;
@@ -15490,11 +15423,7 @@ TBX_NOINLINE void tbx_fill_again(tbx_fill *fill, tbx_group *g)
             uint64_t layer = voxels.layer[i][z];
             uint64_t *word = row;
             for (y = 0; y <= more_y; y++, word += to.row_words, layer >>= 8) {
-                const uint64_t run = layer & 255;
-                word[0] |= run << x;
-                if (TBX_RARELY(x > 64 - TBX_FEW) && run >> (64 - x) != 0) {
-                    word[1] |= run >> (64 - x);
-                }
+                tbx_run_or(word, layer & 255, x);
             }
         }
     }
