@@ -5610,17 +5610,27 @@ typedef struct tbx_solid_off {
     int close;
 } tbx_solid_off;
 
+/* x, on axis k, from the centre of a voxel, in units. Returns 0 where it is not close. */
+TBX_FN int tbx_solid_from_centre(const tbx_solid *s, int k, const double *x, int64_t index, int64_t *out)
+{
+    uint64_t units;
+    if (!(tbx_abs(*x - (s->middle[k] + (double)index * s->grid->size[k])) < s->within[k]) ||
+        !tbx_in_units(x, s->exponent[k], &units)) {
+        return 0;
+    }
+    units -= s->origin[k] + (uint64_t)(2 * (s->grid->lo[k] + index) + 1) * s->half[k];
+    *out = units >> 63 ? -(int64_t)(~units) - 1 : (int64_t)units;
+    return 1;
+}
+
 TBX_FN void tbx_solid_off_centre(tbx_solid_off *off, const tbx_solid *s, int k, const double *x,
                                  int64_t index)
 {
-    uint64_t units;
     off->x = *x - (s->middle[k] + (double)index * s->grid->size[k]);
     off->error = (s->reach[k] + tbx_abs(*x)) * TBX_SOLID_ERROR;
     off->units = 0;
-    off->close = tbx_abs(off->x) < s->within[k] && tbx_in_units(x, s->exponent[k], &units);
+    off->close = tbx_solid_from_centre(s, k, x, index, &off->units);
     if (off->close) {
-        units -= s->origin[k] + (uint64_t)(2 * (s->grid->lo[k] + index) + 1) * s->half[k];
-        off->units = units >> 63 ? -(int64_t)(~units) - 1 : (int64_t)units;
         off->x = (double)off->units * s->unit[k];
         off->error = tbx_abs(off->x) * TBX_U64;
     }
@@ -11842,20 +11852,24 @@ TBX_FORCED void tbx_load_points(tbx_f4 *x, tbx_f4 *y, tbx_f4 *z, const void *a, 
 }
 
 /* Corner c of the WIDE triangles listed. */
-TBX_FORCED void tbx_load_corner(tbx_points *out, const tbx_source *s, const size_t *list, size_t c)
+TBX_FORCED void tbx_load_corner(tbx_points *out, const tbx_source *s, int indexed, const size_t *list,
+                                size_t c)
 {
-    const char *at[TBX_WIDE];
+    const char *positions = s->positions;
+    const uint32_t *indices = s->indices;
+    const size_t stride = s->stride;
     tbx_f4 x[TBX_WIDE / 4];
     tbx_f4 y[TBX_WIDE / 4];
     tbx_f4 z[TBX_WIDE / 4];
     int i;
-    for (i = 0; i < TBX_WIDE; i++) {
-        at[i] = tbx_source_at(s, list[i], c);
-    }
+#define TBX_AT(i) (3 * list[i] + c)
+#define TBX_POINT(i) (positions + stride * (indexed ? (size_t)indices[TBX_AT(i)] : TBX_AT(i)))
     for (i = 0; i < TBX_WIDE / 4; i++) {
-        const char *const *a = at + 4 * i;
-        tbx_load_points(&x[i], &y[i], &z[i], a[0], a[1], a[2], a[3]);
+        tbx_load_points(&x[i], &y[i], &z[i], TBX_POINT(4 * i), TBX_POINT(4 * i + 1), TBX_POINT(4 * i + 2),
+                        TBX_POINT(4 * i + 3));
     }
+#undef TBX_POINT
+#undef TBX_AT
     out->x = tbx_wide_of(x);
     out->y = tbx_wide_of(y);
     out->z = tbx_wide_of(z);
@@ -11863,9 +11877,15 @@ TBX_FORCED void tbx_load_corner(tbx_points *out, const tbx_source *s, const size
 
 TBX_FORCED void tbx_load_corners(tbx_points out[3], const tbx_source *s, const size_t *list)
 {
-    tbx_load_corner(&out[0], s, list, 0);
-    tbx_load_corner(&out[1], s, list, 1);
-    tbx_load_corner(&out[2], s, list, 2);
+    if (s->indices != NULL) {
+        tbx_load_corner(&out[0], s, 1, list, 0);
+        tbx_load_corner(&out[1], s, 1, list, 1);
+        tbx_load_corner(&out[2], s, 1, list, 2);
+    } else {
+        tbx_load_corner(&out[0], s, 0, list, 0);
+        tbx_load_corner(&out[1], s, 0, list, 1);
+        tbx_load_corner(&out[2], s, 0, list, 2);
+    }
 }
 
 /* ---- The fill's grid
@@ -17126,7 +17146,6 @@ typedef struct tbx_solid_quick {
     tbx_fw one_error;
     const tbx_solid *solid;
     const tbx_source *source;
-    tribox_mesh mesh;
     float origin[3];
     float inverse[3];
     int32_t most[3]; /* magnitudes above it, as integers, go the scalar way */
@@ -17185,81 +17204,86 @@ TBX_FN void tbx_solid_exact_init(tbx_solid_exact *e, const tbx_solid *s, int k, 
     e->size_low[k - 1] = size - e->size_high[k - 1];
     e->least[k - 1] = 16.0 * (rest + tbx_abs(low));
     TBX_KEEP(*e);
-    e->on &= e->least[k - 1] < s->unit[k] * 4503599627370496.0 && tbx_abs(low) < most * TBX_POW2(-20);
+    e->on &= e->least[k - 1] < s->unit[k] * 4503599627370496.0;
+}
+
+/* Can axis k be computed with in float? */
+TBX_FN int tbx_solid_suits(const tbx_solid *s, int k)
+{
+    const double *size = &s->grid->size[k];
+    return s->n[k] <= 65536 && tbx_bits64(size) - ((uint64_t)(1023 - 60) << 52) < (uint64_t)120 << 52 &&
+           tbx_abs(s->middle[k]) < 67108864.0 * tbx_floor_pow2(*size); /* 2^26 */
+}
+
+/* Numbers of axis k. */
+TBX_FN void tbx_solid_centres_init(tbx_solid_quick *q, int k)
+{
+    const tbx_solid *s = q->solid;
+    const double parts = (double)TBX_SOLID_PARTS;
+    const double size = s->grid->size[k];
+    const double n = (double)s->n[k];
+    const double middle = s->middle[k];
+    const double below = tbx_abs(middle - (n + 17.0) * size);
+    const double above = tbx_abs(middle + (n + 17.0) * size);
+    const double spacing = tbx_floor_pow2(below > above ? below : above) * (1.0 / 4194304.0); /* 2^-22 */
+    const double scale = 1.0 / tbx_floor_pow2(size);
+    const double rho =
+        (spacing * (n + 34.0) + TBX_SOLID_MIDDLE_ERROR / (double)TBX_U32 * s->reach[k]) * scale;
+    const double most = tbx_abs(middle) + 4194304.0 * size;
+    const float most_float = (float)most;
+    tbx_solid_centres *centres = &q->centres[k];
+    double base_high = tbx_floor_to(middle, spacing);
+    double size_high = tbx_floor_to(size, spacing);
+    TBX_KEEP(base_high);
+    TBX_KEEP(size_high);
+    q->on &= tbx_more(2048.0, rho);
+    q->rho = (float)rho > q->rho ? (float)rho : q->rho;
+    q->origin[k] = (float)middle;
+    TBX_KEEP(q->origin[k]); /* clang 22's -ffast-math leaves the rounding out of what follows */
+    q->most_reach[k] = s->reach[k] + tbx_abs(middle) + 2097152.0 * size;
+    q->inverse[k] = (float)(1.0 / size);
+    q->most[k] =
+        q->source->is_double ? (int32_t)(tbx_bits64(&most) >> 32) : (int32_t)tbx_bits32(&most_float);
+    q->scale[k] = (float)scale;
+    q->step[k] = (float)(size * scale);
+    q->part[k] = (float)(1.0 / (scale * parts));
+    centres->scale = tbx_wide_all((float)scale);
+    centres->base_high = tbx_wide_all((float)base_high);
+    centres->base_low = tbx_wide_all((float)(middle - base_high));
+    centres->size_high = tbx_wide_all((float)size_high);
+    centres->size_low = tbx_wide_all((float)(size - size_high));
+    q->lattice &= middle == base_high && size == size_high &&
+                  tbx_on_lattice(s->grid->origin[k], scale * parts) &&
+                  tbx_on_lattice(middle, scale * parts) && s->reach[k] * scale * parts < 8388608.0;
 }
 
 TBX_FN void tbx_solid_quick_init(tbx_solid_quick *q, const tbx_solid *s, const tbx_source *source)
 {
-    const double parts = (double)TBX_SOLID_PARTS;
+    const double u = (double)TBX_U32;
+    double slack[2];
     int k;
     q->solid = s;
     q->source = source;
-    q->mesh.positions = (const float *)(const void *)source->positions;
-    q->mesh.stride = source->stride;
-    q->mesh.indices = source->indices;
-    q->mesh.triangles = source->triangles;
     q->rho = 0.0f;
     q->lattice = 1;
-    q->on = s->fits;
-    for (k = 0; k < 3; k++) {
-        q->on &= s->n[k] <= 65536 && tbx_bits64(&s->grid->size[k]) >= (uint64_t)(1023 - 60) << 52 &&
-                 tbx_bits64(&s->grid->size[k]) < (uint64_t)(1023 + 60) << 52 &&
-                 tbx_bits64(&s->reach[k]) < (uint64_t)(1023 + 80) << 52;
-    }
+    q->on = s->fits && tbx_solid_suits(s, 0) && tbx_solid_suits(s, 1) && tbx_solid_suits(s, 2);
     for (k = 0; k < 3 && q->on; k++) {
-        const double size = s->grid->size[k];
-        const double n = (double)s->n[k];
-        const double middle = s->middle[k];
-        const double below = tbx_abs(middle - (n + 17.0) * size);
-        const double above = tbx_abs(middle + (n + 17.0) * size);
-        const double spacing = tbx_floor_pow2(below > above ? below : above) * (1.0 / 4194304.0); /* 2^-22 */
-        const double scale = 1.0 / tbx_floor_pow2(size);
-        const double rho =
-            (spacing * (n + 34.0) + TBX_SOLID_MIDDLE_ERROR / (double)TBX_U32 * s->reach[k]) * scale;
-        const double most = tbx_abs(middle) + 4194304.0 * size;
-        const float most_float = (float)most;
-        double base_high = tbx_floor_to(middle, spacing);
-        double size_high = tbx_floor_to(size, spacing);
-        TBX_KEEP(base_high);
-        TBX_KEEP(size_high);
-        q->on &= tbx_more(2048.0, rho) & tbx_more(67108864.0, tbx_abs(middle) * scale); /* 2^26 */
-        q->origin[k] = (float)middle;
-        TBX_KEEP(q->origin[k]); /* clang 22's -ffast-math leaves the rounding out of what follows */
-        q->most_reach[k] = s->reach[k] + tbx_abs(middle) + 2097152.0 * size;
-        q->inverse[k] = (float)(1.0 / size);
-        q->most[k] =
-            source->is_double ? (int32_t)(tbx_bits64(&most) >> 32) : (int32_t)tbx_bits32(&most_float);
-        q->scale[k] = (float)scale;
-        q->step[k] = (float)(size * scale);
-        q->part[k] = (float)(1.0 / (scale * parts));
-        q->over_step = k == 0 ? (float)(1.0 / (size * scale)) : q->over_step;
-        q->centres[k].scale = tbx_wide_all((float)scale);
-        q->centres[k].base_high = tbx_wide_all((float)base_high);
-        q->centres[k].base_low = tbx_wide_all((float)(middle - base_high));
-        q->centres[k].size_high = tbx_wide_all((float)size_high);
-        q->centres[k].size_low = tbx_wide_all((float)(size - size_high));
-        q->rho = (float)rho > q->rho ? (float)rho : q->rho;
-        q->lattice &= middle == base_high && size == size_high &&
-                      tbx_on_lattice(s->grid->origin[k], scale * parts) &&
-                      tbx_on_lattice(middle, scale * parts) && tbx_on_lattice(size, scale * parts) &&
-                      s->reach[k] * scale * parts < 8388608.0;
+        tbx_solid_centres_init(q, k);
     }
-    q->exact.on = source->is_double && q->on;
-    for (k = 1; k < 3 && q->exact.on; k++) {
-        tbx_solid_exact_init(&q->exact, s, k, q->most_reach[k]);
+    if (!q->on) {
+        return;
     }
-    if (q->on) {
-        const double slack_y = tbx_solid_axis_init(q, 1);
-        const double slack_z = tbx_solid_axis_init(q, 2);
-        const double slack = slack_y > slack_z ? slack_y : slack_z;
-        const double u = (double)TBX_U32;
-        for (k = 0; k < 2; k++) {
-            const float unscaled = q->part[k + 1] * (float)TBX_SOLID_PARTS;
-            q->near_error[k] = q->lattice ? 0.0f : TBX_SOLID_NEAR_ERROR * q->rho * unscaled;
-        }
-        q->one_error = tbx_wide_all((float)(2.2 * (4.0 * 1.1 * (slack + 2.2 * u) + 5.0 * 1.21 * u)));
-        q->on = slack < 0.03;
+    q->over_step = (float)(1.0 / (s->grid->size[0] * (double)q->scale[0]));
+    q->exact.on = source->is_double;
+    for (k = 0; k < 2; k++) {
+        slack[k] = tbx_solid_axis_init(q, k + 1);
+        q->near_error[k] =
+            q->lattice ? 0.0f : TBX_SOLID_NEAR_ERROR * q->rho * q->part[k + 1] * (float)TBX_SOLID_PARTS;
+        tbx_solid_exact_init(&q->exact, s, k + 1, q->most_reach[k + 1]);
     }
+    slack[0] = slack[0] > slack[1] ? slack[0] : slack[1];
+    q->one_error = tbx_wide_all((float)(2.2 * (4.0 * 1.1 * (slack[0] + 2.2 * u) + 5.0 * 1.21 * u)));
+    q->on = slack[0] < 0.03;
 }
 
 /* Triangles that wait: their first rows. */
@@ -17575,6 +17599,8 @@ TBX_NOINLINE void tbx_solid_narrow_doubles(tbx_solid_boxed *b, const tbx_solid_q
         at += tbx_pair((double)(not_first & 1), (double)(not_first >> 1));
         for (c = 0; c < 3; c++) {
             const tbx_d2 x = tbx_solid_exact_from(e, at, v[c], &place);
+            tbx_d2 back = x + place; /* on the lattice this is exact, and low is 0 */
+            TBX_KEEP_VECTOR(back);
             if (tbx_signs2((tbx_l2)(tbx_abs2(place) < least)) != 0) {
                 exact = 0;
                 break; /* of all three */
@@ -17583,6 +17609,7 @@ TBX_NOINLINE void tbx_solid_narrow_doubles(tbx_solid_boxed *b, const tbx_solid_q
             from[c + 3][lane] = (float)x[1];
             TBX_KEEP(from); /* clang 22 with -ffast-math takes (double)(float)x for x */
             exact &= -(int)(((double)from[c][lane] == x[0]) & ((double)from[c + 3][lane] == x[1]));
+            exact &= -(int)(tbx_signs2((tbx_l2)(back == v[c])) == 3);
         }
         rounded[lane] = ~exact;
     }
@@ -17621,39 +17648,6 @@ typedef struct tbx_solid_placed {
     tbx_iw on_lattice;
 } TBX_ALIGNED tbx_solid_placed;
 
-/* The corners of WIDE triangles listed, as tbx_load_corners. */
-TBX_FORCED void tbx_solid_gather(tbx_points v[3], const tribox_mesh *mesh, size_t stride, int indexed,
-                                 const size_t *list)
-{
-    const char *positions = (const char *)mesh->positions;
-    const uint32_t *indices = mesh->indices;
-    int c;
-    int i;
-    for (c = 0; c < 3; c++) {
-        tbx_f4 x[TBX_WIDE / 4];
-        tbx_f4 y[TBX_WIDE / 4];
-        tbx_f4 z[TBX_WIDE / 4];
-#define TBX_AT(i) (3 * list[i] + (size_t)c)
-#define TBX_POINT(i) (positions + stride * (indexed ? (size_t)indices[TBX_AT(i)] : TBX_AT(i)))
-        for (i = 0; i < TBX_WIDE / 4; i++) {
-            tbx_load_points(&x[i], &y[i], &z[i], TBX_POINT(4 * i), TBX_POINT(4 * i + 1), TBX_POINT(4 * i + 2),
-                            TBX_POINT(4 * i + 3));
-        }
-#undef TBX_EACH_LAYER
-#undef TBX_LONE_EDGE_ERROR
-#undef TBX_LONE_HIGH
-#undef TBX_LONE_NEAR
-#undef TBX_LONE_PLACE
-#undef TBX_LONE_PLANE_ERROR
-#undef TBX_LONE_RANGE
-#undef TBX_POINT
-#undef TBX_AT
-        v[c].x = tbx_wide_of(x);
-        v[c].y = tbx_wide_of(y);
-        v[c].z = tbx_wide_of(z);
-    }
-}
-
 /* The triangles listed from i on. */
 TBX_FORCED void tbx_solid_place_floats(tbx_solid_placed *p, const tbx_solid_quick *q,
                                        const tbx_solid_list *list, int i)
@@ -17665,11 +17659,7 @@ TBX_FORCED void tbx_solid_place_floats(tbx_solid_placed *p, const tbx_solid_quic
     int c;
     TBX_COPY(&y, list->y + i, sizeof y);
     TBX_COPY(&z, list->z + i, sizeof z);
-    if (q->mesh.indices != NULL) {
-        tbx_solid_gather(p->v, &q->mesh, q->source->stride, 1, list->triangle + i);
-    } else {
-        tbx_solid_gather(p->v, &q->mesh, q->source->stride, 0, list->triangle + i);
-    }
+    tbx_load_corners(p->v, q->source, list->triangle + i);
     p->unsure = tbx_solid_wild(p->v[0].x, q->most[0]) | tbx_solid_wild(p->v[1].x, q->most[0]) |
                 tbx_solid_wild(p->v[2].x, q->most[0]);
     if (TBX_RARELY(tbx_wide_any(p->unsure))) { /* too large to compute with */
@@ -17778,7 +17768,6 @@ typedef struct tbx_solid_rows_of {
 TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *q, const tbx_solid_placed *p,
                                  int n)
 {
-    const float u = TBX_U32;
     const float reach = 2.0f * (float)n + 0.1f;
     const float place = TBX_SOLID_PLACE_ERROR * (reach + q->rho);
     const float error_all = TBX_SOLID_ROW_ERROR * reach * place + TBX_SOLID_ROW_ULPS * reach * reach;
@@ -17806,8 +17795,8 @@ TBX_FORCED void tbx_solid_decide(tbx_solid_rows_of *out, const tbx_solid_quick *
     tbx_solid_edges_set(&e, y, z);
     tiny = e.area <= error;
     over_area = tbx_wide_inverse(~tiny, e.area);
-    x_error = spread * (tbx_wide_all(2.0f * error_all) * over_area + tbx_wide_all(24.0f * u)) +
-              tbx_wide_all(20.0f * u) * (m + tbx_wide_all(q->rho));
+    x_error = spread * (tbx_wide_all(2.0f * error_all) * over_area + tbx_wide_all(24.0f * TBX_U32)) +
+              tbx_wide_all(20.0f * TBX_U32) * (m + tbx_wide_all(q->rho));
     x_error = x_error * over_step;
     over_area = over_area * over_step;
     if (q->lattice && tbx_wide_any(p->on_lattice)) {
@@ -18312,26 +18301,18 @@ TBX_FN int tbx_solid_few_axis(tbx_solid_few *f, const tbx_solid *s, double v[3][
 {
     const double size = s->grid->size[k];
     const double end = (double)s->n[k] + 16.0;
-    const int64_t step = (int64_t)(2 * s->half[k]);
     double voxel = (v[0][k] - s->middle[k]) / size;
-    double middle;
-    uint64_t base;
     int i;
     voxel = voxel > -16.0 ? voxel : -16.0;
     voxel = voxel < end ? voxel : end;
     TBX_KEEP_SCALAR(voxel);
     f->voxel[k] = (int64_t)voxel;
-    middle = s->middle[k] + (double)f->voxel[k] * size;
-    base = s->origin[k] + (uint64_t)(2 * (s->grid->lo[k] + f->voxel[k]) + 1) * s->half[k];
-    f->step[k] = step;
+    f->step[k] = (int64_t)(2 * s->half[k]);
     for (i = 0; i < 3; i++) {
-        uint64_t units;
         int64_t x;
-        if (!(tbx_abs(v[i][k] - middle) < s->within[k]) || !tbx_in_units(&v[i][k], s->exponent[k], &units)) {
+        if (!tbx_solid_from_centre(s, k, &v[i][k], f->voxel[k], &x)) {
             return 0;
         }
-        units -= base;
-        x = units >> 63 ? -(int64_t)(~units) - 1 : (int64_t)units;
         f->units[k][i] = x;
         f->least[k] = i == 0 || x < f->least[k] ? x : f->least[k];
         f->most[k] = i == 0 || x > f->most[k] ? x : f->most[k];
@@ -18680,25 +18661,16 @@ TBX_FORCED unsigned tbx_solid_flush(tbx_solid_fill *fill, const tbx_solid_list *
     return rows.unsure & ((1u << count) - 1u);
 }
 
-TBX_NOINLINE unsigned tbx_solid_flush1(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
-{
-    return tbx_solid_flush(fill, list, i, count, 1);
-}
-
-TBX_NOINLINE unsigned tbx_solid_flush2(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
-{
-    return tbx_solid_flush(fill, list, i, count, 2);
-}
-
-TBX_NOINLINE unsigned tbx_solid_flush3(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
-{
-    return tbx_solid_flush(fill, list, i, count, 3);
-}
-
-TBX_NOINLINE unsigned tbx_solid_flush4(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)
-{
-    return tbx_solid_flush(fill, list, i, count, 4);
-}
+#define TBX_FLUSH(name, n)                                                                                \
+    TBX_NOINLINE unsigned name(tbx_solid_fill *fill, const tbx_solid_list *list, int i, int count)        \
+    {                                                                                                     \
+        return tbx_solid_flush(fill, list, i, count, n);                                                  \
+    }
+TBX_FLUSH(tbx_solid_flush1, 1)
+TBX_FLUSH(tbx_solid_flush2, 2)
+TBX_FLUSH(tbx_solid_flush3, 3)
+TBX_FLUSH(tbx_solid_flush4, 4)
+#undef TBX_FLUSH
 
 /* Two by two, each way outside of the way before: their stacks do not add up. */
 TBX_FORCED void tbx_solid_work_large(tbx_solid_fill *fill)
@@ -18765,15 +18737,16 @@ TBX_NOINLINE void tbx_solid_sort(tbx_solid_fill *fill, size_t first, uint32_t li
 }
 
 /* y and z of corner c of WIDE triangles, as tbx_load_corner. */
-TBX_FORCED void tbx_solid_load(tbx_points *out, const tribox_mesh *mesh, int indexed, size_t stride,
+TBX_FORCED void tbx_solid_load(tbx_points *out, const tbx_source *source, int indexed, size_t stride,
                                size_t first, size_t c)
 {
-    const char *positions = (const char *)mesh->positions + sizeof(float);
+    const char *positions = source->positions + sizeof(float);
+    const uint32_t *indices = source->indices;
     tbx_f4 y[TBX_WIDE / 4];
     tbx_f4 z[TBX_WIDE / 4];
     int i;
 #define TBX_AT(i) (3 * (first + (size_t)(i)) + c)
-#define TBX_POINT(i) (positions + stride * (indexed ? (size_t)mesh->indices[TBX_AT(i)] : TBX_AT(i)))
+#define TBX_POINT(i) (positions + stride * (indexed ? (size_t)indices[TBX_AT(i)] : TBX_AT(i)))
     for (i = 0; i < TBX_WIDE / 4; i++) {
         const tbx_f4 ab = tbx_load_xy(TBX_POINT(4 * i), TBX_POINT(4 * i + 1));
         const tbx_f4 cd = tbx_load_xy(TBX_POINT(4 * i + 2), TBX_POINT(4 * i + 3));
@@ -18851,9 +18824,9 @@ TBX_FORCED void tbx_solid_corners(tbx_points v[3], const tbx_solid_quick *q, int
         tbx_solid_load_f64(&v[1], q, indexed, first, 1, &wild);
         tbx_solid_load_f64(&v[2], q, indexed, first, 2, &wild);
     } else {
-        tbx_solid_load(&v[0], &q->mesh, indexed, stride, first, 0);
-        tbx_solid_load(&v[1], &q->mesh, indexed, stride, first, 1);
-        tbx_solid_load(&v[2], &q->mesh, indexed, stride, first, 2);
+        tbx_solid_load(&v[0], q->source, indexed, stride, first, 0);
+        tbx_solid_load(&v[1], q->source, indexed, stride, first, 1);
+        tbx_solid_load(&v[2], q->source, indexed, stride, first, 2);
         wild = tbx_solid_wild(v[0].y, y) | tbx_solid_wild(v[1].y, y) | tbx_solid_wild(v[2].y, y) |
                tbx_solid_wild(v[0].z, z) | tbx_solid_wild(v[1].z, z) | tbx_solid_wild(v[2].z, z);
     }
@@ -19025,6 +18998,13 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_EITHER
 #undef TBX_RETURN_IF_SURE
 #undef TBX_POW2
+#undef TBX_LONE_RANGE
+#undef TBX_LONE_PLANE_ERROR
+#undef TBX_LONE_PLACE
+#undef TBX_LONE_NEAR
+#undef TBX_LONE_HIGH
+#undef TBX_LONE_EDGE_ERROR
+#undef TBX_EACH_LAYER
 #undef TBX_COORD_ROOM
 #undef TBX_COORD_LIMBS
 #undef TBX_CROSS_LIMBS

@@ -463,7 +463,8 @@ static void edges_through_centres_of_tenths(void)
 }
 
 /* Doubles on lines of centres, or beside them by less than floats can say: on a lattice of halves, and where the grid
- * is off one of tenths, or of 1 + 2^-36, by 1e-40. Meshes of many triangles: boxes are looked at again where it pays. */
+ * is off one of tenths, or of 1 + 2^-36, by 1e-40; and 2^30 voxels from an origin that takes centres back to where
+ * they were. Meshes of many triangles: boxes are looked at again where it pays. */
 static void doubles_beside_lines_of_centres(void)
 {
     enum { N = 9, ACROSS = N + 1 };
@@ -473,7 +474,11 @@ static void doubles_beside_lines_of_centres(void)
     for (i = 0; i < TEST_LOOPS(200); i++) {
         static double   v[2 * N * N * 3][3];
         static double   corner[ACROSS][ACROSS][3];
-        const double    size = i % 2 == 0 ? 1.0 : i % 8 < 4 ? 0.1 : 1.0 + 1.0 / 68719476736.0;
+        const int       far_off = i % 16 == 15;
+        const double    size = i % 2 == 0 ? 1.0
+                               : i % 8 < 4 ? 0.1
+                               : far_off ? 1.0 + power_of_two(-18) - power_of_two(-29)
+                                         : 1.0 + 1.0 / 68719476736.0;
         tribox_mesh_f64 mesh;
         tribox_grid     g;
         uint64_t        bits[12 * 12];
@@ -488,6 +493,11 @@ static void doubles_beside_lines_of_centres(void)
             g.size[k] = size;
             g.lo[k] = 0;
             g.hi[k] = 12;
+            if (far_off) {
+                g.lo[k] = 1 << 30;
+                g.hi[k] = (1 << 30) + 12;
+                g.origin[k] = -size * power_of_two(30);
+            }
         }
         g.flags = 0;
         for (y = 0; y < ACROSS; y++) {
@@ -495,7 +505,7 @@ static void doubles_beside_lines_of_centres(void)
                 corner[y][z][0] = size * 0.5 * random_below(24);
                 corner[y][z][1] = size * 0.5 * (2 * y + (i % 4 != 2));
                 corner[y][z][2] = size * 0.5 * (2 * z + (i % 4 != 2));
-                for (k = 0; k < 3 && i % 2 == 0; k++) {
+                for (k = 0; k < 3 && (i % 2 == 0 || far_off); k++) {
                     corner[y][z][k] += (random_below(3) - 1) * 2.8e-14; /* some 2^-45 */
                 }
             }
@@ -521,6 +531,198 @@ static void doubles_beside_lines_of_centres(void)
         }
         CHECK(memcmp(bits, wanted, sizeof bits) == 0);
     }
+}
+
+/* A mesh on a grid of voxels of 1, 48 triangles that are yet to be made. */
+static void solid_plain(solid_case *c, int n_x, int n)
+{
+    int k;
+
+    c->seed = random_state;
+    for (k = 0; k < 3; k++) {
+        c->grid.origin[k] = 0;
+        c->grid.size[k] = 1;
+        c->grid.lo[k] = 0;
+        c->grid.hi[k] = c->n[k] = k ? n : n_x;
+    }
+    c->grid.flags = 0;
+    c->triangles = SOLID_TRIANGLES;
+    c->words = (size_t)((n_x + 63) / 64 * n * n);
+}
+
+static void solid_check_doubles(solid_case *c)
+{
+    int i;
+
+    for (i = 0; i < 9 * c->triangles; i++) {
+        c->positions[i] = (float)c->doubles[i];
+    }
+    solid_check(c);
+}
+
+/* Where the corners are on sixteenths and the centres are not, a centre beside an edge is not on it. */
+static void lattices_that_centres_are_beside(void)
+{
+    int i;
+    int k;
+
+    random_seed(1219);
+    for (i = 0; i < 4; i++) {
+        static solid_case c;
+        solid_plain(&c, 12, 9);
+        for (k = 0; k < 3; k++) {
+            c.grid.size[k] = 1.0009765625;
+        }
+        for (k = 0; k < 9 * SOLID_TRIANGLES; k++) { /* an edge through some centre but for the size's end */
+            const int at = 8 + 16 * random_below(9);
+            c.doubles[k] = k % 9 < 3 ? at / 16.0 : c.doubles[k - k % 9 + k % 3] + (random_below(33) - 16) / 16.0;
+            if (k % 9 >= 6) {
+                const double first = c.doubles[k - 6];
+                c.doubles[k] = random_below(2) ? 2 * first - c.doubles[k - 3] : c.doubles[k];
+                c.doubles[k] += (random_below(3) - 1) / 16.0;
+            }
+        }
+        solid_check_doubles(&c);
+    }
+}
+
+/* Three rows are thought, the outer ones are not: what is left is the one about 0, from where doubles are not told
+ * exactly. */
+static void rows_about_zero(void)
+{
+    int i;
+    int k;
+
+    random_seed(1220);
+    for (i = 0; i < 8; i++) {
+        const int         a = 1 + i % 2;
+        static solid_case c;
+        solid_plain(&c, 12, 5);
+        c.grid.origin[a] = -2.5;
+        for (k = 0; k < SOLID_TRIANGLES; k++) {
+            double      *v = c.doubles + 9 * k;
+            const double z = 1.5 + random_below(3) + random_signed() * 0.25;
+            v[0] = 12 * random_signed();
+            v[3] = 12 * random_signed();
+            v[6] = 12 * random_signed();
+            v[a] = -1 + power_of_two(-40);
+            v[3 + a] = 1 - random_below(2) * power_of_two(-41);
+            v[6 + a] = random_signed() * (random_below(2) ? 1.0 : power_of_two(-45));
+            v[3 - a] = z - 0.125;
+            v[6 - a] = z + 0.125;
+            v[9 - a] = z + 0.25 * random_signed();
+        }
+        solid_check_doubles(&c);
+    }
+}
+
+/* Corners on a lattice but for one that is 2^-80 beside 0: from a centre it seems to be on it, and an edge through the
+ * centre. */
+static void corners_next_to_zero(void)
+{
+    int i;
+    int k;
+
+    random_seed(1223);
+    for (i = 0; i < 4; i++) {
+        static solid_case c;
+        solid_plain(&c, 12, 5);
+        for (k = 0; k < SOLID_TRIANGLES; k++) {
+            const int a = 1 + random_below(2);
+            const int turn = random_below(2) ? 3 : 0;
+            double   *v = c.doubles + 9 * k;
+            v[0] = random_below(12);
+            v[3] = random_below(12);
+            v[6] = random_below(12);
+            v[a + turn] = random_below(2) ? (random_below(3) - 1) * power_of_two(-80) : 0;
+            v[3 - a + turn] = (random_below(3) - 1) * power_of_two(-80);
+            v[a + 3 - turn] = 1;
+            v[3 - a + 3 - turn] = 1;
+            v[6 + a] = random_below(2) ? 1 : 0.75;
+            v[9 - a] = random_below(2) ? 0 : 0.25;
+        }
+        solid_check_doubles(&c);
+    }
+}
+
+/* Sixteenths some 2^20 voxels off along x, to both sides of a row whose centre lies on an edge: they are no floats. */
+static void sixteenths_far_off_along_x(void)
+{
+    int i;
+    int k;
+
+    random_seed(1221);
+    for (i = 0; i < 4; i++) {
+        static solid_case c;
+        solid_plain(&c, 64, 5);
+        for (k = 0; k < SOLID_TRIANGLES; k++) {
+            double      *v = c.doubles + 9 * k;
+            const double y = 0.5 + random_below(5);
+            const double z = 0.5 + random_below(5);
+            const double by_y = (random_below(13) - 6) / 16.0;
+            const double by_z = (1 + random_below(6)) / 16.0;
+            v[0] = -1048576 - random_below(16) / 16.0;
+            v[3] = 1048576 + (random_below(960) + random_below(16)) / 16.0;
+            v[6] = random_below(64);
+            v[1] = y - by_y;
+            v[4] = y + by_y;
+            v[7] = y + (random_below(15) - 7) / 16.0;
+            v[2] = z - by_z;
+            v[5] = z + by_z;
+            v[8] = z + (random_below(15) - 7) / 16.0;
+        }
+        solid_check_doubles(&c);
+    }
+}
+
+/* Origins beyond what floats have digits for, and rows of more voxels than 2^16. */
+static void regions_that_floats_do_not_take(void)
+{
+    static float    v[16][9];
+    static uint64_t bits[1025];
+    static uint64_t wanted[1025];
+    tribox_grid     grid = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {65537, 1, 1}, 0};
+    tribox_mesh     mesh = {v[0], 0, NULL, 16};
+    int             i;
+    int             k;
+
+    random_seed(1222);
+    for (i = 0; i < 4; i++) {
+        static solid_case c;
+        solid_plain(&c, 12, 5);
+        for (k = 0; k < 3; k++) {
+            c.grid.size[k] = power_of_two(50);
+            c.grid.origin[k] = k == i ? power_of_two(90) : 0;
+        }
+        for (k = 0; k < 9 * SOLID_TRIANGLES; k++) {
+            c.doubles[k] = c.grid.origin[k % 3] + c.grid.size[0] * (6 * random_signed() + 3);
+        }
+        solid_check_doubles(&c);
+    }
+    for (i = 0; i < 16; i++) {
+        double  corner[3][3];
+        int64_t half[3] = {0, 1, 1};
+        int     first = 0;
+        int     end = 65537;
+        for (k = 0; k < 9; k++) {
+            v[i][k] = (float)(k % 3 == 0 ? 32768 + random_signed() * 32800 : random_signed() * 2 + (k == 4 || k == 8));
+            corner[k / 3][k % 3] = (double)v[i][k];
+        }
+        while (first < end) {
+            k = first + (end - first) / 2;
+            half[0] = 2 * k + 1;
+            if (solid_crosses(corner, grid.origin, grid.size, half)) {
+                end = k;
+            } else {
+                first = k + 1;
+            }
+        }
+        for (; first < 65537; first++) {
+            wanted[first / 64] ^= (uint64_t)1 << (first % 64);
+        }
+    }
+    tribox_grid_fill_solid(&grid, &mesh, bits);
+    CHECK(memcmp(bits, wanted, sizeof bits) == 0);
 }
 
 /* Corners on a lattice are computed with as they are while they are near the region; farther off, products of them are
@@ -1267,6 +1469,11 @@ int main(void)
     RUN(tenths_are_no_doubles);
     RUN(edges_through_centres_of_tenths);
     RUN(doubles_beside_lines_of_centres);
+    RUN(lattices_that_centres_are_beside);
+    RUN(rows_about_zero);
+    RUN(corners_next_to_zero);
+    RUN(sixteenths_far_off_along_x);
+    RUN(regions_that_floats_do_not_take);
     RUN(corners_far_off_on_a_lattice);
     RUN(rays_cross_as_exact_numbers_say);
     RUN(points_beside_edges_and_planes_of_doubles);
