@@ -7676,6 +7676,8 @@ TBX_FN tbx_ray_ask tbx_ray_asked(const void *origin, const void *dir, const void
                                  const void *box_max, int format)
 {
     tbx_ray_ask a;
+    /* gcc warned of code for doubles, where it knew that floats are there */
+    TBX_KEEP4(POINTER, origin, dir, box_min, box_max);
     a.origin = origin;
     a.dir = dir;
     a.t = t;

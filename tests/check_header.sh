@@ -49,7 +49,8 @@ clean() { # standard and warnings, compiler, flags...
 }
 export -f clean
 
-small="tests/compile/c99.c tests/compile/include_twice.c tests/compile/two_units_a.c tests/compile/two_units_b.c"
+small="tests/compile/c99.c tests/compile/constants.c tests/compile/include_twice.c tests/compile/two_units_a.c"
+small="$small tests/compile/two_units_b.c"
 for cc in gcc clang; do
     have $cc || continue
     extra=
@@ -62,6 +63,10 @@ for cc in gcc clang; do
     done
     # shellcheck disable=SC2086 # small is a list
     job "no warning: $cc -std=c99 -O2, users' files" quiet $cc c99 "$warn_c $extra -O2" tests/golden.c $small
+    # shellcheck disable=SC2086 # a list
+    for level in "-O1" "-O3 -DTRIBOX_SIMD=0"; do
+        job "no warning: $cc -std=c99 $level, constants" quiet $cc c99 "$warn_c $extra $level" tests/compile/constants.c
+    done
     for std in c11 c17; do # another standard is another grammar, not another optimiser
         # shellcheck disable=SC2086
         job "no warning: $cc -std=$std" quiet $cc $std "$warn_c $extra -fsyntax-only" "$alone" $small
