@@ -7133,7 +7133,7 @@ TBX_FN void tbx_fraction_orient(const tbx_calc *c, tbx_fraction *r, int d_sign)
 }
 
 /* The sign of a - b; equal infinities give 0. */
-TBX_NOINLINE int tbx_fraction_compare(tbx_calc *c, const tbx_fraction *a, const tbx_fraction *b)
+TBX_FN int tbx_fraction_compare(tbx_calc *c, const tbx_fraction *a, const tbx_fraction *b)
 {
     const int mark = c->used;
     tbx_num x;
@@ -8911,7 +8911,7 @@ TBX_FN const tbx_real *tbx_line_face(const tbx_cut *t, int line)
 }
 
 /* r += n_axis * (v0_axis - face), of a line that is a face */
-TBX_NOINLINE void tbx_cut_add_face(tbx_cut *t, tbx_num *r, int line)
+TBX_FN void tbx_cut_add_face(tbx_cut *t, tbx_num *r, int line)
 {
     const int axis = tbx_line_axis(line);
     tbx_num x;
@@ -8970,31 +8970,24 @@ TBX_FN void tbx_cut_coordinate(tbx_cut *t, tbx_vertex x, int k, tbx_fraction *r)
     tbx_fraction_orient(c, r, tbx_num_sign(c, &r->d));
 }
 
-/* The sign of x_k - y_k. */
-TBX_NOINLINE int tbx_cut_order(tbx_cut *t, tbx_vertex x, tbx_vertex y, int k)
-{
-    const tbx_real *x_given = tbx_cut_given(t, x, k);
-    const tbx_real *y_given = tbx_cut_given(t, y, k);
-    const int mark = t->calc.used;
-    tbx_fraction x_k;
-    tbx_fraction y_k;
-    int order;
-    if (x_given != NULL && y_given != NULL) {
-        return tbx_key_order(x_given->key, y_given->key);
-    }
-    tbx_cut_coordinate(t, x, k, &x_k);
-    tbx_cut_coordinate(t, y, k, &y_k);
-    order = tbx_fraction_compare(&t->calc, &x_k, &y_k);
-    t->calc.used = mark;
-    return order;
-}
-
 /* The sign of the vertex's distance to the face, positive inside the box. */
 TBX_FN int tbx_cut_side(tbx_cut *t, tbx_vertex x, int line)
 {
-    tbx_vertex face = { 0, 0 };
-    face.b = line; /* any point of it */
-    return tbx_cut_order(t, x, face, tbx_line_axis(line)) * ((line - 3) % 2 == 0 ? 1 : -1);
+    const int inward = (line - 3) % 2 == 0 ? 1 : -1;
+    const tbx_real *given = tbx_cut_given(t, x, tbx_line_axis(line));
+    const tbx_real *f = tbx_line_face(t, line);
+    const int mark = t->calc.used;
+    tbx_fraction at;
+    tbx_fraction face;
+    int order;
+    if (given != NULL) {
+        return inward * tbx_key_order(given->key, f->key);
+    }
+    tbx_cut_coordinate(t, x, tbx_line_axis(line), &at);
+    tbx_fraction_of(&t->calc, &face, f);
+    order = tbx_fraction_compare(&t->calc, &at, &face);
+    t->calc.used = mark;
+    return order * inward;
 }
 
 TBX_FN void tbx_polygon_add(tbx_polygon *p, int a, int b, int line)
@@ -9037,7 +9030,19 @@ TBX_FN int tbx_cut_compare(tbx_cut *t, tbx_vertex x, tbx_vertex y)
     int order = 0;
     int k;
     for (k = 0; k < 3 && order == 0; k++) {
-        order = tbx_cut_order(t, x, y, k);
+        const tbx_real *x_given = tbx_cut_given(t, x, k);
+        const tbx_real *y_given = tbx_cut_given(t, y, k);
+        if (x_given != NULL && y_given != NULL) {
+            order = tbx_key_order(x_given->key, y_given->key);
+        } else {
+            const int mark = t->calc.used;
+            tbx_fraction x_k;
+            tbx_fraction y_k;
+            tbx_cut_coordinate(t, x, k, &x_k);
+            tbx_cut_coordinate(t, y, k, &y_k);
+            order = tbx_fraction_compare(&t->calc, &x_k, &y_k);
+            t->calc.used = mark;
+        }
     }
     return order;
 }
