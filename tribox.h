@@ -1158,30 +1158,50 @@ TBX_COLD int tbx_read_unusual(double out[3], const void *from)
 
 /* Two floats' bits in one word: is one of them neither 0 nor normal? Bits 31 and 63 say so, without a carry
  * from one to the other: the first sum of infinity and NaN has them, the second of all but 0, the third of
- * normal numbers. */
-TBX_FN int tbx_is_unusual_pair(uint64_t pair)
+ * normal numbers, which the second has too. */
+#define TBX_PAIR_SIGNS 0x8000000080000000u
+TBX_FN uint64_t tbx_unusual_pair(uint64_t pair)
 {
     const uint64_t magnitudes = pair & 0x7fffffff7fffffffu;
-    return (((magnitudes + 0x0080000000800000u) |
-             ((magnitudes + 0x7fffffff7fffffffu) & ~(magnitudes + 0x7f8000007f800000u))) &
-            0x8000000080000000u) != 0;
+    return (magnitudes + 0x0080000000800000u) |
+           ((magnitudes + 0x7fffffff7fffffffu) ^ (magnitudes + 0x7f8000007f800000u));
+}
+
+/* The same of two floats that lie side by side, and of two points. */
+TBX_FN uint64_t tbx_unusual2(const float x[2])
+{
+    uint64_t pair;
+    TBX_COPY(&pair, x, sizeof pair);
+    return tbx_unusual_pair(tbx_opaque64(pair));
+}
+
+TBX_FN uint64_t tbx_unusual6(const float a[3], const float b[3])
+{
+    return tbx_unusual2(a) | tbx_unusual2(b) |
+           tbx_unusual_pair((uint64_t)tbx_bits32(&a[2]) << 32 | tbx_bits32(&b[2]));
+}
+
+/* Three floats that were looked at, as doubles; not before: signalling NaN would raise a flag. */
+TBX_FORCED void tbx_take3_float(double out[3], const void *x)
+{
+    const float *there = (const float *)x;
+    TBX_KEEP_POINTER(there);
+    out[0] = (double)there[0];
+    out[1] = (double)there[1];
+    out[2] = (double)there[2];
+#if TBX_HAS_ASM
+    TBX_KEEP3(SCALAR, out[0], out[1], out[2]); /* else minima compare the floats, and branch on that */
+#endif
 }
 
 /* Three floats as doubles. Returns 0 where one is NaN or infinite. */
 TBX_FN int tbx_read_floats(double out[3], const void *from)
 {
-    float x[3];
-    uint64_t xy;
-    TBX_COPY(x, from, sizeof x);
-    TBX_COPY(&xy, x, sizeof xy);
-    if (TBX_RARELY(tbx_is_unusual_pair(tbx_opaque64(xy)) | tbx_is_unusual(tbx_bits32(&x[2])))) {
+    const float *x = (const float *)from;
+    if (TBX_RARELY(((tbx_unusual2(x) & TBX_PAIR_SIGNS) != 0) | tbx_is_unusual(tbx_bits32(&x[2])))) {
         return tbx_read_unusual(out, from);
     }
-    TBX_KEEP_POINTER(from); /* not converted before they are known to be usual */
-    TBX_COPY(x, from, sizeof x);
-    out[0] = (double)x[0];
-    out[1] = (double)x[1];
-    out[2] = (double)x[2];
+    tbx_take3_float(out, from);
     return 1;
 }
 
@@ -1196,8 +1216,8 @@ TBX_FN int tbx_in_range(const double *x, int least, int most)
 /* An integer that orders as the number does (NaN aside); both zeros give 0. */
 TBX_FN int64_t tbx_key_of_bits(uint64_t bits)
 {
-    const int64_t magnitude = (int64_t)(bits & 0x7fffffffffffffffu);
-    return (bits >> 63) != 0 ? -magnitude : magnitude;
+    const uint64_t sign = bits >> 63; /* no branch: a coin toss */
+    return (int64_t)(((bits & 0x7fffffffffffffffu) ^ (0u - sign)) + sign);
 }
 
 TBX_FN uint64_t tbx_magnitude64(int64_t key)
@@ -1879,24 +1899,22 @@ TBX_COLD int tbx_clip_box(tbx_clip *clip, const double v0[3], const double v1[3]
     return 1;
 }
 
-/* The same of usual numbers, which can be compared as they are, on axis k. */
+/* The same of usual numbers, which can be compared as they are, on axis k. Returns 1 where an open face parts
+ * them; where a closed one does, or lo > hi, the box that is left has lo > hi. */
 TBX_FN int tbx_clip_axis(tbx_clip *clip, int k, double v0, double v1, double v2, double lo, double hi,
                          unsigned flags)
 {
     const double t_min = tbx_lesser(tbx_lesser(v0, v1), v2);
     const double t_max = tbx_greater(tbx_greater(v0, v1), v2);
-    const double lower = tbx_greater(lo, t_min);
-    const double upper = tbx_lesser(hi, t_max);
-    int parted = lower > upper; /* also where lo > hi */
-    clip->lo[k] = lower;
-    clip->hi[k] = upper;
+    clip->lo[k] = tbx_greater(lo, t_min);
+    clip->hi[k] = tbx_lesser(hi, t_max);
     if (tbx_hi_is_open(flags)) {
         const int lo_is_open = tbx_lo_is_open(flags);
-        parted |= tbx_no_more(hi, lo) | tbx_no_more(hi, t_min) | (lo_is_open & tbx_no_more(t_max, lo));
         clip->open_lo |= (unsigned)(lo_is_open & tbx_no_more(t_min, lo)) << k;
         clip->open_hi |= (unsigned)tbx_no_more(hi, t_max) << k;
+        return tbx_no_more(hi, lo) | tbx_no_more(hi, t_min) | (lo_is_open & tbx_no_more(t_max, lo));
     }
-    return parted;
+    return 0;
 }
 
 /* The values of the filter: the worst edge of each plane, then the plane; and their bounds. */
@@ -1951,32 +1969,22 @@ TBX_FN double tbx_filter_edges(const tbx_axis *b, const tbx_axis *c, double *out
     return tbx_lesser(tbx_lesser(g0, g1), g2) + tbx_abs(n);
 }
 
-/* Corners and the clipped box are usual. */
-TBX_FN void tbx_filter(tbx_values *out, const double v0[3], const double v1[3], const double v2[3],
-                       const tbx_clip *clip)
+/* Corners and the clipped box are usual. Written out, as are its callers: few compilers unroll loops. */
+TBX_FORCED void tbx_filter(tbx_values *out, const tbx_axis x[3])
 {
-    tbx_axis x[3];
-    double along = 0.0;
-    double volume = TBX_ULPS * TBX_U64;
-    int k;
-    out->support = 0.0;
-    TBX_UNROLL
-    for (k = 0; k < 3; k++) {
-        tbx_axis_set(&x[k], v0[k], v1[k], v2[k], clip->lo[k], clip->hi[k]);
-        volume *= x[k].x;
-    }
-    TBX_UNROLL
-    for (k = 0; k < 3; k++) {
-        const tbx_axis *b = &x[(k + 1) % 3];
-        const tbx_axis *c = &x[(k + 2) % 3];
-        double n;
-        out->value[k] = tbx_filter_edges(b, c, &n);
-        out->bound[k] = TBX_ULPS * TBX_U64 * b->x * c->x;
-        out->support += tbx_abs(n) * x[k].h;
-        along += n * x[k].m;
-    }
-    out->value[3] = out->support - tbx_abs(along);
-    out->bound[3] = volume;
+    const double x0 = TBX_ULPS * TBX_U64 * x[0].x;
+    double n0;
+    double n1;
+    double n2;
+    out->value[0] = tbx_filter_edges(&x[1], &x[2], &n0);
+    out->value[1] = tbx_filter_edges(&x[2], &x[0], &n1);
+    out->value[2] = tbx_filter_edges(&x[0], &x[1], &n2);
+    out->bound[0] = TBX_ULPS * TBX_U64 * x[1].x * x[2].x;
+    out->bound[1] = x0 * x[2].x;
+    out->bound[2] = x0 * x[1].x;
+    out->bound[3] = out->bound[2] * x[2].x;
+    out->support = tbx_abs(n0) * x[0].h + tbx_abs(n1) * x[1].h + tbx_abs(n2) * x[2].h;
+    out->value[3] = out->support - tbx_abs(n0 * x[0].m + n1 * x[1].m + n2 * x[2].m);
 }
 
 /* The power of two that maps an extent in [2^-300, 2^301) to [2^14, 2^15). */
@@ -2064,21 +2072,69 @@ TBX_FN int tbx_is_outside(const double t[3], const double p[3], const double q[3
     return outside;
 }
 
+/* Of a chord p, q, an edge asked alone, n is 0, and for each axis one condition remains: r - |c| >= 0, c =
+ * a x m, a = q - p, of the box clipped to it. The bound is the edges' one above: r, 10, c, 20, and their sum, 4,
+ * of 128. Where X_b or X_c is 0, so are value and bound: the faces say all. */
+typedef struct tbx_chord {
+    double a;
+    double m;
+    double h; /* below 0: a face of the box parts them, or min > max */
+    double e; /* |a| */
+} tbx_chord;
+
+TBX_FN void tbx_chord_set(tbx_chord *x, double p, double q, double lo, double hi)
+{
+    const double lower = tbx_greater(lo, tbx_lesser(p, q));
+    double a = q - p;
+    double from = lower - p;
+    double h = tbx_lesser(hi, tbx_greater(p, q)) - lower;
+    TBX_KEEP3(SCALAR, a, from, h);
+    x->a = a;
+    x->m = 2.0 * from + h;
+    x->h = h;
+    x->e = tbx_abs(a);
+}
+
+TBX_FN void tbx_chord_across(const tbx_chord *b, const tbx_chord *c, double *least, double *most)
+{
+    const double value = b->e * c->h + (c->e * b->h - tbx_abs(b->a * c->m - b->m * c->a));
+    const double bound = TBX_ULPS * TBX_U64 * b->e * c->e;
+    *least = tbx_lesser(*least, value - bound);
+    *most = tbx_lesser(*most, value + bound);
+}
+
+/* The verdict of faces and chord, or UNSURE. */
+TBX_FORCED int tbx_chord_meets(const double p[3], const double q[3], const double lo[3], const double hi[3])
+{
+    tbx_chord x[3];
+    double least;
+    double most;
+    tbx_chord_set(&x[0], p[0], q[0], lo[0], hi[0]);
+    tbx_chord_set(&x[1], p[1], q[1], lo[1], hi[1]);
+    tbx_chord_set(&x[2], p[2], q[2], lo[2], hi[2]);
+    most = tbx_lesser(tbx_lesser(x[0].h, x[1].h), x[2].h);
+    least = most;
+    tbx_chord_across(&x[0], &x[1], &least, &most);
+    tbx_chord_across(&x[1], &x[2], &least, &most);
+    tbx_chord_across(&x[2], &x[0], &least, &most);
+    /* one branch, hardly ever missed: a hit alone is a coin toss */
+    if (tbx_more(0.0, most) | tbx_no_more(0.0, least)) {
+        return least >= 0.0;
+    }
+    return TBX_UNSURE;
+}
+
 /* Triangles without area, whose plane the filter never decides: corners on a line, or that repeat. An edge
  * with the same bounding box as the triangle is asked alone: where it is surely hit, so is the triangle, and
- * where the third corner is an end of it, they are one. The bound is the edges' one above, without n: r_0,
- * 10, c_0, 20, and their sum, 4, of 128. */
+ * where the third corner is an end of it, they are one. */
 TBX_COLD int tbx_clipped_edge(const double v0[3], const double v1[3], const double v2[3],
                               const tbx_clip *clip)
 {
     const double *p = v0;
     const double *q = v1;
     const double *t = v2;
-    double a[3];
-    double m[3];
-    double h[3];
-    int hit = 1;
-    int miss = 0;
+    int verdict;
+    int is_end;
     int k;
     for (k = 0; tbx_is_outside(t, p, q); k++) {
         const double *const next = p;
@@ -2089,27 +2145,9 @@ TBX_COLD int tbx_clipped_edge(const double v0[3], const double v1[3], const doub
         q = t;
         t = next;
     }
-    for (k = 0; k < 3; k++) {
-        double from = clip->lo[k] - p[k];
-        a[k] = q[k] - p[k];
-        h[k] = clip->hi[k] - clip->lo[k];
-        TBX_KEEP3(SCALAR, a[k], h[k], from);
-        m[k] = 2.0 * from + h[k];
-    }
-    for (k = 0; k < 3; k++) {
-        const int b = (k + 1) % 3;
-        const int c = (k + 2) % 3;
-        const double e_b = tbx_abs(a[b]);
-        const double e_c = tbx_abs(a[c]);
-        const double value = e_b * h[c] + (e_c * h[b] - tbx_abs(a[b] * m[c] - a[c] * m[b]));
-        const double bound = TBX_ULPS * TBX_U64 * e_b * e_c;
-        hit &= tbx_no_more(bound, value);
-        miss |= tbx_more(-bound, value);
-    }
-    if (hit) {
-        return TBX_HIT;
-    }
-    return miss && !(tbx_is_outside(p, t, t) & tbx_is_outside(q, t, t)) ? TBX_MISS : TBX_UNSURE;
+    verdict = tbx_chord_meets(p, q, clip->lo, clip->hi);
+    is_end = !(tbx_is_outside(p, t, t) & tbx_is_outside(q, t, t));
+    return verdict == TBX_MISS && !is_end ? TBX_UNSURE : verdict;
 }
 
 /* The filter leaves conditions unsure. On a lattice of whole units an edge's value is exact, a multiple of
@@ -2137,44 +2175,65 @@ TBX_COLD int tbx_clipped_unsure(const double v0[3], const double v1[3], const do
     return tbx_clipped_exact(v0, v1, v2, clip, unsure);
 }
 
-/* The verdict of the nine edges and the plane, of usual numbers: by the filter, and what that leaves unsure
- * by other means. */
-TBX_NOINLINE int tbx_clipped_usual(const double v0[3], const double v1[3], const double v2[3],
-                                   const tbx_clip *clip)
+/* The verdict of the faces, the nine edges and the plane, of usual numbers: by the filter, and what that
+ * leaves unsure by other means. parted: an open face is known to part them. */
+TBX_FORCED int tbx_clipped(const double v0[3], const double v1[3], const double v2[3], const tbx_clip *clip,
+                           int parted)
 {
-    tbx_values filter;
+    tbx_axis x[3];
+    tbx_values f;
     double least;
     double most;
-    int k;
-    tbx_filter(&filter, v0, v1, v2, clip);
-    least = filter.value[3] - filter.bound[3];
-    most = filter.value[3] + filter.bound[3];
-    TBX_UNROLL
-    for (k = 0; k < 3; k++) {
-        least = tbx_lesser(least, filter.value[k] - filter.bound[k]);
-        most = tbx_lesser(most, filter.value[k] + filter.bound[k]);
+    tbx_axis_set(&x[0], v0[0], v1[0], v2[0], clip->lo[0], clip->hi[0]);
+    tbx_axis_set(&x[1], v0[1], v1[1], v2[1], clip->lo[1], clip->hi[1]);
+    tbx_axis_set(&x[2], v0[2], v1[2], v2[2], clip->lo[2], clip->hi[2]);
+    if (parted | tbx_more(0.0, tbx_lesser(tbx_lesser(x[0].h, x[1].h), x[2].h))) {
+        return TBX_MISS;
     }
+    tbx_filter(&f, x);
+    least = tbx_lesser(tbx_lesser(f.value[0] - f.bound[0], f.value[1] - f.bound[1]),
+                       tbx_lesser(f.value[2] - f.bound[2], f.value[3] - f.bound[3]));
+    most = tbx_lesser(tbx_lesser(f.value[0] + f.bound[0], f.value[1] + f.bound[1]),
+                      tbx_lesser(f.value[2] + f.bound[2], f.value[3] + f.bound[3]));
     /* one branch, hardly ever missed: a hit alone is a coin toss, and compilers would branch on it */
     if (tbx_more(0.0, most) | tbx_no_more(0.0, least)) {
         return least >= 0.0;
     }
-    return tbx_clipped_unsure(v0, v1, v2, clip, &filter);
+    return tbx_clipped_unsure(v0, v1, v2, clip, &f);
+}
+
+TBX_NOINLINE int tbx_clipped_usual(const double v0[3], const double v1[3], const double v2[3],
+                                   const tbx_clip *clip, int parted)
+{
+    return tbx_clipped(v0, v1, v2, clip, parted);
+}
+
+/* Clips the box on all axes; returns what tbx_clip_axis does. */
+TBX_FORCED int tbx_clip_usual(tbx_clip *clip, const double v0[3], const double v1[3], const double v2[3],
+                              const double box_min[3], const double box_max[3], unsigned flags)
+{
+    clip->open_lo = 0;
+    clip->open_hi = 0;
+    return tbx_clip_axis(clip, 0, v0[0], v1[0], v2[0], box_min[0], box_max[0], flags) |
+           tbx_clip_axis(clip, 1, v0[1], v1[1], v2[1], box_min[1], box_max[1], flags) |
+           tbx_clip_axis(clip, 2, v0[2], v1[2], v2[2], box_min[2], box_max[2], flags);
 }
 
 /* The verdict for usual numbers: emptiness and the faces first. */
+TBX_FORCED int tbx_overlap_plain(const double v0[3], const double v1[3], const double v2[3],
+                                 const double box_min[3], const double box_max[3], unsigned flags)
+{
+    tbx_clip clip;
+    const int parted = tbx_clip_usual(&clip, v0, v1, v2, box_min, box_max, flags);
+    return tbx_clipped(v0, v1, v2, &clip, parted);
+}
+
 TBX_NOINLINE int tbx_overlap_usual(const double v0[3], const double v1[3], const double v2[3],
                                    const double box_min[3], const double box_max[3], unsigned flags)
 {
     tbx_clip clip;
-    int parted = 0;
-    int k;
-    clip.open_lo = 0;
-    clip.open_hi = 0;
-    TBX_UNROLL
-    for (k = 0; k < 3; k++) {
-        parted |= tbx_clip_axis(&clip, k, v0[k], v1[k], v2[k], box_min[k], box_max[k], flags);
-    }
-    return !parted && tbx_clipped_usual(v0, v1, v2, &clip);
+    const int parted = tbx_clip_usual(&clip, v0, v1, v2, box_min, box_max, flags);
+    return tbx_clipped_usual(v0, v1, v2, &clip, parted);
 }
 
 /* Numbers that are not usual: clipped by their keys, then decided by the filter where that is possible. */
@@ -2187,7 +2246,7 @@ TBX_COLD int tbx_overlap_unusual(const double v0[3], const double v1[3], const d
     }
     /* a box that was infinite is usual once it is clipped */
     if (tbx_all_usual(v0, v1, v2, clip.lo, clip.hi)) {
-        return tbx_clipped_usual(v0, v1, v2, &clip);
+        return tbx_clipped_usual(v0, v1, v2, &clip, 0);
     }
     return tbx_clipped_exact(v0, v1, v2, &clip, TBX_ALL_AXES);
 }
@@ -2197,7 +2256,7 @@ TBX_NOINLINE int tbx_overlap(const double v0[3], const double v1[3], const doubl
                              const double box_min[3], const double box_max[3], unsigned flags)
 {
     if (tbx_all_usual(v0, v1, v2, box_min, box_max)) {
-        return tbx_overlap_usual(v0, v1, v2, box_min, box_max, flags);
+        return TBX_EITHER(tbx_overlap_usual, tbx_overlap_plain)(v0, v1, v2, box_min, box_max, flags);
     }
     return tbx_overlap_unusual(v0, v1, v2, box_min, box_max, flags);
 }
@@ -2241,19 +2300,18 @@ TRIBOX_FN int tribox_overlap_f64(const double v0[3], const double v1[3], const d
     return tbx_overlap_double(v0, v1, v2, box_min, box_max, 0);
 }
 
-/* The float entry of the scalar body. As doubles, all finite floats are usual. */
-TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
-                                     const float box_min[3], const float box_max[3], unsigned rule)
+/* The float entry of the scalar body, of any floats. As doubles, all finite floats are usual. */
+TBX_COLD int tbx_overlap_unusual_floats(const float v0[3], const float v1[3], const float v2[3],
+                                        const float box_min[3], const float box_max[3], unsigned rule)
 {
-    const void *const from[5] = { v0, v1, v2, box_min, box_max };
     double wide[5][3];
-    int finite = 1;
     int i;
-    TBX_UNROLL
-    for (i = 0; i < 5; i++) {
-        finite &= tbx_read_floats(wide[i], from[i]);
-    }
-    for (i = 0; i < 15 && !finite; i++) {
+    tbx_widen3(wide[0], v0);
+    tbx_widen3(wide[1], v1);
+    tbx_widen3(wide[2], v2);
+    tbx_widen3(wide[3], box_min);
+    tbx_widen3(wide[4], box_max);
+    for (i = 0; i < 15; i++) {
         /* a face at infinity is as good at 2^224, which is usual */
         const uint64_t infinity = 0x7ff0000000000000u;
         uint64_t bits = tbx_bits64(&wide[i / 3][i % 3]);
@@ -2265,6 +2323,27 @@ TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const
         TBX_COPY(&wide[i / 3][i % 3], &bits, sizeof bits);
     }
     return tbx_overlap_usual(wide[0], wide[1], wide[2], wide[3], wide[4], rule);
+}
+
+/* The same, where all can be converted at once. */
+TBX_NOINLINE int tbx_overlap_widened(const float v0[3], const float v1[3], const float v2[3],
+                                     const float box_min[3], const float box_max[3], unsigned rule)
+{
+    double p[3];
+    double q[3];
+    double r[3];
+    double lo[3];
+    double hi[3];
+    const uint64_t unusual = tbx_unusual6(v0, v1) | tbx_unusual6(v2, box_min) | tbx_unusual2(box_max);
+    if (TBX_RARELY(((unusual & TBX_PAIR_SIGNS) != 0) | tbx_is_unusual(tbx_bits32(&box_max[2])))) {
+        return tbx_overlap_unusual_floats(v0, v1, v2, box_min, box_max, rule);
+    }
+    tbx_take3_float(p, v0);
+    tbx_take3_float(q, v1);
+    tbx_take3_float(r, v2);
+    tbx_take3_float(lo, box_min);
+    tbx_take3_float(hi, box_max);
+    return TBX_EITHER(tbx_overlap_usual, tbx_overlap_plain)(p, q, r, lo, hi, rule);
 }
 
 TBX_FN int tbx_overlap_float(const float v0[3], const float v1[3], const float v2[3], const float box_min[3],
@@ -2402,8 +2481,8 @@ TRIBOX_FN int tribox_sat(const float v0[3], const float v1[3], const float v2[3]
 TBX_FN int32_t tbx_key32(const float *x)
 {
     const uint32_t bits = tbx_bits32(x);
-    const int32_t magnitude = (int32_t)(bits & 0x7fffffffu);
-    return (bits >> 31) != 0 ? -magnitude : magnitude;
+    const uint32_t sign = bits >> 31; /* no branch: a coin toss */
+    return (int32_t)(((bits & 0x7fffffffu) ^ (0u - sign)) + sign);
 }
 
 #define TBX_KEY32_MAX 0x7f7fffff /* FLT_MAX */
@@ -6592,32 +6671,18 @@ TBX_FN int tbx_read3(tbx_real out[3][3], const void *x, const void *y, const voi
     return tbx_read(out[0], x, 3, format) | tbx_read(out[1], y, 3, format) | tbx_read(out[2], z, 3, format);
 }
 
-/* Looks at a number: negative unless it is 0, or finite, in the range of the run in double, and no subnormal
- * float. */
-TBX_FORCED int64_t tbx_scan(const char *x, int format)
+/* Looks at a double: negative unless it is 0, or finite and in the range of the run in double. */
+TBX_FN int64_t tbx_scan(const double *x)
 {
-    int64_t magnitude;
-    int64_t least = (int64_t)(1023 - 97) << 52;
-    int64_t most = ((int64_t)(1023 + 130) << 52) - 1;
-    if (format == TBX_FLOAT) {
-        uint32_t bits;
-        TBX_COPY(&bits, x, sizeof bits);
-        magnitude = (int64_t)(tbx_opaque32(bits) & 0x7fffffffu);
-        least = 0x00800000;
-        most = 0x7f7fffff;
-    } else {
-        uint64_t bits;
-        TBX_COPY(&bits, x, sizeof bits);
-        magnitude = (int64_t)(tbx_opaque64(bits) & 0x7fffffffffffffffu);
-    }
+    const int64_t magnitude = (int64_t)(tbx_bits64(x) & 0x7fffffffffffffffu);
+    const int64_t least = (int64_t)(1023 - 97) << 52;
+    const int64_t most = ((int64_t)(1023 + 130) << 52) - 1;
     return ((magnitude - least) & -magnitude) | (most - magnitude);
 }
 
-TBX_FORCED int64_t tbx_scan3(const void *x, int format)
+TBX_FN int64_t tbx_scan3(const double x[3])
 {
-    const size_t size = format == TBX_FLOAT ? sizeof(float) : sizeof(double);
-    return tbx_scan((const char *)x, format) | tbx_scan((const char *)x + size, format) |
-           tbx_scan((const char *)x + 2 * size, format);
+    return tbx_scan(x) | tbx_scan(x + 1) | tbx_scan(x + 2);
 }
 
 /* A float that was looked at, as a double; not before: signalling NaN would raise a flag. */
@@ -6629,15 +6694,6 @@ TBX_FN double tbx_take(const float *x)
 }
 
 /* Three numbers, likewise. */
-TBX_FORCED void tbx_take3_float(double out[3], const void *x)
-{
-    const float *there = (const float *)x;
-    TBX_KEEP_POINTER(there);
-    out[0] = (double)there[0];
-    out[1] = (double)there[1];
-    out[2] = (double)there[2];
-}
-
 TBX_FORCED void tbx_take3(double out[3], const void *x, int format)
 {
     if (format == TBX_FLOAT) {
@@ -6654,17 +6710,29 @@ TBX_FN int tbx_odd1(const float *x)
 }
 
 #if !TRIBOX_SIMD
-TBX_FN int tbx_odd3(const float x[3])
-{
-    return tbx_odd1(x) | tbx_odd1(x + 1) | tbx_odd1(x + 2);
-}
-
 /* Is one of twelve floats odd? */
 TBX_FN int tbx_odd4(const float a[3], const float b[3], const float c[3], const float d[3])
 {
-    return tbx_odd3(a) | tbx_odd3(b) | tbx_odd3(c) | tbx_odd3(d);
+    return ((tbx_unusual6(a, b) | tbx_unusual6(c, d)) & TBX_PAIR_SIGNS) != 0;
 }
 #endif
+
+/* Four points of the format, as doubles. Returns 0 where plain double does not take some number. */
+TBX_FORCED int tbx_take12(double out[4][3], const void *a, const void *b, const void *c, const void *d,
+                          int format)
+{
+    if (format == TBX_FLOAT
+            ? tbx_odd4((const float *)a, (const float *)b, (const float *)c, (const float *)d)
+            : (tbx_scan3((const double *)a) | tbx_scan3((const double *)b) | tbx_scan3((const double *)c) |
+               tbx_scan3((const double *)d)) < 0) {
+        return 0;
+    }
+    tbx_take3(out[0], a, format);
+    tbx_take3(out[1], b, format);
+    tbx_take3(out[2], c, format);
+    tbx_take3(out[3], d, format);
+    return 1;
+}
 
 TBX_FN void tbx_minus3(double out[3], const double a[3], const double b[3])
 {
@@ -7307,11 +7375,26 @@ TBX_FORCED int tbx_box_box(const void *a_min, const void *a_max, const void *b_m
     return meet;
 }
 
+/* Of floats that can be compared as they are: what both have in common is not empty. */
+TBX_FN int tbx_box_box_floats(const float a_min[3], const float a_max[3], const float b_min[3],
+                              const float b_max[3])
+{
+    uint32_t meet = 1;
+    int k;
+    if (TBX_RARELY(tbx_odd4(a_min, a_max, b_min, b_max))) {
+        return tbx_box_box(a_min, a_max, b_min, b_max, TBX_FLOAT);
+    }
+    TBX_UNROLL
+    for (k = 0; k < 3; k++) {
+        meet &= tbx_opaque32(tbx_maxf(a_min[k], b_min[k]) <= tbx_minf(a_max[k], b_max[k])); /* see tbx_more */
+    }
+    return (int)meet;
+}
+
 TRIBOX_FN int tribox_box_box(const float a_min[3], const float a_max[3], const float b_min[3],
                              const float b_max[3])
 {
-    return TBX_EITHER(tbx_box_box4(a_min, a_max, b_min, b_max),
-                      tbx_box_box(a_min, a_max, b_min, b_max, TBX_FLOAT));
+    return TBX_EITHER(tbx_box_box4, tbx_box_box_floats)(a_min, a_max, b_min, b_max);
 }
 
 TRIBOX_FN int tribox_box_box_f64(const double a_min[3], const double a_max[3], const double b_min[3],
@@ -7514,20 +7597,18 @@ TBX_FN int tbx_slab_times(double x[4][3], int k, double *out_first, double *out_
     const double d = x[1][k];
     const double lo = x[2][k];
     const double hi = x[3][k];
-    const int flat = !(d < 0.0 || d > 0.0);
+    const int flat = !(tbx_abs(d) > 0.0);
     double divisor = flat ? 1.0 : d;
     double inverse;
     double from = lo - o;
     double to = hi - o;
     TBX_KEEP_SCALAR(divisor);
     inverse = 1.0 / divisor;
-    TBX_KEEP_SCALAR(inverse);
-    TBX_KEEP_SCALAR(from);
-    TBX_KEEP_SCALAR(to);
+    TBX_KEEP3(SCALAR, inverse, from, to);
     from = from * inverse;
     to = to * inverse;
-    *out_first = from < to ? from : to;
-    *out_last = from > to ? from : to;
+    *out_first = tbx_lesser(from, to);
+    *out_last = tbx_greater(from, to);
     if (TBX_RARELY(flat)) {
         *outside |= tbx_more(lo, o) | tbx_more(o, hi);
         *out_first = -TBX_SLAB_BEYOND;
@@ -7540,6 +7621,37 @@ TBX_FN int tbx_slab_times(double x[4][3], int k, double *out_first, double *out_
 TBX_FN double tbx_slab_limit(const tbx_real *t)
 {
     return tbx_key_is_finite(t->key) ? t->value : t->key < 0 ? -TBX_SLAB_BEYOND : TBX_SLAB_BEYOND;
+}
+
+/* t_min and t_max alike. Returns 0 where plain double does not take them. */
+TBX_NOINLINE int tbx_slab_limits(double out[2], const void *t, int format)
+{
+    tbx_real own[2];
+    const int odd = tbx_read(own, t, 2, format);
+    out[0] = tbx_slab_limit(&own[0]);
+    out[1] = tbx_slab_limit(&own[1]);
+    return !(odd | tbx_key_is_nan(own[0].key) | tbx_key_is_nan(own[1].key));
+}
+
+/* The same, where both are usual at once. */
+TBX_FORCED int tbx_slab_ends(double out[2], const void *t, int format)
+{
+    const double *there = (const double *)t;
+    if (format == TBX_FLOAT) {
+        const float *narrow = (const float *)t;
+        if (TBX_RARELY((tbx_unusual2(narrow) & TBX_PAIR_SIGNS) != 0)) {
+            return tbx_slab_limits(out, t, format);
+        }
+        TBX_KEEP_POINTER(narrow);
+        out[0] = (double)narrow[0];
+        out[1] = (double)narrow[1];
+        return 1;
+    }
+    if (TBX_RARELY((tbx_scan(there) | tbx_scan(there + 1)) < 0)) {
+        return tbx_slab_limits(out, t, format);
+    }
+    TBX_COPY(out, t, 2 * sizeof *out);
+    return 1;
 }
 
 /* Which of four times is the one at t? Its number, -1 for the fourth, or -2: several may be. */
@@ -7556,33 +7668,24 @@ TBX_FN int tbx_slabs_only(const double ends[4], double t)
  * (-1: t_min, t_max), t its time. */
 TBX_FORCED int tbx_slabs_filter(const tbx_ray_ask *a, double t[2], int axis[2], int format)
 {
-    tbx_real t_end[2];
     double x[4][3];
+    double own[2];
     double first[4];
     double last[4];
     double error;
     int outside = 0;
-    int unsure = tbx_read(t_end, a->t, 2, format);
-    if (!TBX_DOUBLE_IS_53_BITS || unsure || tbx_key_is_nan(t_end[0].key) || tbx_key_is_nan(t_end[1].key) ||
-        (tbx_scan3(a->origin, format) | tbx_scan3(a->dir, format) | tbx_scan3(a->box_min, format) |
-         tbx_scan3(a->box_max, format)) < 0) {
+    int unsure;
+    if (!TBX_DOUBLE_IS_53_BITS || !tbx_slab_ends(own, a->t, format) ||
+        !tbx_take12(x, a->origin, a->dir, a->box_min, a->box_max, format)) {
         return TBX_UNSURE;
     }
-    tbx_take3(x[0], a->origin, format);
-    tbx_take3(x[1], a->dir, format);
-    tbx_take3(x[2], a->box_min, format);
-    tbx_take3(x[3], a->box_max, format);
     unsure = tbx_slab_times(x, 0, &first[0], &last[0], &outside);
     unsure |= tbx_slab_times(x, 1, &first[1], &last[1], &outside);
     unsure |= tbx_slab_times(x, 2, &first[2], &last[2], &outside);
-    first[3] = tbx_slab_limit(&t_end[0]);
-    last[3] = tbx_slab_limit(&t_end[1]);
-    t[0] = first[0] > first[1] ? first[0] : first[1];
-    t[1] = last[0] < last[1] ? last[0] : last[1];
-    t[0] = first[2] > t[0] ? first[2] : t[0];
-    t[1] = last[2] < t[1] ? last[2] : t[1];
-    t[0] = first[3] > t[0] ? first[3] : t[0];
-    t[1] = last[3] < t[1] ? last[3] : t[1];
+    first[3] = own[0];
+    last[3] = own[1];
+    t[0] = tbx_greater(tbx_greater(first[0], first[1]), tbx_greater(first[2], first[3]));
+    t[1] = tbx_lesser(tbx_lesser(last[0], last[1]), tbx_lesser(last[2], last[3]));
     error = TBX_SLAB_ERROR * (tbx_abs(t[0]) + tbx_abs(t[1]));
     if (unsure) {
         return TBX_UNSURE;
@@ -7713,72 +7816,17 @@ TRIBOX_FN int tribox_ray_box_f64(const double origin[3], const double dir[3], do
 
 /* ---- segment and box
  *
- * The segment is the triangle p, q, q, whose normal is 0: of "one box" there remain the faces, and for each
- * axis one condition r - |c| >= 0, where a = q - p, and m and h are the middle and the half size, from p, of
- * the box clipped to the segment: r = |a_b| h_c + |a_c| h_b, c = (m x a)_a. Bound, in units of u X_b X_c, X =
- * |a|: c: two products of 2 + 1 + 1, and 2 for their difference: 10; r: 8; r - |c|: 3 more: 21, within ULPS.
- * Where X_b or X_c is 0, value and bound are 0: the faces say all. */
+ * The segment is the triangle p, q, q, whose normal is 0: of "one box" there remain the faces, and the edges'
+ * conditions of a chord. */
 
-/* One axis, in double: a, m and h. */
-typedef struct tbx_chord {
-    double a;
-    double m;
-    double h;
-    int parted; /* a face of the box parts them, or min > max */
-} tbx_chord;
-
-TBX_FN void tbx_chord_set(tbx_chord *x, double p, double q, double lo, double hi)
+TBX_FORCED int tbx_segment_filter64(const void *p, const void *q, const void *box_min, const void *box_max,
+                                    int format)
 {
-    const double least = p < q ? p : q;
-    const double most = p > q ? p : q;
-    const double lower = lo > least ? lo : least;
-    const double upper = hi < most ? hi : most;
-    double l = lower - p;
-    double u = upper - p;
-    x->a = q - p;
-    TBX_KEEP_SCALAR(l);
-    TBX_KEEP_SCALAR(u);
-    TBX_KEEP_SCALAR(x->a);
-    x->m = (l + u) * 0.5;
-    x->h = (u - l) * 0.5;
-    x->parted = tbx_more(lower, upper);
-}
-
-/* The condition of the axis across b and c: 0 holds, 1 unsure, 2 does not hold. */
-TBX_FN int tbx_chord_across(const tbx_chord *b, const tbx_chord *c)
-{
-    const double x = tbx_abs(b->a);
-    const double y = tbx_abs(c->a);
-    double value = x * c->h + y * b->h - tbx_abs(b->m * c->a - c->m * b->a);
-    double bound = TBX_ULPS * TBX_U64 * x * y;
-    TBX_KEEP_SCALAR(value); /* clang 19 compared a lane beside it, which holds anything, with a signal */
-    TBX_KEEP_SCALAR(bound);
-    return tbx_more(bound, value) + tbx_more(-bound, value);
-}
-
-TBX_FORCED int tbx_segment_filter64(const void *p, const void *q, const void *box_min,
-                                        const void *box_max, int format)
-{
-    tbx_chord axis[3];
     double x[4][3];
-    int worst;
-    if (!TBX_DOUBLE_IS_53_BITS || (tbx_scan3(p, format) | tbx_scan3(q, format) | tbx_scan3(box_min, format) |
-                                   tbx_scan3(box_max, format)) < 0) {
+    if (!TBX_DOUBLE_IS_53_BITS || !tbx_take12(x, p, q, box_min, box_max, format)) {
         return TBX_UNSURE;
     }
-    tbx_take3(x[0], p, format);
-    tbx_take3(x[1], q, format);
-    tbx_take3(x[2], box_min, format);
-    tbx_take3(x[3], box_max, format);
-    tbx_chord_set(&axis[0], x[0][0], x[1][0], x[2][0], x[3][0]);
-    tbx_chord_set(&axis[1], x[0][1], x[1][1], x[2][1], x[3][1]);
-    tbx_chord_set(&axis[2], x[0][2], x[1][2], x[2][2], x[3][2]);
-    worst = tbx_chord_across(&axis[0], &axis[1]) | tbx_chord_across(&axis[1], &axis[2]) |
-            tbx_chord_across(&axis[2], &axis[0]);
-    if ((axis[0].parted | axis[1].parted | axis[2].parted | (worst >> 1)) != 0) {
-        return TBX_MISS;
-    }
-    return worst == 0 ? TBX_HIT : TBX_UNSURE;
+    return tbx_chord_meets(x[0], x[1], x[2], x[3]);
 }
 
 TBX_NOINLINE int tbx_segment_float(const float *p, const float *q, const float *box_min, const float *box_max)
@@ -19004,6 +19052,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_DOUBLE_IS_53_BITS
 #undef TBX_EITHER
 #undef TBX_RETURN_IF_SURE
+#undef TBX_PAIR_SIGNS
 #undef TBX_POW2
 #undef TBX_LONE_RANGE
 #undef TBX_LONE_PLANE_ERROR

@@ -67,13 +67,17 @@ static double random_signed(void)
 __attribute__((noinline)) static void one_box(computed *r, const numbers *q)
 {
     tbx_values values;
+    tbx_axis axis[3];
     int k;
 
     if (!tbx_all_usual(q->x, q->x + 3, q->x + 6, q->x + 9, q->x + 12) ||
         !tbx_clip_box(&r->clip, q->x, q->x + 3, q->x + 6, q->x + 9, q->x + 12, 0)) {
         return;
     }
-    tbx_filter(&values, q->x, q->x + 3, q->x + 6, &r->clip);
+    for (k = 0; k < 3; k++) {
+        tbx_axis_set(&axis[k], q->x[k], q->x[3 + k], q->x[6 + k], r->clip.lo[k], r->clip.hi[k]);
+    }
+    tbx_filter(&values, axis);
     for (k = 0; k < 4; k++) {
         r->value[k] = values.value[k];
         r->bound[k] = values.bound[k];
