@@ -1798,6 +1798,7 @@ TBX_FN void tbx_exact_corners(tbx_exact *f, const double v0[3], const double v1[
 #else
 #define TBX_U64 1.1920928955078125e-07 /* 2^-23 */
 #endif
+#define TBX_BOUND_ERROR 1.01 /* a computed bound times this: its own rounding, and terms of second order */
 
 enum { TBX_MISS = 0, TBX_HIT = 1, TBX_UNSURE = 2 };
 
@@ -5750,8 +5751,9 @@ TBX_FN void tbx_solid_cross(tbx_solid_value *out, const tbx_solid_off a[3], cons
     const double back = a[2].x * b[1].x;
     out->value = forth - back;
     out->error =
-        1.01 * (tbx_abs(a[1].x) * b[2].error + tbx_abs(b[2].x) * a[1].error + tbx_abs(a[2].x) * b[1].error +
-                tbx_abs(b[1].x) * a[2].error + a[1].error * b[2].error + a[2].error * b[1].error) +
+        (tbx_abs(a[1].x) * b[2].error + tbx_abs(b[2].x) * a[1].error + tbx_abs(a[2].x) * b[1].error +
+         tbx_abs(b[1].x) * a[2].error + a[1].error * b[2].error + a[2].error * b[1].error) *
+            TBX_BOUND_ERROR +
         (tbx_abs(forth) + tbx_abs(back)) * TBX_SOLID_CLOSE_ERROR;
 }
 
@@ -5790,7 +5792,7 @@ TBX_FN int tbx_solid_close_plane(tbx_solid_off v[3][3], int sign)
     if (error == 0.0) {
         return 0;
     }
-    error *= 1.01;
+    error *= TBX_BOUND_ERROR;
     return value > error ? sign : value < -error ? -sign : 2;
 }
 
@@ -5958,7 +5960,8 @@ TBX_FN void tbx_solid_root_set(tbx_solid_root *root, double value, double along,
     root->at = TBX_PLACE_FIXED - value * inverse;
     root->slope = -along * inverse;
     root->error =
-        (most * TBX_SOLID_LINE_ERROR + 1.01 * error) * inverse + (TBX_SOLID_LINE_ERROR + TBX_PLACE_ROUNDED);
+        (most * TBX_SOLID_LINE_ERROR + TBX_BOUND_ERROR * error) * inverse +
+        (TBX_SOLID_LINE_ERROR + TBX_PLACE_ROUNDED);
     root->error = inverse > 0.0 ? root->error : 1.0;
 }
 
@@ -11976,7 +11979,6 @@ TBX_FORCED void tbx_load_corners(tbx_points out[3], const tbx_source *s, const s
  *   OPEN           [i + e, i + 1 - e]: it never counts. */
 #define TBX_STEPS 65536.0    /* of a voxel in fixed point */
 #define TBX_STEPS_ULPS 3.0   /* of y, in units of u |y|: as above */
-#define TBX_BOUND_ERROR 1.01 /* a bound times this: its own rounding, and terms of second order */
 #define TBX_PLACED_ERROR (4.1f * TBX_U32)
 
 typedef struct tbx_quick {
@@ -17163,6 +17165,7 @@ TBX_FN unsigned tbx_gap_quick(const float *const v[5], const float box_min[3], c
 #define TBX_SOLID_NEAR_ERROR (6.0f * TBX_U32)
 #define TBX_SOLID_ALONE_ERROR (13.0f * TBX_U32)
 #define TBX_SOLID_ALONE_REST (45.0f * TBX_U32)
+#define TBX_SOLID_LEAST 1e-18f /* 0 is not sure, nor what is flushed: 2^-126 of each product */
 #define TBX_SOLID_ROW_ERROR 16.0f
 #define TBX_SOLID_ROW_ULPS (64.0f * TBX_U32)
 
@@ -17225,8 +17228,9 @@ TBX_FN double tbx_solid_axis_init(tbx_solid_quick *q, int k)
     const double n = (double)s->n[k];
     const double left = q->source->is_double ? 0.0 : ((double)q->origin[k] - s->middle[k]) / size;
     const double source_middle = q->source->is_double ? 0.0 : tbx_abs(s->middle[k]);
-    const double slack = 1.01 * ((double)TBX_SOLID_BOX_ERROR * (n + 2.0 * TBX_SOLID_MARGIN + tbx_abs(left)) +
-                                 TBX_SOLID_MIDDLE_ERROR * s->reach[k] / size);
+    const double slack = TBX_BOUND_ERROR *
+                         ((double)TBX_SOLID_BOX_ERROR * (n + 2.0 * TBX_SOLID_MARGIN + tbx_abs(left)) +
+                          TBX_SOLID_MIDDLE_ERROR * s->reach[k] / size);
     tbx_solid_axis *axis = &q->axis[k - 1];
     axis->origin = tbx_wide_all(q->source->is_double ? 0.0f : q->origin[k]);
     axis->inverse = tbx_wide_all(q->inverse[k]);
@@ -17567,7 +17571,7 @@ TBX_FORCED tbx_iw tbx_solid_outside(const tbx_solid_boxed *b, const tbx_solid_qu
     tbx_solid_edges_set(&e, y, z);
     if (tbx_wide_any(asked & ~on)) {
         const tbx_fw relative = tbx_wide_all(TBX_SOLID_ALONE_ERROR);
-        const tbx_fw absolute = tbx_wide_all(rest + 1e-18f);
+        const tbx_fw absolute = tbx_wide_all(rest + TBX_SOLID_LEAST);
         const tbx_fw error0 = relative * (tbx_wide_abs(y[0] * z[1]) + tbx_wide_abs(z[0] * y[1])) + absolute;
         const tbx_fw error1 = relative * (tbx_wide_abs(y[1] * z[2]) + tbx_wide_abs(z[1] * y[2])) + absolute;
         const tbx_fw error2 = relative * (tbx_wide_abs(y[2] * z[0]) + tbx_wide_abs(z[2] * y[0])) + absolute;
@@ -18141,7 +18145,7 @@ TBX_FORCED void tbx_solid_two_lines(tbx_solid_two *t, const tbx_solid *s, const 
     tbx_solid_edge(t, s, 0, lower_falls, half, &over, &off);
     tbx_solid_edge(t, s, 1, lower_falls, half, &over, &off);
     tbx_solid_edge(t, s, 2, lower_falls, half, &over, &off);
-    t->error = line_error * (off + one) + tbx_twice(1.01) * edge_error * over;
+    t->error = line_error * (off + one) + tbx_twice(TBX_BOUND_ERROR) * edge_error * over;
     over = tbx_inverse2(wide, n[0] * tbx_twice(size[0]));
     t->plane_at = -((n[0] * t->at[0][0] + n[1] * t->at[0][1] + n[2] * t->at[0][2] + half_x) * over);
     t->plane_slope = -(n[1] * tbx_twice(size[1]) * over);
@@ -18149,12 +18153,12 @@ TBX_FORCED void tbx_solid_two_lines(tbx_solid_two *t, const tbx_solid *s, const 
     t->plane_error =
         line_error * (tbx_abs2(t->plane_at) + tbx_abs2(t->plane_slope) * tbx_twice((double)s->n[1]) +
                       tbx_abs2(t->plane_z) * tbx_twice((double)s->n[2]) + one) +
-        tbx_twice(1.01) * plane_error * over;
+        tbx_twice(TBX_BOUND_ERROR) * plane_error * over;
     over = tbx_twice(1.0 / size[2]);
     t->layers[0] = tbx_solid_up(-(high[2] + half_z) * over, tbx_twice((double)s->n[2] - 0.5));
     t->layers[1] = tbx_solid_up(-(low[2] + half_z) * over, tbx_twice((double)s->n[2] - 0.5));
     t->error = tbx_max2(t->error, line_error * ((tbx_abs2(low[2]) + tbx_abs2(high[2])) * over + one) +
-                                      tbx_twice(1.01) * layer_error * over);
+                                      tbx_twice(TBX_BOUND_ERROR) * layer_error * over);
     sure = wide & (tbx_l2)(tbx_max2(t->error, t->plane_error) < tbx_twice(0.1)) &
            (tbx_l2)(tbx_abs2(t->plane_slope) < tbx_twice(268435456.0)); /* 2^28 */
     for (k = 0; k < 3; k++) {
@@ -19049,6 +19053,7 @@ TBX_FN size_t tbx_solid_quick_fill(const tbx_solid *s, const tbx_source *source)
 #undef TBX_PRECISE_LEAST
 #undef TBX_ROW_LEAST
 #undef TBX_ROW_TILT
+#undef TBX_SOLID_LEAST
 #undef TBX_DOUBLE_IS_53_BITS
 #undef TBX_EITHER
 #undef TBX_RETURN_IF_SURE
