@@ -11909,22 +11909,34 @@ TBX_FORCED void tbx_load_points(tbx_f4 *x, tbx_f4 *y, tbx_f4 *z, const void *a, 
     *z = third;
 }
 
-/* Corner c of the WIDE triangles listed. */
+/* Corner c of the WIDE triangles listed; of doubles that are floats, too. */
 TBX_FORCED void tbx_load_corner(tbx_points *out, const tbx_source *s, int indexed, const size_t *list,
                                 size_t c)
 {
     const char *positions = s->positions;
     const uint32_t *indices = s->indices;
     const size_t stride = s->stride;
+    float narrow[TBX_WIDE][3];
+    const char *at[TBX_WIDE];
     tbx_f4 x[TBX_WIDE / 4];
     tbx_f4 y[TBX_WIDE / 4];
     tbx_f4 z[TBX_WIDE / 4];
     int i;
 #define TBX_AT(i) (3 * list[i] + c)
 #define TBX_POINT(i) (positions + stride * (indexed ? (size_t)indices[TBX_AT(i)] : TBX_AT(i)))
+    for (i = 0; i < TBX_WIDE; i++) {
+        at[i] = TBX_POINT(i);
+    }
+    for (i = 0; i < TBX_WIDE && s->is_double; i++) {
+        double v[3];
+        TBX_COPY(v, at[i], sizeof v);
+        narrow[i][0] = (float)v[0];
+        narrow[i][1] = (float)v[1];
+        narrow[i][2] = (float)v[2];
+        at[i] = (const char *)narrow[i];
+    }
     for (i = 0; i < TBX_WIDE / 4; i++) {
-        tbx_load_points(&x[i], &y[i], &z[i], TBX_POINT(4 * i), TBX_POINT(4 * i + 1), TBX_POINT(4 * i + 2),
-                        TBX_POINT(4 * i + 3));
+        tbx_load_points(&x[i], &y[i], &z[i], at[4 * i], at[4 * i + 1], at[4 * i + 2], at[4 * i + 3]);
     }
 #undef TBX_POINT
 #undef TBX_AT
@@ -12426,14 +12438,27 @@ typedef struct tbx_centre {
     tbx_d2 z;
 } TBX_ALIGNED tbx_centre;
 
+/* What doubles lose as floats, joined: words that end in 29 bits of 0 where they are floats, and what is not
+ * 0 where one, itself not 0, is outside of 2^-126..2^100. */
+typedef struct tbx_lost {
+    tbx_i4 low;
+    tbx_i4 beyond;
+} TBX_ALIGNED tbx_lost;
+
 /* A row of doubles, less the region's centre, in floats. That rounds once, as the difference of floats does.
- * Numbers that no float would hold are infinite. */
-TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
+ * Numbers that no float would hold are infinite. Adds to *lost, if there is one. */
+TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre, tbx_lost *lost)
 {
     tbx_i4 bits = tbx_splat_int(0x7f800000);
     tbx_d2 xy = tbx_load2(from);
     tbx_d2 z = tbx_swap(tbx_load1(from + sizeof xy));
     const tbx_i4 upper = TBX_HIGH_WORDS(xy, z) & tbx_splat_int(0x7fffffff);
+    if (lost != NULL) {
+        const tbx_i4 lower = TBX_LOW_WORDS(xy, z);
+        lost->low |= lower;
+        lost->beyond |= (upper > tbx_splat_int((1023 + 100) << 20)) |
+                        ((upper < tbx_splat_int((1023 - 126) << 20)) & ((upper | lower) != tbx_splat_int(0)));
+    }
     if (!TBX_RARELY(tbx_any(upper > tbx_splat_int((1023 + 100) << 20)))) {
         tbx_f4 row;
         TBX_KEEP2(VECTOR, xy, z); /* not converted before: overflow */
@@ -12446,12 +12471,12 @@ TBX_FORCED tbx_i4 tbx_corner_at_f64(const char *from, const tbx_centre *centre)
 }
 
 /* Corner k, vertex number `at` of the mesh. */
-TBX_FORCED tbx_i4 tbx_block_corner(const tbx_source *source, const tbx_centre *centre, int indexed,
-                                   int packed, size_t at)
+TBX_FORCED tbx_i4 tbx_block_corner(const tbx_source *source, const tbx_centre *centre, tbx_lost *lost,
+                                   int indexed, int packed, size_t at)
 {
     const size_t vertex = indexed ? (size_t)source->indices[at] : at;
     const char *p = source->positions + vertex * (packed ? 3 * sizeof(float) : source->stride);
-    return source->is_double ? tbx_corner_at_f64(p, centre) : tbx_corner_at(p, packed);
+    return source->is_double ? tbx_corner_at_f64(p, centre, lost) : tbx_corner_at(p, packed);
 }
 
 TBX_FORCED int tbx_all_near(const tbx_quick *q, tbx_i4 bits)
@@ -12477,12 +12502,13 @@ TBX_NOINLINE int tbx_block_is_near(const tbx_corners *corners, const tbx_quick *
 
 /* The corners of triangle i of a block. Returns their bits, joined. */
 TBX_FORCED tbx_i4 tbx_block_triangle(tbx_corners *out, int i, const tbx_source *source,
-                                     const tbx_centre *centre, int indexed, int packed, size_t first)
+                                     const tbx_centre *centre, tbx_lost *lost, int indexed, int packed,
+                                     size_t first)
 {
     const size_t at = 3 * (first + (size_t)i);
-    const tbx_i4 v0 = tbx_block_corner(source, centre, indexed, packed, at);
-    const tbx_i4 v1 = tbx_block_corner(source, centre, indexed, packed, at + 1);
-    const tbx_i4 v2 = tbx_block_corner(source, centre, indexed, packed, at + 2);
+    const tbx_i4 v0 = tbx_block_corner(source, centre, lost, indexed, packed, at);
+    const tbx_i4 v1 = tbx_block_corner(source, centre, lost, indexed, packed, at + 1);
+    const tbx_i4 v2 = tbx_block_corner(source, centre, lost, indexed, packed, at + 2);
     out->row[0][i] = (tbx_f4)v0;
     out->row[1][i] = (tbx_f4)v1;
     out->row[2][i] = (tbx_f4)v2;
@@ -12490,24 +12516,31 @@ TBX_FORCED tbx_i4 tbx_block_triangle(tbx_corners *out, int i, const tbx_source *
 }
 
 /* The corners of so many triangles. Returns 1 if they are all near enough, and finite, for boxes without
- * care. No magnitude is greater than all of them with their bits joined, which mostly suffices. */
+ * care. No magnitude is greater than all of them with their bits joined, which mostly suffices. as_floats:
+ * takes doubles for floats, and returns -1 where one is none. */
 TBX_FORCED int tbx_block_corners(tbx_corners *out, const tbx_quick *q, const tbx_source *from, int indexed,
-                                 int packed, size_t first, int count)
+                                 int packed, int as_floats, size_t first, int count)
 {
     const tbx_source source = *from; /* what is stored does not change these */
-    const tbx_centre centre = { { (double)q->centre[1], (double)q->centre[2] },
-                                { 0.0, (double)q->centre[3] } };
+    const tbx_centre centre = { { as_floats ? 0.0 : (double)q->centre[1],
+                                  as_floats ? 0.0 : (double)q->centre[2] },
+                                { 0.0, as_floats ? 0.0 : (double)q->centre[3] } };
+    tbx_lost lost = { tbx_splat_int(0), tbx_splat_int(0) };
+    tbx_lost *const losing = as_floats ? &lost : NULL;
     tbx_i4 bits = tbx_splat_int(0);
     int i = 0;
     for (; packed && i + 1 < count; i += 2) {
-        bits |= tbx_block_triangle(out, i, &source, &centre, indexed, packed, first);
-        bits |= tbx_block_triangle(out, i + 1, &source, &centre, indexed, packed, first);
+        bits |= tbx_block_triangle(out, i, &source, &centre, losing, indexed, packed, first);
+        bits |= tbx_block_triangle(out, i + 1, &source, &centre, losing, indexed, packed, first);
     }
     for (; i < count; i++) {
-        bits |= tbx_block_triangle(out, i, &source, &centre, indexed, packed, first);
+        bits |= tbx_block_triangle(out, i, &source, &centre, losing, indexed, packed, first);
     }
     for (; i % 4 != 0; i++) {
         out->row[0][i] = out->row[1][i] = out->row[2][i] = out->row[0][count - 1];
+    }
+    if (as_floats && tbx_any(((lost.low & tbx_splat_int(0x1fffffff)) | lost.beyond) != tbx_splat_int(0))) {
+        return -1;
     }
     return tbx_all_near(q, bits) || tbx_block_is_near(out, q, count);
 }
@@ -12542,13 +12575,15 @@ TBX_FORCED int tbx_block_has_first(const tbx_source *source, size_t first, int c
 TBX_FN int tbx_block_load(tbx_corners *out, const tbx_quick *q, const tbx_source *source, size_t first,
                           int count)
 {
-    if (source->is_double || source->stride != 3 * sizeof(float) ||
-        tbx_block_has_first(source, first, count)) {
-        return source->indices != NULL ? tbx_block_corners(out, q, source, 1, 0, first, count)
-                                       : tbx_block_corners(out, q, source, 0, 0, first, count);
+    if (source->is_double && !q->is_double) {
+        return tbx_block_corners(out, q, source, source->indices != NULL, 0, 1, first, count);
+    } else if (source->is_double || source->stride != 3 * sizeof(float) ||
+               tbx_block_has_first(source, first, count)) {
+        return source->indices != NULL ? tbx_block_corners(out, q, source, 1, 0, 0, first, count)
+                                       : tbx_block_corners(out, q, source, 0, 0, 0, first, count);
     } else {
-        return source->indices != NULL ? tbx_block_corners(out, q, source, 1, 1, first, count)
-                                       : tbx_block_corners(out, q, source, 0, 1, first, count);
+        return source->indices != NULL ? tbx_block_corners(out, q, source, 1, 1, 0, first, count)
+                                       : tbx_block_corners(out, q, source, 0, 1, 0, first, count);
     }
 }
 
@@ -13485,11 +13520,12 @@ TBX_NOINLINE int tbx_block_special(tbx_block *b, const tribox_grid *grid, const 
     return on_planes;
 }
 
-/* What a block tells the next one about: boxes that were mostly beside grid planes, or all off the region. */
-enum { TBX_HABIT_NONE, TBX_HABIT_PLANES, TBX_HABIT_OFF };
+/* What a block tells the next one about: boxes that were mostly beside grid planes, or all off the region; or
+ * that its doubles were to be floats, and are not, so that it has to be done again. */
+enum { TBX_HABIT_NONE, TBX_HABIT_PLANES, TBX_HABIT_OFF, TBX_HABIT_NO_FLOATS };
 
-/* Boxes of so many triangles from the first, BLOCK at most, by class. By *habit all are found with care at
- * once. */
+/* Boxes of so many triangles from the first, BLOCK at most, by class; none where they are NO_FLOATS. By
+ * *habit all are found with care at once. */
 TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribox_grid *grid,
                                  const tbx_quick *q, const tbx_source *source, size_t first, int count,
                                  int *habit)
@@ -13504,6 +13540,10 @@ TBX_NOINLINE void tbx_block_find(tbx_block *b, tbx_corners *corners, const tribo
     }
     b->start = first;
     b->same = 0;
+    if (is_near < 0) {
+        *habit = TBX_HABIT_NO_FLOATS;
+        return;
+    }
     b->of[TBX_CLASS_OTHER] = ~(uint64_t)0 >> (64 - count);
     if (is_near && *habit == TBX_HABIT_NONE) {
         tbx_block_boxes(b, q, corners, count);
@@ -14542,14 +14582,14 @@ TBX_NOINLINE unsigned tbx_precise_some(const tbx_quick *q, const tbx_source *sou
             a->points = extent > a->points ? extent : a->points;
             base[i] = (double)(g->box[from + i][k] + q->lo[k] + 1) * TBX_PIECES;
         }
-        a->x[0] = tbx_precise_load(at[0], k, q->is_double);
-        a->x[1] = tbx_precise_load(at[1], k, q->is_double);
-        a->x[2] = tbx_precise_load(at[2], k, q->is_double);
+        a->x[0] = tbx_precise_load(at[0], k, source->is_double);
+        a->x[1] = tbx_precise_load(at[1], k, source->is_double);
+        a->x[2] = tbx_precise_load(at[2], k, source->is_double);
         is_zero = (tbx_mp)(a->x[0] == zero) | (tbx_mp)(a->x[1] == zero) | (tbx_mp)(a->x[2] == zero);
         TBX_COPY(doubt, &is_zero, sizeof is_zero);
         for (i = 0; i < TBX_PRECISE; i++) {
             const size_t by = (size_t)k * sizeof(float);
-            if (TBX_RARELY(doubt[i] != 0) && !q->is_double &&
+            if (TBX_RARELY(doubt[i] != 0) && !source->is_double &&
                 (tbx_precise_is_tiny(at[0][i] + by) | tbx_precise_is_tiny(at[1][i] + by) |
                  tbx_precise_is_tiny(at[2][i] + by))) {
                 unsure |= 1u << (from + i);
@@ -15459,7 +15499,7 @@ TBX_NOINLINE void tbx_rows_flush(tbx_fill *fill, tbx_group *g)
 /* A box of any kind, by rows or exactly. */
 TBX_FN void tbx_fill_any(tbx_fill *fill, tbx_i4 box, size_t triangle)
 {
-    const int by_rows = !fill->source->is_double; /* rows take corners for floats */
+    const int by_rows = !fill->quick.is_double; /* rows take corners for floats */
     if (by_rows && (box[3] & ~(TBX_ON_LATTICE | 0x010101 * (TBX_FEW - 1))) == 0) {
         if (tbx_group_add(&fill->rows[0], box, triangle)) {
             tbx_rows_flush_few(fill, &fill->rows[0]);
@@ -15661,6 +15701,17 @@ TBX_FN void tbx_fill_all_later(tbx_fill *fill)
     fill->later_count = 0;
 }
 
+/* For a source's first triangles. Doubles are taken for floats as long as they are floats: that is faster,
+ * and floats are known on lattices. */
+TBX_FN void tbx_quick_start(tbx_quick *q, const tribox_grid *grid, const tbx_source *source,
+                            const tbx_target *t)
+{
+    tbx_quick_init(q, grid, t, 0);
+    if (source->is_double && !q->on) {
+        tbx_quick_init(q, grid, t, 1);
+    }
+}
+
 /* All triangles. Returns how many are done: 0 if the grid's numbers are out of range. */
 TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, const tbx_target *target)
 {
@@ -15671,23 +15722,28 @@ TBX_FN size_t tbx_fill_quick(const tbx_frame *frame, const tbx_source *source, c
     fill.target = target;
     fill.later_count = 0;
     fill.rows[0].n = fill.rows[1].n = fill.again.n = 0;
-    tbx_quick_init(&fill.quick, frame->grid, target, source->is_double);
+    tbx_quick_start(&fill.quick, frame->grid, source, target);
     fill.habit = TBX_HABIT_NONE;
-    if (!fill.quick.on) {
-        return 0;
-    }
-    while (t < source->triangles) {
+    while (fill.quick.on && t < source->triangles) {
         const size_t rest = source->triangles - t;
         const int count = rest < TBX_BLOCK ? (int)rest : TBX_BLOCK;
+        int no_floats;
         fill.next = t + (size_t)count;
         tbx_fill_block(&fill, t, count);
-        t = fill.next;
-        if (t / TBX_BLOCK % 256 == 0 || t == source->triangles) { /* so that `back` fits */
+        no_floats = fill.habit == TBX_HABIT_NO_FLOATS;
+        /* also so that `back` fits */
+        if (no_floats || fill.next / TBX_BLOCK % 256 == 0 || fill.next == source->triangles) {
             tbx_rows_flush_few(&fill, &fill.rows[0]);
             tbx_rows_flush(&fill, &fill.rows[1]);
             tbx_fill_again(&fill, &fill.again);
         }
         tbx_fill_all_later(&fill);
+        if (no_floats) {
+            tbx_quick_init(&fill.quick, frame->grid, target, 1);
+            fill.habit = TBX_HABIT_NONE;
+        } else {
+            t = fill.next;
+        }
     }
     return t;
 }
@@ -15790,7 +15846,7 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
     target.bits = NULL;
     target.row_words = (size_t)(f->last_x + 64) / 64;
     target.ny = (size_t)((int64_t)f->grid->hi[1] - lo[1]);
-    tbx_quick_init(&q, f->grid, &target, source->is_double);
+    tbx_quick_start(&q, f->grid, source, &target);
     while (q.on && t < source->triangles) {
         const size_t rest = source->triangles - t;
         const int in_block = rest < TBX_BLOCK ? (int)rest : TBX_BLOCK;
@@ -15801,6 +15857,11 @@ TBX_FN size_t tbx_mesh_spans_quick(const tbx_frame *f, const tbx_source *source,
         unsigned c;
         int j;
         tbx_decide_block(&u.decided, &q, f->grid, source, t, in_block, &habit);
+        if (habit == TBX_HABIT_NO_FLOATS) {
+            tbx_quick_init(&q, f->grid, &target, 1);
+            habit = TBX_HABIT_NONE;
+            continue;
+        }
         rest_of = u.decided.block.of[TBX_CLASS_ONE] | u.decided.block.of[TBX_CLASS_RUN] |
                   u.decided.block.of[TBX_CLASS_PAIR];
         for (; rest_of != 0; rest_of &= rest_of - 1) {

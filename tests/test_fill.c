@@ -3,6 +3,7 @@
 #include "tribox.h"
 
 #include <limits.h>
+#include <math.h>
 
 #include "voxels.h"
 
@@ -593,6 +594,12 @@ static void tenths_set(void *user, int x0, int x1, int y, int z)
     }
 }
 
+static void tenths_of_mesh(void *user, size_t which, int x0, int x1, int y, int z)
+{
+    (void)which;
+    tenths_set(user, x0, x1, y, z);
+}
+
 /* Corners at thirds of voxels of a tenth, edges through grid points but for what such numbers are rounded by: as
  * near as that, boxes of few voxels are not sure in double. */
 static void edges_through_grid_points_of_tenths(void)
@@ -622,6 +629,48 @@ static void edges_through_grid_points_of_tenths(void)
     }
 }
 
+/* Doubles that are floats may be taken for floats: but not from the corner on that is none, is too large for one, or
+ * too small; nor are the ones before it forgotten. */
+static void doubles_that_are_floats_until_one_is_none(void)
+{
+    enum { TRIANGLES = 200 };
+    static double v[9 * TRIANGLES];
+    tribox_grid     grid = {{-1, -1, -1}, {0.5, 0.5, 0.5}, {0, 0, 0}, {8, 8, 8}, 0};
+    tribox_mesh_f64 mesh;
+    int             run;
+    mesh.positions = v;
+    mesh.stride = 0;
+    mesh.indices = 0;
+    mesh.triangles = TRIANGLES;
+    for (run = 0; run < 64; run++) {
+        const double odd[4] = {0.1, ldexp(1.0, -200), ldexp(1.0, 200), ldexp(1.0, -149)};
+        const int from = run % 4 == 0 ? random_below(4) : run % 4 == 1 ? TRIANGLES : random_below(TRIANGLES);
+        uint64_t  bits[3][64];
+        int       t;
+        int       k;
+        for (t = 0; t < TRIANGLES; t++) {
+            const int first[3] = {random_below(7), random_below(7), random_below(7)};
+            const int extent = t % 3 == 0 ? 9 : 3;
+            for (k = 0; k < 9; k++) {
+                v[9 * t + k] = (first[k % 3] + random_below(extent)) / 4.0 - 1.0;
+            }
+            if (t >= from) {
+                k = random_below(9);
+                v[9 * t + k] = run % 3 == 0 ? v[9 * t + k] + 1e-12 : odd[run / 8 % 4];
+            }
+        }
+        memset(bits, 0, sizeof bits);
+        grid.flags = (unsigned)(run % 5);
+        tribox_grid_fill_f64(&grid, &mesh, bits[0]);
+        CHECK(tribox_mesh_spans_f64(&grid, &mesh, tenths_of_mesh, bits[1]) > 0);
+        for (t = 0; t < TRIANGLES; t++) {
+            tribox_grid_spans_f64(&grid, v + 9 * t, v + 9 * t + 3, v + 9 * t + 6, tenths_set, bits[2]);
+        }
+        CHECK(memcmp(bits[0], bits[2], sizeof bits[0]) == 0);
+        CHECK(memcmp(bits[1], bits[2], sizeof bits[0]) == 0);
+    }
+}
+
 int main(void)
 {
     RUN(fill_is_the_union_of_spans);
@@ -640,5 +689,6 @@ int main(void)
     RUN(a_box_beside_a_plane_sets_no_other);
     RUN(nothing_is_read_before_the_first_vertex);
     RUN(edges_through_grid_points_of_tenths);
+    RUN(doubles_that_are_floats_until_one_is_none);
     return test_report("test_fill");
 }

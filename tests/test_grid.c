@@ -821,6 +821,49 @@ static void spans_of_a_mesh_paint_its_fill(void)
     }
 }
 
+typedef struct told_rows {
+    int x[1024][4];
+    int n;
+} told_rows;
+
+static void tell_row(void *user, int x0, int x1, int y, int z)
+{
+    told_rows *to = (told_rows *)user;
+    to->x[to->n][0] = x0;
+    to->x[to->n][1] = x1;
+    to->x[to->n][2] = y;
+    to->x[to->n++][3] = z;
+}
+
+/* Numbers that no sum of products would hold have the rows of the same numbers in range, more rows than are
+ * remembered, too. */
+static void rows_of_numbers_out_of_range_are_those_in_range(void)
+{
+    static told_rows in;
+    static told_rows out;
+    tribox_grid grid = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {64, 160, 4}, 0};
+    int         run;
+    int         i;
+    for (run = 0; run < 2; run++) {
+        tribox_grid huge_grid = grid;
+        double v[9];
+        double far_off[9];
+        for (i = 0; i < 9; i++) {
+            static const double at[2][9] = {{1.5, 2.5, 0.25, 60.25, 70.5, 3.75, 20.5, 157.25, 1.5},
+                                            {3.0, 150.75, 0.5, 30.5, 3.5, 1.25, 62.5, 80.0, 3.5}};
+            v[i] = at[run][i];
+            far_off[i] = ldexp(v[i], 400);
+        }
+        for (i = 0; i < 3; i++) {
+            huge_grid.size[i] = ldexp(1.0, 400);
+        }
+        in.n = out.n = 0;
+        CHECK(tribox_grid_spans_f64(&grid, v, v + 3, v + 6, tell_row, &in) ==
+              tribox_grid_spans_f64(&huge_grid, far_off, far_off + 3, far_off + 6, tell_row, &out));
+        CHECK(in.n > 150 && in.n == out.n && memcmp(in.x, out.x, sizeof in.x) == 0);
+    }
+}
+
 /* More bits than the caches hold are asked for ahead of their use: the fill is still what its spans paint. */
 static void a_fill_of_two_mebibytes_is_its_spans(void)
 {
@@ -970,6 +1013,7 @@ int main(void)
     RUN(more_rows_than_are_kept_at_once_are_exact);
     RUN(spans_and_fills_of_meshes_are_those_of_their_triangles);
     RUN(spans_of_a_mesh_paint_its_fill);
+    RUN(rows_of_numbers_out_of_range_are_those_in_range);
     RUN(a_fill_of_two_mebibytes_is_its_spans);
     RUN(a_cube_in_map_coordinates_keeps_its_digits);
     RUN(spans_of_nothing_are_none);
