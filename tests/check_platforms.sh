@@ -47,6 +47,10 @@ export -f built_and_run
 more() { # is this the long run?
     [ "$PLATFORMS" = all ]
 }
+if more; then # Debian sid has these; what is not there is left out
+    gccs="$gccs gcc-13 gcc-14 gcc-15 gcc-16"
+    clangs="$clangs clang-23"
+fi
 also() { # in the long run only
     if more; then
         "$@"
