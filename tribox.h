@@ -2074,8 +2074,8 @@ TBX_FN int tbx_is_outside(const double t[3], const double p[3], const double q[3
 }
 
 /* Of a chord p, q, an edge asked alone, n is 0, and for each axis one condition remains: r - |c| >= 0, c =
- * a x m, a = q - p, of the box clipped to it. The bound is the edges' one above: r, 10, c, 20, and their sum, 4,
- * of 128. Where X_b or X_c is 0, so are value and bound: the faces say all. */
+ * a x m, a = q - p, of the box clipped to it. The bound is the edges' one above: r, 10, c, 20, and their
+ * sum, 4, of 128. Where X_b or X_c is 0, so are value and bound: the faces say all. */
 typedef struct tbx_chord {
     double a;
     double m;
