@@ -7617,7 +7617,7 @@ TBX_FN int tbx_slab_times(double x[4][3], int k, double *out_first, double *out_
         *out_first = -TBX_SLAB_BEYOND;
         *out_last = TBX_SLAB_BEYOND;
     }
-    return (lo > hi) | !(tbx_abs(inverse * divisor - 1.0) <= TBX_SLAB_INVERSE_ERROR);
+    return tbx_more(lo, hi) | !tbx_no_more(tbx_abs(inverse * divisor - 1.0), TBX_SLAB_INVERSE_ERROR);
 }
 
 /* A finite t or one past every time. */
