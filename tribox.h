@@ -1184,11 +1184,17 @@ TBX_FN uint64_t tbx_unusual6(const float a[3], const float b[3])
 /* Three floats that were looked at, as doubles; not before: signalling NaN would raise a flag. */
 TBX_FORCED void tbx_take3_float(double out[3], const void *x)
 {
-    const float *there = (const float *)x;
+    const char *there = (const char *)x; /* of any alignment: a mesh has any stride */
+    float a;
+    float b;
+    float c;
     TBX_KEEP_POINTER(there);
-    out[0] = (double)there[0];
-    out[1] = (double)there[1];
-    out[2] = (double)there[2];
+    TBX_COPY(&a, there, sizeof a);
+    TBX_COPY(&b, there + sizeof a, sizeof b);
+    TBX_COPY(&c, there + 2 * sizeof a, sizeof c);
+    out[0] = (double)a;
+    out[1] = (double)b;
+    out[2] = (double)c;
 #if TBX_HAS_ASM
     TBX_KEEP3(SCALAR, out[0], out[1], out[2]); /* else minima compare the floats, and branch on that */
 #endif
